@@ -64,17 +64,10 @@ struct type_23 {
 }
 
 struct type_25 {
-    member: array<array<f32, 3>, 2>,
-    member_1: array<array<f32, 3>, 2>,
-    member_2: array<array<f32, 3>, 2>,
-    member_3: f32,
-}
-
-struct type_27 {
     member: array<array<u32, 3>>,
 }
 
-struct type_28 {
+struct type_26 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
     member_2: array<f32, 3>,
@@ -84,22 +77,22 @@ struct type_28 {
     member_6: f32,
 }
 
-struct type_32 {
+struct type_30 {
     member: array<f32, 3>,
     member_1: f32,
 }
 
-struct type_33 {
+struct type_31 {
     member: type_7,
     member_1: type_8,
-    member_2: type_32,
+    member_2: type_30,
 }
 
-struct type_34 {
-    member: type_33,
+struct type_32 {
+    member: type_31,
 }
 
-struct type_35 {
+struct type_33 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -108,8 +101,15 @@ struct type_35 {
     member_5: array<u32, 4>,
 }
 
+struct type_35 {
+    member: array<type_33>,
+}
+
 struct type_37 {
-    member: array<type_35>,
+    member: array<array<f32, 3>, 2>,
+    member_1: array<array<f32, 3>, 2>,
+    member_2: array<array<f32, 3>, 2>,
+    member_3: f32,
 }
 
 struct type_38 {
@@ -122,15 +122,15 @@ struct type_38 {
 @group(0) @binding(1) 
 var<storage> paths: type_19;
 @group(0) @binding(0) 
-var<storage> params: type_34;
+var<storage> params: type_32;
 @group(0) @binding(2) 
 var<storage> edges: type_21;
 @group(0) @binding(3) 
-var<storage> faces: type_27;
+var<storage> faces: type_25;
 @group(0) @binding(4) 
 var<storage> contacts: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> geometry: type_37;
+var<storage, read_write> geometry: type_35;
 
 fn function_(param: array<f32, 4>, param_1: u32) -> array<f32, 4> {
     var phi_4373_: array<f32, 4>;
@@ -195,7 +195,7 @@ fn function_3(param_5: f32, param_6: f32) -> f32 {
     return _e11;
 }
 
-fn function_4(param_7: ptr<function, type_28>, param_8: f32, param_9: f32) -> f32 {
+fn function_4(param_7: ptr<function, type_26>, param_8: f32, param_9: f32) -> f32 {
     let _e4 = (*param_7).member;
     let _e9 = (*param_7).member_2;
     let _e20 = (*param_7).member_1;
@@ -205,7 +205,7 @@ fn function_4(param_7: ptr<function, type_28>, param_8: f32, param_9: f32) -> f3
     return _e45;
 }
 
-fn function_5(param_10: ptr<function, type_28>, param_11: f32, param_12: f32) -> type_38 {
+fn function_5(param_10: ptr<function, type_26>, param_11: f32, param_12: f32) -> type_38 {
     let _e4 = (*param_10).member;
     let _e9 = (*param_10).member_1;
     let _e20 = (*param_10).member_2;
@@ -215,7 +215,7 @@ fn function_5(param_10: ptr<function, type_28>, param_11: f32, param_12: f32) ->
     return type_38(param_11, param_12, array<f32, 3>(_e27, _e28, _e29), (((_e27 * _e27) + (_e28 * _e28)) + (_e29 * _e29)));
 }
 
-fn function_6(param_13: ptr<function, type_28>, param_14: f32, param_15: f32) -> f32 {
+fn function_6(param_13: ptr<function, type_26>, param_14: f32, param_15: f32) -> f32 {
     let _e4 = (*param_13).member;
     let _e9 = (*param_13).member_1;
     let _e20 = (*param_13).member_2;
@@ -225,7 +225,7 @@ fn function_6(param_13: ptr<function, type_28>, param_14: f32, param_15: f32) ->
     return _e45;
 }
 
-fn function_7(param_16: ptr<function, type_28>, param_17: u32) -> type_38 {
+fn function_7(param_16: ptr<function, type_26>, param_17: u32) -> type_38 {
     var phi_4040_: f32;
     var phi_4047_: f32;
     var phi_4058_: type_38;
@@ -592,7 +592,7 @@ fn function_11(param_24: ptr<function, array<array<f32, 3>, 4>>, param_25: ptr<f
 }
 
 fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_28;
+    var local: type_26;
     var local_1: array<array<f32, 3>, 4>;
     var local_2: array<array<f32, 3>, 4>;
     var phi_185_: u32;
@@ -608,7 +608,7 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_553_: u32;
     var phi_559_: f32;
     var phi_568_: u32;
-    var phi_729_: type_25;
+    var phi_729_: type_37;
     var phi_745_: f32;
     var phi_752_: f32;
     var phi_757_: f32;
@@ -1079,9 +1079,9 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e263 = function_10((&local_1), _e262);
                 let _e264 = function_10((&local_2), _e262);
                 if (_e179.member != 0u) {
-                    phi_729_ = type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e263[2][0] - _e263[0][0]), (_e263[2][1] - _e263[0][1]), (_e263[2][2] - _e263[0][2])), array<f32, 3>((_e264[2][0] - _e264[0][0]), (_e264[2][1] - _e264[0][1]), (_e264[2][2] - _e264[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[1][0] - _e263[0][0]), (_e263[1][1] - _e263[0][1]), (_e263[1][2] - _e263[0][2])), array<f32, 3>((_e264[1][0] - _e264[0][0]), (_e264[1][1] - _e264[0][1]), (_e264[1][2] - _e264[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[2][0] - _e263[3][0]), (_e263[2][1] - _e263[3][1]), (_e263[2][2] - _e263[3][2])), array<f32, 3>((_e264[2][0] - _e264[3][0]), (_e264[2][1] - _e264[3][1]), (_e264[2][2] - _e264[3][2]))), (_e257 + _e257));
+                    phi_729_ = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e263[2][0] - _e263[0][0]), (_e263[2][1] - _e263[0][1]), (_e263[2][2] - _e263[0][2])), array<f32, 3>((_e264[2][0] - _e264[0][0]), (_e264[2][1] - _e264[0][1]), (_e264[2][2] - _e264[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[1][0] - _e263[0][0]), (_e263[1][1] - _e263[0][1]), (_e263[1][2] - _e263[0][2])), array<f32, 3>((_e264[1][0] - _e264[0][0]), (_e264[1][1] - _e264[0][1]), (_e264[1][2] - _e264[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[2][0] - _e263[3][0]), (_e263[2][1] - _e263[3][1]), (_e263[2][2] - _e263[3][2])), array<f32, 3>((_e264[2][0] - _e264[3][0]), (_e264[2][1] - _e264[3][1]), (_e264[2][2] - _e264[3][2]))), (_e257 + _e257));
                 } else {
-                    phi_729_ = type_25(array<array<f32, 3>, 2>(array<f32, 3>((_e263[0][0] - _e263[1][0]), (_e263[0][1] - _e263[1][1]), (_e263[0][2] - _e263[1][2])), array<f32, 3>((_e264[0][0] - _e264[1][0]), (_e264[0][1] - _e264[1][1]), (_e264[0][2] - _e264[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[2][0] - _e263[1][0]), (_e263[2][1] - _e263[1][1]), (_e263[2][2] - _e263[1][2])), array<f32, 3>((_e264[2][0] - _e264[1][0]), (_e264[2][1] - _e264[1][1]), (_e264[2][2] - _e264[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[3][0] - _e263[1][0]), (_e263[3][1] - _e263[1][1]), (_e263[3][2] - _e263[1][2])), array<f32, 3>((_e264[3][0] - _e264[1][0]), (_e264[3][1] - _e264[1][1]), (_e264[3][2] - _e264[1][2]))), (_e257 + _e257));
+                    phi_729_ = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e263[0][0] - _e263[1][0]), (_e263[0][1] - _e263[1][1]), (_e263[0][2] - _e263[1][2])), array<f32, 3>((_e264[0][0] - _e264[1][0]), (_e264[0][1] - _e264[1][1]), (_e264[0][2] - _e264[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[2][0] - _e263[1][0]), (_e263[2][1] - _e263[1][1]), (_e263[2][2] - _e263[1][2])), array<f32, 3>((_e264[2][0] - _e264[1][0]), (_e264[2][1] - _e264[1][1]), (_e264[2][2] - _e264[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[3][0] - _e263[1][0]), (_e263[3][1] - _e263[1][1]), (_e263[3][2] - _e263[1][2])), array<f32, 3>((_e264[3][0] - _e264[1][0]), (_e264[3][1] - _e264[1][1]), (_e264[3][2] - _e264[1][2]))), (_e257 + _e257));
                 }
                 let _e421 = phi_729_;
                 let _e426 = function_9(_e421.member[0], _e421.member[1], _e258);
@@ -1530,7 +1530,7 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_1255_ = 0f;
                 }
                 let _e808 = phi_1255_;
-                local = type_28(array<f32, 3>((_e426[0] * _e506), (_e426[1] * _e506), (_e426[2] * _e506)), array<f32, 3>(_e514, _e516, _e518), array<f32, 3>(_e520, _e522, _e524), array<f32, 3>(_e688, _e691, _e694), _e808, _e739, ((((((_e573 + _e421.member_3) + _e626) + _e677) * _e678) + _e680) * _e506));
+                local = type_26(array<f32, 3>((_e426[0] * _e506), (_e426[1] * _e506), (_e426[2] * _e506)), array<f32, 3>(_e514, _e516, _e518), array<f32, 3>(_e520, _e522, _e524), array<f32, 3>(_e688, _e691, _e694), _e808, _e739, ((((((_e573 + _e421.member_3) + _e626) + _e677) * _e678) + _e680) * _e506));
                 let _e814 = function_7((&local), _e179.member);
                 if (_e814.member_3 <= 0.000000000000000000000000000000000000011754944f) {
                     if (_e814.member_3 > 0f) {
@@ -3186,7 +3186,7 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e2384 = function_9(_e2381, _e2379, 0.5f);
                 let _e2388 = params.member.member_2.member;
                 let _e2391 = params.member.member_2.member_1;
-                geometry.member[_e140] = type_35(array<f32, 3>(((_e2384[0] * _e2391) + _e2388[0]), ((_e2384[1] * _e2391) + _e2388[1]), ((_e2384[2] * _e2391) + _e2388[2])), ((_e878 / _e506) * _e2391), _e2327, _e147, _e2383, _e179.member_1);
+                geometry.member[_e140] = type_33(array<f32, 3>(((_e2384[0] * _e2391) + _e2388[0]), ((_e2384[1] * _e2391) + _e2388[1]), ((_e2384[2] * _e2391) + _e2388[2])), ((_e878 / _e506) * _e2391), _e2327, _e147, _e2383, _e179.member_1);
             }
         }
         continue;

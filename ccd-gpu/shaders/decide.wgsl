@@ -54,36 +54,36 @@ struct type_17 {
     member_5: u32,
 }
 
-struct type_21 {
-    member: array<array<f32, 3>, 2>,
-    member_1: array<array<f32, 3>, 2>,
-    member_2: array<array<f32, 3>, 2>,
-    member_3: f32,
-}
-
-struct type_22 {
-    member: vec4<f32>,
-    member_1: vec4<f32>,
-}
-
-struct type_24 {
-    member: array<type_22>,
-}
-
-struct type_25 {
-    member: u32,
-    member_1: array<u32, 4>,
-}
-
-struct type_26 {
+struct type_20 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
 }
 
-struct type_27 {
+struct type_21 {
+    member: u32,
+    member_1: array<u32, 4>,
+}
+
+struct type_22 {
     member: f32,
     member_1: f32,
+}
+
+struct type_23 {
+    member: vec4<f32>,
+    member_1: vec4<f32>,
+}
+
+struct type_25 {
+    member: array<type_23>,
+}
+
+struct type_28 {
+    member: array<array<f32, 3>, 2>,
+    member_1: array<array<f32, 3>, 2>,
+    member_2: array<array<f32, 3>, 2>,
+    member_3: f32,
 }
 
 struct type_29 {
@@ -123,7 +123,7 @@ struct type_38 {
 }
 
 struct type_44 {
-    member: type_21,
+    member: type_28,
     member_1: f32,
 }
 
@@ -157,7 +157,7 @@ struct type_52 {
 var<storage> input: type_11;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(1) 
-var<storage> paths: type_24;
+var<storage> paths: type_25;
 @group(0) @binding(3) 
 var<storage> elements: type_11;
 @group(0) @binding(5) 
@@ -812,10 +812,10 @@ fn function_13(param_35: array<u32, 2>, param_36: i32) -> type_9 {
 fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_30;
     var local_1: type_30;
-    var local_2: type_26;
-    var local_3: type_26;
-    var local_4: type_26;
-    var local_5: array<type_27, 4>;
+    var local_2: type_20;
+    var local_3: type_20;
+    var local_4: type_20;
+    var local_5: array<type_22, 4>;
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
     var local_8: type_30;
@@ -828,7 +828,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_15: type_30;
     var local_16: type_30;
     var local_17: type_30;
-    var local_18: type_21;
+    var local_18: type_28;
     var local_19: array<type_9, 3>;
     var local_20: array<type_9, 3>;
     var local_21: array<type_9, 3>;
@@ -881,8 +881,8 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_438_: type_9;
     var phi_439_: type_9;
     var phi_462_: type_9;
-    var phi_598_: type_25;
-    var phi_1012_: type_21;
+    var phi_598_: type_21;
+    var phi_1012_: type_28;
     var phi_1020_: f32;
     var phi_1027_: f32;
     var phi_1032_: f32;
@@ -1822,7 +1822,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_19395_: f32;
     var phi_19401_: f32;
     var phi_19408_: f32;
-    var phi_19443_: array<type_27, 4>;
+    var phi_19443_: array<type_22, 4>;
     var phi_19463_: type_9;
     var phi_19466_: bool;
     var phi_19464_: type_9;
@@ -3102,7 +3102,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e306 = elements.member[_e304];
                     let _e309 = elements.member[(_e304 + 1u)];
                     let _e312 = elements.member[(_e304 + 2u)];
-                    phi_598_ = type_25(0u, array<u32, 4>(_e280, _e306, _e309, _e312));
+                    phi_598_ = type_21(0u, array<u32, 4>(_e280, _e306, _e309, _e312));
                 } else {
                     let _e290 = (2u * _e280);
                     let _e291 = (2u * _e283);
@@ -3110,7 +3110,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e295 = elements.member[_e291];
                     let _e298 = elements.member[(_e290 + 1u)];
                     let _e301 = elements.member[(_e291 + 1u)];
-                    phi_598_ = type_25(1u, array<u32, 4>(_e293, _e298, _e295, _e301));
+                    phi_598_ = type_21(1u, array<u32, 4>(_e293, _e298, _e295, _e301));
                 }
                 let _e316 = phi_598_;
                 local_58 = array<u32, 4>(_e316.member_1[0], _e316.member_1[1], _e316.member_1[2], _e316.member_1[3]);
@@ -3135,7 +3135,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e551 = local_59[3u];
                     let _e560 = local_60[2u];
                     let _e565 = local_60[3u];
-                    phi_1012_ = type_21(array<array<f32, 3>, 2>(array<f32, 3>((_e488[0] - _e493[0]), (_e488[1] - _e493[1]), (_e488[2] - _e493[2])), array<f32, 3>((_e502[0] - _e507[0]), (_e502[1] - _e507[1]), (_e502[2] - _e507[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e517[0] - _e522[0]), (_e517[1] - _e522[1]), (_e517[2] - _e522[2])), array<f32, 3>((_e531[0] - _e536[0]), (_e531[1] - _e536[1]), (_e531[2] - _e536[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e546[0] - _e551[0]), (_e546[1] - _e551[1]), (_e546[2] - _e551[2])), array<f32, 3>((_e560[0] - _e565[0]), (_e560[1] - _e565[1]), (_e560[2] - _e565[2]))), (_e396 + _e396));
+                    phi_1012_ = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e488[0] - _e493[0]), (_e488[1] - _e493[1]), (_e488[2] - _e493[2])), array<f32, 3>((_e502[0] - _e507[0]), (_e502[1] - _e507[1]), (_e502[2] - _e507[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e517[0] - _e522[0]), (_e517[1] - _e522[1]), (_e517[2] - _e522[2])), array<f32, 3>((_e531[0] - _e536[0]), (_e531[1] - _e536[1]), (_e531[2] - _e536[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e546[0] - _e551[0]), (_e546[1] - _e551[1]), (_e546[2] - _e551[2])), array<f32, 3>((_e560[0] - _e565[0]), (_e560[1] - _e565[1]), (_e560[2] - _e565[2]))), (_e396 + _e396));
                 } else {
                     let _e399 = local_59[0u];
                     let _e404 = local_59[1u];
@@ -3149,7 +3149,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e462 = local_59[1u];
                     let _e471 = local_60[3u];
                     let _e476 = local_60[1u];
-                    phi_1012_ = type_21(array<array<f32, 3>, 2>(array<f32, 3>((_e399[0] - _e404[0]), (_e399[1] - _e404[1]), (_e399[2] - _e404[2])), array<f32, 3>((_e413[0] - _e418[0]), (_e413[1] - _e418[1]), (_e413[2] - _e418[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e428[0] - _e433[0]), (_e428[1] - _e433[1]), (_e428[2] - _e433[2])), array<f32, 3>((_e442[0] - _e447[0]), (_e442[1] - _e447[1]), (_e442[2] - _e447[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e457[0] - _e462[0]), (_e457[1] - _e462[1]), (_e457[2] - _e462[2])), array<f32, 3>((_e471[0] - _e476[0]), (_e471[1] - _e476[1]), (_e471[2] - _e476[2]))), (_e396 + _e396));
+                    phi_1012_ = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e399[0] - _e404[0]), (_e399[1] - _e404[1]), (_e399[2] - _e404[2])), array<f32, 3>((_e413[0] - _e418[0]), (_e413[1] - _e418[1]), (_e413[2] - _e418[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e428[0] - _e433[0]), (_e428[1] - _e433[1]), (_e428[2] - _e433[2])), array<f32, 3>((_e442[0] - _e447[0]), (_e442[1] - _e447[1]), (_e442[2] - _e447[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e457[0] - _e462[0]), (_e457[1] - _e462[1]), (_e457[2] - _e462[2])), array<f32, 3>((_e471[0] - _e476[0]), (_e471[1] - _e476[1]), (_e471[2] - _e476[2]))), (_e396 + _e396));
                 }
                 let _e577 = phi_1012_;
                 if (_e577.member[0][0] < 0f) {
@@ -6787,7 +6787,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     phi_8081_ = _e5805;
                                 }
                                 let _e5811 = phi_8081_;
-                                phi_8139_ = type_44(type_21(array<array<f32, 3>, 2>(array<f32, 3>((_e577.member[0][0] * _e5804), (_e577.member[0][1] * _e5804), (_e577.member[0][2] * _e5804)), array<f32, 3>((_e577.member[1][0] * _e5804), (_e577.member[1][1] * _e5804), (_e577.member[1][2] * _e5804))), array<array<f32, 3>, 2>(array<f32, 3>((_e577.member_1[0][0] * _e5804), (_e577.member_1[0][1] * _e5804), (_e577.member_1[0][2] * _e5804)), array<f32, 3>((_e577.member_1[1][0] * _e5804), (_e577.member_1[1][1] * _e5804), (_e577.member_1[1][2] * _e5804))), array<array<f32, 3>, 2>(array<f32, 3>((_e577.member_2[0][0] * _e5804), (_e577.member_2[0][1] * _e5804), (_e577.member_2[0][2] * _e5804)), array<f32, 3>((_e577.member_2[1][0] * _e5804), (_e577.member_2[1][1] * _e5804), (_e577.member_2[1][2] * _e5804))), ((_e577.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e5804)), _e5811);
+                                phi_8139_ = type_44(type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e577.member[0][0] * _e5804), (_e577.member[0][1] * _e5804), (_e577.member[0][2] * _e5804)), array<f32, 3>((_e577.member[1][0] * _e5804), (_e577.member[1][1] * _e5804), (_e577.member[1][2] * _e5804))), array<array<f32, 3>, 2>(array<f32, 3>((_e577.member_1[0][0] * _e5804), (_e577.member_1[0][1] * _e5804), (_e577.member_1[0][2] * _e5804)), array<f32, 3>((_e577.member_1[1][0] * _e5804), (_e577.member_1[1][1] * _e5804), (_e577.member_1[1][2] * _e5804))), array<array<f32, 3>, 2>(array<f32, 3>((_e577.member_2[0][0] * _e5804), (_e577.member_2[0][1] * _e5804), (_e577.member_2[0][2] * _e5804)), array<f32, 3>((_e577.member_2[1][0] * _e5804), (_e577.member_2[1][1] * _e5804), (_e577.member_2[1][2] * _e5804))), ((_e577.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e5804)), _e5811);
                                 phi_8140_ = false;
                             } else {
                                 phi_8139_ = type_44();
@@ -6814,7 +6814,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_8149_ = _e5884;
                     }
                     let _e5889 = phi_8149_;
-                    local_18 = type_21(array<array<f32, 3>, 2>(array<f32, 3>(_e5889.member.member[0][0], _e5889.member.member[0][1], _e5889.member.member[0][2]), array<f32, 3>(_e5889.member.member[1][0], _e5889.member.member[1][1], _e5889.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e5889.member.member_1[0][0], _e5889.member.member_1[0][1], _e5889.member.member_1[0][2]), array<f32, 3>(_e5889.member.member_1[1][0], _e5889.member.member_1[1][1], _e5889.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e5889.member.member_2[0][0], _e5889.member.member_2[0][1], _e5889.member.member_2[0][2]), array<f32, 3>(_e5889.member.member_2[1][0], _e5889.member.member_2[1][1], _e5889.member.member_2[1][2])), _e5889.member.member_3);
+                    local_18 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e5889.member.member[0][0], _e5889.member.member[0][1], _e5889.member.member[0][2]), array<f32, 3>(_e5889.member.member[1][0], _e5889.member.member[1][1], _e5889.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e5889.member.member_1[0][0], _e5889.member.member_1[0][1], _e5889.member.member_1[0][2]), array<f32, 3>(_e5889.member.member_1[1][0], _e5889.member.member_1[1][1], _e5889.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e5889.member.member_2[0][0], _e5889.member.member_2[0][1], _e5889.member.member_2[0][2]), array<f32, 3>(_e5889.member.member_2[1][0], _e5889.member.member_2[1][1], _e5889.member.member_2[1][2])), _e5889.member.member_3);
                     if (_e5889.member_1 > 0f) {
                         let _e10654 = local_18.member[0u];
                         let _e10660 = local_18.member[1u];
@@ -13360,7 +13360,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     phi_18671_ = _e8472;
                                                 }
                                                 let _e8475 = phi_18671_;
-                                                local_2 = type_26(array<f32, 3>(_e8418, _e8419, _e8420), _e8457, (_e8475 + _e8457));
+                                                local_2 = type_20(array<f32, 3>(_e8418, _e8419, _e8420), _e8457, (_e8475 + _e8457));
                                                 let _e8481 = local_18.member_3;
                                                 let _e8483 = local_18.member_1[0u];
                                                 if (_e8483[0] < 0f) {
@@ -13501,7 +13501,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     phi_18878_ = _e8602;
                                                 }
                                                 let _e8605 = phi_18878_;
-                                                local_3 = type_26(array<f32, 3>(_e8548, _e8549, _e8550), _e8587, (_e8605 + _e8587));
+                                                local_3 = type_20(array<f32, 3>(_e8548, _e8549, _e8550), _e8587, (_e8605 + _e8587));
                                                 let _e8611 = local_18.member_3;
                                                 let _e8613 = local_18.member_2[0u];
                                                 if (_e8613[0] < 0f) {
@@ -13642,7 +13642,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     phi_19085_ = _e8732;
                                                 }
                                                 let _e8735 = phi_19085_;
-                                                local_4 = type_26(array<f32, 3>(_e8678, _e8679, _e8680), _e8717, (_e8735 + _e8717));
+                                                local_4 = type_20(array<f32, 3>(_e8678, _e8679, _e8680), _e8717, (_e8735 + _e8717));
                                                 let _e8740 = local_3.member;
                                                 let _e8745 = local_4.member;
                                                 let _e8751 = ((_e8740[1] * _e8745[2]) - (_e8740[2] * _e8745[1]));
@@ -13787,14 +13787,14 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e8961 = phi_19408_;
                                                     let _e8964 = (((_e8952 + _e8956) + _e8961) * (0.000000059604645f * 4f));
                                                     if (_e316.member != 0u) {
-                                                        phi_19443_ = array<type_27, 4>(type_27(_e8947, _e8898), type_27(_e8948, _e8945), type_27((_e8946 - _e8947), ((_e8843 + _e8898) + _e8964)), type_27((_e8946 - _e8948), ((_e8843 + _e8945) + _e8964)));
+                                                        phi_19443_ = array<type_22, 4>(type_22(_e8947, _e8898), type_22(_e8948, _e8945), type_22((_e8946 - _e8947), ((_e8843 + _e8898) + _e8964)), type_22((_e8946 - _e8948), ((_e8843 + _e8945) + _e8964)));
                                                     } else {
                                                         let _e8967 = ((_e8946 - _e8947) - _e8948);
                                                         let _e8970 = (((_e8843 + _e8898) + _e8945) + _e8964);
-                                                        phi_19443_ = array<type_27, 4>(type_27(_e8947, _e8898), type_27(_e8948, _e8945), type_27(_e8967, _e8970), type_27(_e8967, _e8970));
+                                                        phi_19443_ = array<type_22, 4>(type_22(_e8947, _e8898), type_22(_e8948, _e8945), type_22(_e8967, _e8970), type_22(_e8967, _e8970));
                                                     }
                                                     let _e8988 = phi_19443_;
-                                                    local_5 = array<type_27, 4>(type_27(_e8988[0].member, _e8988[0].member_1), type_27(_e8988[1].member, _e8988[1].member_1), type_27(_e8988[2].member, _e8988[2].member_1), type_27(_e8988[3].member, _e8988[3].member_1));
+                                                    local_5 = array<type_22, 4>(type_22(_e8988[0].member, _e8988[0].member_1), type_22(_e8988[1].member, _e8988[1].member_1), type_22(_e8988[2].member, _e8988[2].member_1), type_22(_e8988[3].member, _e8988[3].member_1));
                                                     phi_19463_ = type_9(0u, 4u);
                                                     phi_19466_ = true;
                                                     loop {

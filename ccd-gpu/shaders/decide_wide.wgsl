@@ -65,17 +65,17 @@ struct type_20 {
 }
 
 struct type_23 {
+    member: u32,
+    member_1: array<u32, 4>,
+}
+
+struct type_24 {
     member: vec4<f32>,
     member_1: vec4<f32>,
 }
 
-struct type_25 {
-    member: array<type_23>,
-}
-
 struct type_26 {
-    member: u32,
-    member_1: array<u32, 4>,
+    member: array<type_24>,
 }
 
 struct type_30 {
@@ -163,7 +163,7 @@ var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
 var<storage> positions: type_30;
 @group(0) @binding(1) 
-var<storage> paths: type_25;
+var<storage> paths: type_26;
 @group(0) @binding(3) 
 var<storage> elements: type_13;
 @group(0) @binding(5) 
@@ -548,7 +548,7 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_457_: type_9;
     var phi_458_: type_9;
     var phi_481_: type_9;
-    var phi_619_: type_26;
+    var phi_619_: type_23;
     var phi_815_: type_31;
     var phi_976_: type_33;
     var phi_1024_: f64;
@@ -2346,7 +2346,7 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e242 = elements.member[_e240];
                     let _e245 = elements.member[(_e240 + 1u)];
                     let _e248 = elements.member[(_e240 + 2u)];
-                    phi_619_ = type_26(0u, array<u32, 4>(_e220, _e242, _e245, _e248));
+                    phi_619_ = type_23(0u, array<u32, 4>(_e220, _e242, _e245, _e248));
                 } else {
                     let _e226 = (2u * _e220);
                     let _e227 = (2u * _e223);
@@ -2354,7 +2354,7 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e231 = elements.member[_e227];
                     let _e234 = elements.member[(_e226 + 1u)];
                     let _e237 = elements.member[(_e227 + 1u)];
-                    phi_619_ = type_26(1u, array<u32, 4>(_e229, _e234, _e231, _e237));
+                    phi_619_ = type_23(1u, array<u32, 4>(_e229, _e234, _e231, _e237));
                 }
                 let _e252 = phi_619_;
                 let _e256 = params.member.member.member_1;

@@ -80,15 +80,16 @@ struct type_27 {
     member_1: u32,
 }
 
-struct type_30 {
+struct type_31 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(2) 
 var<storage> keys: type_11;
 var<workgroup> names: array<u32, 128>;
+var<workgroup> counters: array<atomic<u32>, 8>;
 @group(0) @binding(6) 
-var<storage, read_write> pairs: type_30;
+var<storage, read_write> pairs: type_31;
 @group(0) @binding(0) 
 var<storage> params: type_26;
 @group(0) @binding(1) 
@@ -100,7 +101,6 @@ var<storage> survey: type_11;
 @group(0) @binding(5) 
 var<storage> work: type_11;
 var<workgroup> boxes: array<type_18, 128>;
-var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> hits: array<u32, 2048>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {

@@ -83,10 +83,14 @@ struct type_29 {
 }
 
 struct type_36 {
+    member: array<vec4<f32>>,
+}
+
+struct type_39 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_40 {
+struct type_43 {
     member: array<atomic<u32>>,
 }
 
@@ -96,320 +100,329 @@ var<storage> params: type_20;
 var<storage> nodes: type_27;
 var<workgroup> columns: array<type_29, 128>;
 var<workgroup> names: array<u32, 128>;
-var<workgroup> counters: array<atomic<u32>, 10>;
+var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> n_hits: array<u32, 1>;
 var<workgroup> hits: array<u32, 512>;
 var<workgroup> firsts: array<u32, 8>;
-@group(0) @binding(6) 
-var<storage, read_write> output: type_40;
 @group(0) @binding(2) 
 var<storage> leaves: type_23;
 @group(0) @binding(3) 
-var<storage> bodies: type_11;
+var<storage> ends: type_36;
 @group(0) @binding(4) 
-var<storage> keys: type_36;
+var<storage> bodies: type_11;
 @group(0) @binding(5) 
+var<storage> keys: type_39;
+@group(0) @binding(6) 
 var<storage> input: type_11;
+@group(0) @binding(7) 
+var<storage, read_write> output: type_43;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_2793_: bool;
-    var phi_2794_: bool;
-    var phi_2798_: array<u32, 2>;
+    var phi_3121_: bool;
+    var phi_3122_: bool;
+    var phi_3126_: array<u32, 2>;
 
     if (param_1[1] > param[1]) {
-        phi_2794_ = true;
+        phi_3122_ = true;
     } else {
         if (param_1[1] == param[1]) {
-            phi_2793_ = (param_1[0] > param[0]);
+            phi_3121_ = (param_1[0] > param[0]);
         } else {
-            phi_2793_ = false;
+            phi_3121_ = false;
         }
-        let _e14 = phi_2793_;
-        phi_2794_ = _e14;
+        let _e14 = phi_3121_;
+        phi_3122_ = _e14;
     }
-    let _e16 = phi_2794_;
+    let _e16 = phi_3122_;
     if _e16 {
-        phi_2798_ = param_1;
+        phi_3126_ = param_1;
     } else {
-        phi_2798_ = param;
+        phi_3126_ = param;
     }
-    let _e18 = phi_2798_;
+    let _e18 = phi_3126_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_2769_: bool;
-    var phi_2770_: bool;
-    var phi_2774_: array<u32, 2>;
+    var phi_3097_: bool;
+    var phi_3098_: bool;
+    var phi_3102_: array<u32, 2>;
 
     if (param_2[1] > param_3[1]) {
-        phi_2770_ = true;
+        phi_3098_ = true;
     } else {
         if (param_2[1] == param_3[1]) {
-            phi_2769_ = (param_2[0] > param_3[0]);
+            phi_3097_ = (param_2[0] > param_3[0]);
         } else {
-            phi_2769_ = false;
+            phi_3097_ = false;
         }
-        let _e14 = phi_2769_;
-        phi_2770_ = _e14;
+        let _e14 = phi_3097_;
+        phi_3098_ = _e14;
     }
-    let _e16 = phi_2770_;
+    let _e16 = phi_3098_;
     if _e16 {
-        phi_2774_ = param_3;
+        phi_3102_ = param_3;
     } else {
-        phi_2774_ = param_2;
+        phi_3102_ = param_2;
     }
-    let _e18 = phi_2774_;
+    let _e18 = phi_3102_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_2745_: bool;
-    var phi_2746_: bool;
-    var phi_2750_: array<u32, 2>;
+    var phi_3073_: bool;
+    var phi_3074_: bool;
+    var phi_3078_: array<u32, 2>;
 
     if (param_5[1] > param_4[1]) {
-        phi_2746_ = true;
+        phi_3074_ = true;
     } else {
         if (param_5[1] == param_4[1]) {
-            phi_2745_ = (param_5[0] > param_4[0]);
+            phi_3073_ = (param_5[0] > param_4[0]);
         } else {
-            phi_2745_ = false;
+            phi_3073_ = false;
         }
-        let _e14 = phi_2745_;
-        phi_2746_ = _e14;
+        let _e14 = phi_3073_;
+        phi_3074_ = _e14;
     }
-    let _e16 = phi_2746_;
+    let _e16 = phi_3074_;
     if _e16 {
-        phi_2750_ = param_5;
+        phi_3078_ = param_5;
     } else {
-        phi_2750_ = param_4;
+        phi_3078_ = param_4;
     }
-    let _e18 = phi_2750_;
+    let _e18 = phi_3078_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_2721_: bool;
-    var phi_2722_: bool;
-    var phi_2726_: array<u32, 2>;
+    var phi_3049_: bool;
+    var phi_3050_: bool;
+    var phi_3054_: array<u32, 2>;
 
     if (param_6[1] > param_7[1]) {
-        phi_2722_ = true;
+        phi_3050_ = true;
     } else {
         if (param_6[1] == param_7[1]) {
-            phi_2721_ = (param_6[0] > param_7[0]);
+            phi_3049_ = (param_6[0] > param_7[0]);
         } else {
-            phi_2721_ = false;
+            phi_3049_ = false;
         }
-        let _e14 = phi_2721_;
-        phi_2722_ = _e14;
+        let _e14 = phi_3049_;
+        phi_3050_ = _e14;
     }
-    let _e16 = phi_2722_;
+    let _e16 = phi_3050_;
     if _e16 {
-        phi_2726_ = param_7;
+        phi_3054_ = param_7;
     } else {
-        phi_2726_ = param_6;
+        phi_3054_ = param_6;
     }
-    let _e18 = phi_2726_;
+    let _e18 = phi_3054_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_2697_: bool;
-    var phi_2698_: bool;
-    var phi_2702_: array<u32, 2>;
+    var phi_3025_: bool;
+    var phi_3026_: bool;
+    var phi_3030_: array<u32, 2>;
 
     if (param_9[1] > param_8[1]) {
-        phi_2698_ = true;
+        phi_3026_ = true;
     } else {
         if (param_9[1] == param_8[1]) {
-            phi_2697_ = (param_9[0] > param_8[0]);
+            phi_3025_ = (param_9[0] > param_8[0]);
         } else {
-            phi_2697_ = false;
+            phi_3025_ = false;
         }
-        let _e14 = phi_2697_;
-        phi_2698_ = _e14;
+        let _e14 = phi_3025_;
+        phi_3026_ = _e14;
     }
-    let _e16 = phi_2698_;
+    let _e16 = phi_3026_;
     if _e16 {
-        phi_2702_ = param_9;
+        phi_3030_ = param_9;
     } else {
-        phi_2702_ = param_8;
+        phi_3030_ = param_8;
     }
-    let _e18 = phi_2702_;
+    let _e18 = phi_3030_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_2673_: bool;
-    var phi_2674_: bool;
-    var phi_2678_: array<u32, 2>;
+    var phi_3001_: bool;
+    var phi_3002_: bool;
+    var phi_3006_: array<u32, 2>;
 
     if (param_10[1] > param_11[1]) {
-        phi_2674_ = true;
+        phi_3002_ = true;
     } else {
         if (param_10[1] == param_11[1]) {
-            phi_2673_ = (param_10[0] > param_11[0]);
+            phi_3001_ = (param_10[0] > param_11[0]);
         } else {
-            phi_2673_ = false;
+            phi_3001_ = false;
         }
-        let _e14 = phi_2673_;
-        phi_2674_ = _e14;
+        let _e14 = phi_3001_;
+        phi_3002_ = _e14;
     }
-    let _e16 = phi_2674_;
+    let _e16 = phi_3002_;
     if _e16 {
-        phi_2678_ = param_11;
+        phi_3006_ = param_11;
     } else {
-        phi_2678_ = param_10;
+        phi_3006_ = param_10;
     }
-    let _e18 = phi_2678_;
+    let _e18 = phi_3006_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_192_: u32;
-    var phi_241_: u32;
-    var phi_242_: u32;
-    var phi_250_: u32;
-    var phi_266_: u32;
-    var phi_289_: u32;
-    var phi_290_: u32;
-    var phi_293_: type_9;
-    var phi_294_: type_9;
-    var phi_319_: type_9;
-    var phi_366_: u32;
-    var phi_367_: u32;
-    var phi_375_: u32;
-    var phi_389_: u32;
-    var phi_432_: array<u32, 2>;
-    var phi_492_: array<u32, 2>;
-    var phi_653_: bool;
-    var phi_691_: type_29;
-    var phi_697_: bool;
-    var phi_720_: u32;
-    var phi_723_: type_9;
-    var phi_726_: u32;
-    var phi_724_: type_9;
-    var phi_749_: type_9;
-    var phi_727_: u32;
+    var phi_205_: u32;
+    var phi_254_: u32;
+    var phi_255_: u32;
+    var phi_263_: u32;
+    var phi_279_: u32;
+    var phi_302_: u32;
+    var phi_303_: u32;
+    var phi_306_: type_9;
+    var phi_307_: type_9;
+    var phi_332_: type_9;
+    var phi_379_: u32;
+    var phi_380_: u32;
+    var phi_388_: u32;
+    var phi_402_: u32;
+    var phi_445_: array<u32, 2>;
+    var phi_505_: array<u32, 2>;
+    var phi_666_: bool;
+    var phi_704_: type_29;
+    var phi_710_: bool;
+    var phi_733_: u32;
+    var phi_736_: type_9;
+    var phi_739_: u32;
+    var phi_737_: type_9;
+    var phi_762_: type_9;
+    var phi_740_: u32;
     var local: u32;
-    var phi_938_: u32;
-    var phi_1044_: type_9;
-    var phi_1047_: u32;
-    var phi_1045_: type_9;
-    var phi_1070_: type_9;
-    var phi_1094_: bool;
-    var phi_1095_: bool;
-    var phi_1096_: bool;
-    var phi_1100_: bool;
+    var phi_951_: u32;
+    var phi_1057_: type_9;
+    var phi_1060_: u32;
+    var phi_1058_: type_9;
+    var phi_1083_: type_9;
+    var phi_1107_: bool;
     var phi_1108_: bool;
-    var phi_1116_: u32;
-    var phi_1048_: u32;
-    var phi_1117_: u32;
-    var phi_1127_: type_9;
-    var phi_1153_: u32;
-    var phi_1156_: type_9;
-    var phi_1159_: type_9;
-    var phi_1157_: type_9;
-    var phi_1184_: type_9;
-    var phi_1201_: type_9;
-    var phi_1204_: type_9;
-    var phi_1205_: type_9;
+    var phi_1109_: bool;
+    var phi_1113_: bool;
+    var phi_1121_: bool;
+    var phi_1129_: u32;
+    var phi_1061_: u32;
+    var phi_1130_: u32;
+    var phi_1140_: type_9;
+    var phi_1166_: u32;
+    var phi_1179_: type_9;
+    var phi_1182_: type_9;
+    var phi_1180_: type_9;
+    var phi_1207_: type_9;
+    var phi_1224_: type_9;
     var phi_1227_: type_9;
-    var phi_1261_: type_9;
-    var phi_1262_: bool;
-    var phi_1202_: type_9;
-    var phi_1263_: bool;
-    var phi_1271_: u32;
-    var phi_1274_: type_9;
-    var phi_1275_: type_9;
-    var phi_1300_: type_9;
-    var phi_1455_: bool;
-    var phi_1461_: bool;
-    var phi_1433_: bool;
-    var phi_1440_: bool;
-    var phi_1448_: bool;
-    var phi_1463_: bool;
-    var phi_1467_: bool;
-    var phi_1468_: bool;
-    var phi_1509_: bool;
-    var phi_1510_: bool;
-    var phi_1517_: bool;
-    var phi_1631_: bool;
-    var phi_1632_: bool;
-    var phi_1667_: u32;
-    var phi_1668_: u32;
-    var phi_1669_: u32;
-    var phi_1670_: u32;
-    var phi_1673_: type_15;
-    var phi_1676_: u32;
-    var phi_1678_: u32;
-    var phi_1699_: bool;
-    var phi_1705_: type_16;
-    var phi_1674_: type_15;
-    var phi_1719_: type_16;
-    var phi_1787_: bool;
-    var phi_1788_: bool;
-    var phi_1789_: bool;
-    var phi_1790_: bool;
-    var phi_1794_: bool;
-    var phi_1795_: bool;
-    var phi_1800_: u32;
-    var phi_1801_: u32;
-    var phi_1802_: u32;
-    var phi_1803_: u32;
-    var phi_1804_: bool;
-    var phi_1677_: u32;
-    var phi_1679_: u32;
-    var phi_1805_: bool;
-    var local_1: u32;
-    var local_2: u32;
-    var phi_1853_: bool;
-    var phi_1854_: bool;
-    var phi_1855_: bool;
-    var phi_1856_: bool;
-    var phi_1860_: bool;
-    var phi_1861_: bool;
-    var phi_1865_: bool;
-    var phi_1869_: bool;
-    var phi_1870_: bool;
-    var phi_1874_: bool;
-    var phi_1875_: bool;
-    var phi_1879_: bool;
-    var phi_1880_: bool;
+    var phi_1228_: type_9;
+    var phi_1250_: type_9;
+    var phi_1284_: type_9;
+    var phi_1285_: bool;
+    var phi_1225_: type_9;
+    var phi_1286_: bool;
+    var phi_1294_: u32;
+    var phi_1297_: type_9;
+    var phi_1298_: type_9;
+    var phi_1323_: type_9;
+    var phi_1519_: bool;
+    var phi_1603_: bool;
+    var phi_1604_: bool;
+    var phi_1608_: bool;
+    var phi_1609_: bool;
+    var phi_1752_: bool;
+    var phi_1758_: bool;
+    var phi_1730_: bool;
+    var phi_1737_: bool;
+    var phi_1745_: bool;
+    var phi_1760_: bool;
+    var phi_1764_: bool;
+    var phi_1765_: bool;
+    var phi_1806_: bool;
+    var phi_1807_: bool;
+    var phi_1814_: bool;
+    var phi_1928_: bool;
+    var phi_1929_: bool;
+    var phi_1964_: u32;
+    var phi_1965_: u32;
+    var phi_1966_: u32;
+    var phi_1967_: u32;
+    var phi_1970_: type_15;
+    var phi_1973_: u32;
+    var phi_1975_: u32;
     var phi_1996_: bool;
-    var phi_1997_: bool;
+    var phi_2002_: type_16;
+    var phi_1971_: type_15;
+    var phi_2016_: type_16;
     var phi_2084_: bool;
     var phi_2085_: bool;
-    var phi_2173_: bool;
-    var phi_2174_: bool;
-    var phi_2261_: bool;
-    var phi_2262_: bool;
-    var phi_2351_: bool;
-    var phi_2352_: bool;
-    var phi_2439_: bool;
-    var phi_2440_: bool;
-    var phi_2444_: bool;
-    var phi_2445_: bool;
-    var phi_2446_: bool;
-    var phi_2450_: bool;
-    var phi_2451_: bool;
-    var phi_2452_: bool;
-    var phi_2453_: bool;
-    var phi_2454_: bool;
-    var phi_2458_: bool;
-    var phi_2474_: bool;
-    var phi_2475_: bool;
-    var phi_2511_: type_9;
-    var phi_2512_: type_9;
-    var phi_2535_: type_9;
-    var phi_2559_: u32;
-    var phi_2611_: type_9;
-    var phi_2616_: type_9;
-    var phi_2630_: bool;
-    var phi_2631_: bool;
-    var phi_1160_: type_9;
+    var phi_2086_: bool;
+    var phi_2087_: bool;
+    var phi_2091_: bool;
+    var phi_2092_: bool;
+    var phi_2097_: u32;
+    var phi_2098_: u32;
+    var phi_2099_: u32;
+    var phi_2100_: u32;
+    var phi_2101_: bool;
+    var phi_1974_: u32;
+    var phi_1976_: u32;
+    var phi_2102_: bool;
+    var local_1: u32;
+    var local_2: u32;
+    var phi_2150_: bool;
+    var phi_2151_: bool;
+    var phi_2152_: bool;
+    var phi_2153_: bool;
+    var phi_2157_: bool;
+    var phi_2158_: bool;
+    var phi_2162_: bool;
+    var phi_2166_: bool;
+    var phi_2167_: bool;
+    var phi_2171_: bool;
+    var phi_2172_: bool;
+    var phi_2176_: bool;
+    var phi_2177_: bool;
+    var phi_2293_: bool;
+    var phi_2294_: bool;
+    var phi_2381_: bool;
+    var phi_2382_: bool;
+    var phi_2470_: bool;
+    var phi_2471_: bool;
+    var phi_2558_: bool;
+    var phi_2559_: bool;
+    var phi_2648_: bool;
+    var phi_2649_: bool;
+    var phi_2736_: bool;
+    var phi_2737_: bool;
+    var phi_2741_: bool;
+    var phi_2742_: bool;
+    var phi_2743_: bool;
+    var phi_2747_: bool;
+    var phi_2748_: bool;
+    var phi_2749_: bool;
+    var phi_2750_: bool;
+    var phi_2751_: bool;
+    var phi_2755_: bool;
+    var phi_2775_: bool;
+    var phi_2776_: bool;
+    var phi_2809_: u32;
+    var phi_2832_: u32;
+    var phi_2839_: type_9;
+    var phi_2840_: type_9;
+    var phi_2863_: type_9;
+    var phi_2887_: u32;
+    var phi_2939_: type_9;
+    var phi_2944_: type_9;
+    var phi_2958_: bool;
+    var phi_2959_: bool;
+    var phi_1183_: type_9;
     var local_3: u32;
     var local_4: u32;
     var local_5: type_9;
@@ -420,1053 +433,1127 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e50 = id_2;
-    let _e51 = n_2;
-    let _e52 = lane_2;
-    let _e64 = ((_e50.y * _e51.x) + _e50.x);
-    let _e67 = (_e51.x * _e51.y);
-    let _e69 = params.member.member;
-    let _e72 = params.member.member_2.member_1;
-    let _e75 = params.member.member_1.member_2;
-    let _e77 = input.member[0u];
-    if (_e75 < _e77) {
-        phi_192_ = _e75;
+    let _e55 = id_2;
+    let _e56 = n_2;
+    let _e57 = lane_2;
+    let _e70 = ((_e55.y * _e56.x) + _e55.x);
+    let _e73 = (_e56.x * _e56.y);
+    let _e75 = params.member.member;
+    let _e78 = params.member.member_2.member_1;
+    let _e84 = params.member.member_1.member_2;
+    let _e86 = input.member[0u];
+    if (_e84 < _e86) {
+        phi_205_ = _e84;
     } else {
-        phi_192_ = _e77;
+        phi_205_ = _e86;
     }
-    let _e80 = phi_192_;
-    if (_e52 == 0u) {
-        atomicStore((&counters[9u]), 0u);
+    let _e89 = phi_205_;
+    if (_e57 == 0u) {
+        atomicStore((&counters[7u]), 0u);
     }
-    let _e85 = params.member.member_1.member_1;
-    if (_e80 > _e85) {
-        let _e89 = params.member.member_1.member_1;
-        let _e90 = (_e80 - _e89);
-        let _e93 = params.member.member_2.member_3;
-        if (_e93 == 0u) {
+    let _e94 = params.member.member_1.member_1;
+    if (_e89 > _e94) {
+        let _e98 = params.member.member_1.member_1;
+        let _e99 = (_e89 - _e98);
+        let _e102 = params.member.member_2.member_3;
+        if (_e102 == 0u) {
             return;
         }
-        let _e95 = (_e90 / _e93);
-        if (_e93 == 0u) {
+        let _e104 = (_e99 / _e102);
+        if (_e102 == 0u) {
             return;
         }
-        if ((_e90 % _e93) > 0u) {
-            phi_241_ = (_e95 + 1u);
+        if ((_e99 % _e102) > 0u) {
+            phi_254_ = (_e104 + 1u);
         } else {
-            phi_241_ = _e95;
+            phi_254_ = _e104;
         }
-        let _e101 = phi_241_;
-        phi_242_ = _e101;
+        let _e110 = phi_254_;
+        phi_255_ = _e110;
     } else {
-        phi_242_ = 0u;
+        phi_255_ = 0u;
     }
-    let _e103 = phi_242_;
-    let _e106 = params.member.member_2.member_4;
-    if (_e106 < _e103) {
-        phi_250_ = _e106;
+    let _e112 = phi_255_;
+    let _e115 = params.member.member_2.member_4;
+    if (_e115 < _e112) {
+        phi_263_ = _e115;
     } else {
-        phi_250_ = _e103;
+        phi_263_ = _e112;
     }
-    let _e109 = phi_250_;
-    let _e110 = (_e109 / 4u);
-    if ((_e109 % 4u) > 0u) {
-        phi_266_ = (_e110 + 1u);
+    let _e118 = phi_263_;
+    let _e119 = (_e118 / 4u);
+    if ((_e118 % 4u) > 0u) {
+        phi_279_ = (_e119 + 1u);
     } else {
-        phi_266_ = _e110;
+        phi_279_ = _e119;
     }
-    let _e115 = phi_266_;
-    if (_e115 > _e64) {
-        let _e117 = (_e115 - _e64);
-        if (_e67 == 0u) {
+    let _e124 = phi_279_;
+    if (_e124 > _e70) {
+        let _e126 = (_e124 - _e70);
+        if (_e73 == 0u) {
             return;
         }
-        let _e119 = (_e117 / _e67);
-        if (_e67 == 0u) {
+        let _e128 = (_e126 / _e73);
+        if (_e73 == 0u) {
             return;
         }
-        if ((_e117 % _e67) > 0u) {
-            phi_289_ = (_e119 + 1u);
+        if ((_e126 % _e73) > 0u) {
+            phi_302_ = (_e128 + 1u);
         } else {
-            phi_289_ = _e119;
+            phi_302_ = _e128;
         }
-        let _e125 = phi_289_;
-        phi_290_ = _e125;
+        let _e134 = phi_302_;
+        phi_303_ = _e134;
     } else {
-        phi_290_ = 0u;
+        phi_303_ = 0u;
     }
-    let _e127 = phi_290_;
-    phi_293_ = type_9(0u, _e127);
+    let _e136 = phi_303_;
+    phi_306_ = type_9(0u, _e136);
     loop {
-        let _e130 = phi_293_;
-        if (_e130.member < _e130.member_1) {
-            phi_294_ = type_9((_e130.member + 1u), _e130.member_1);
-            phi_319_ = type_9(1u, _e130.member);
+        let _e139 = phi_306_;
+        if (_e139.member < _e139.member_1) {
+            phi_307_ = type_9((_e139.member + 1u), _e139.member_1);
+            phi_332_ = type_9(1u, _e139.member);
         } else {
-            phi_294_ = _e130;
-            phi_319_ = type_9(0u, type_9().member_1);
+            phi_307_ = _e139;
+            phi_332_ = type_9(0u, type_9().member_1);
         }
-        let _e142 = phi_294_;
-        let _e144 = phi_319_;
-        let _e148 = (bitcast<i32>(_e144.member) != 0i);
-        if _e148 {
-            let _e153 = (((_e64 + (_e144.member_1 * _e67)) * 4u) + (_e52 / 32u));
-            let _e156 = params.member.member_1.member_1;
-            if (_e80 > _e156) {
-                let _e160 = params.member.member_1.member_1;
-                let _e161 = (_e80 - _e160);
-                let _e164 = params.member.member_2.member_3;
-                if (_e164 == 0u) {
+        let _e151 = phi_307_;
+        let _e153 = phi_332_;
+        let _e157 = (bitcast<i32>(_e153.member) != 0i);
+        if _e157 {
+            let _e162 = (((_e70 + (_e153.member_1 * _e73)) * 4u) + (_e57 / 32u));
+            let _e165 = params.member.member_1.member_1;
+            if (_e89 > _e165) {
+                let _e169 = params.member.member_1.member_1;
+                let _e170 = (_e89 - _e169);
+                let _e173 = params.member.member_2.member_3;
+                if (_e173 == 0u) {
                     return;
                 }
-                let _e166 = (_e161 / _e164);
-                if (_e164 == 0u) {
+                let _e175 = (_e170 / _e173);
+                if (_e173 == 0u) {
                     return;
                 }
-                if ((_e161 % _e164) > 0u) {
-                    phi_366_ = (_e166 + 1u);
+                if ((_e170 % _e173) > 0u) {
+                    phi_379_ = (_e175 + 1u);
                 } else {
-                    phi_366_ = _e166;
+                    phi_379_ = _e175;
                 }
-                let _e172 = phi_366_;
-                phi_367_ = _e172;
+                let _e181 = phi_379_;
+                phi_380_ = _e181;
             } else {
-                phi_367_ = 0u;
+                phi_380_ = 0u;
             }
-            let _e174 = phi_367_;
-            let _e177 = params.member.member_2.member_4;
-            if (_e177 < _e174) {
-                phi_375_ = _e177;
+            let _e183 = phi_380_;
+            let _e186 = params.member.member_2.member_4;
+            if (_e186 < _e183) {
+                phi_388_ = _e186;
             } else {
-                phi_375_ = _e174;
+                phi_388_ = _e183;
             }
-            let _e180 = phi_375_;
-            let _e181 = (_e153 < _e180);
-            let _e184 = params.member.member_1.member_1;
-            let _e187 = params.member.member_2.member_3;
-            if _e181 {
-                phi_389_ = (_e153 * _e187);
+            let _e189 = phi_388_;
+            let _e190 = (_e162 < _e189);
+            let _e193 = params.member.member_1.member_1;
+            let _e196 = params.member.member_2.member_3;
+            if _e190 {
+                phi_402_ = (_e162 * _e196);
             } else {
-                phi_389_ = 0u;
+                phi_402_ = 0u;
             }
-            let _e190 = phi_389_;
-            let _e192 = (2u * (_e184 + _e190));
-            let _e195 = input.member[(4u + _e192)];
-            let _e198 = input.member[(_e192 + 5u)];
-            if (_e52 <= 7u) {
-                atomicStore((&counters[_e52]), 0u);
+            let _e199 = phi_402_;
+            let _e201 = (2u * (_e193 + _e199));
+            let _e204 = input.member[(4u + _e201)];
+            let _e207 = input.member[(_e201 + 5u)];
+            if (_e57 <= 5u) {
+                atomicStore((&counters[_e57]), 0u);
             }
             workgroupBarrier();
-            if (_e72 == 0u) {
-                phi_432_ = array<u32, 2>(0u, 2u);
+            if (_e78 == 0u) {
+                phi_445_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_432_ = array<u32, 2>(1u, 1u);
+                phi_445_ = array<u32, 2>(1u, 1u);
             }
-            let _e203 = phi_432_;
-            if ((_e52 % 32u) == 0u) {
-                let _e209 = (_e52 / 32u);
-                let _e215 = params.member.member_2.member[0u][_e203[0]];
-                firsts[(2u * _e209)] = (_e215 + (_e195 * 32u));
-                let _e224 = params.member.member_2.member[0u][_e203[1]];
-                firsts[((2u * _e209) + 1u)] = (_e224 + (_e198 * 32u));
+            let _e212 = phi_445_;
+            if ((_e57 % 32u) == 0u) {
+                let _e218 = (_e57 / 32u);
+                let _e224 = params.member.member_2.member[0u][_e212[0]];
+                firsts[(2u * _e218)] = (_e224 + (_e204 * 32u));
+                let _e233 = params.member.member_2.member[0u][_e212[1]];
+                firsts[((2u * _e218) + 1u)] = (_e233 + (_e207 * 32u));
             }
-            let _e229 = params.member.member_2.member_1;
-            if (_e229 == 0u) {
-                phi_492_ = array<u32, 2>(0u, 2u);
+            let _e238 = params.member.member_2.member_1;
+            if (_e238 == 0u) {
+                phi_505_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_492_ = array<u32, 2>(1u, 1u);
+                phi_505_ = array<u32, 2>(1u, 1u);
             }
-            let _e232 = phi_492_;
-            let _e235 = (_e52 / 32u);
-            let _e236 = (_e52 % 32u);
-            let _e238 = params.member.member_2.member_2;
-            let _e242 = params.member.member_2.member[_e238][_e232[0]];
-            let _e245 = nodes.member[(_e242 + _e195)];
-            let _e259 = params.member.member_2.member_2;
-            let _e263 = params.member.member_2.member[_e259][_e232[1]];
-            let _e266 = nodes.member[(_e263 + _e198)];
-            let _e280 = params.member.member_2.member_2;
-            let _e287 = params.member.member_2.member[(_e280 - 1u)][_e232[0]];
-            let _e290 = nodes.member[(_e287 + ((_e195 * 32u) + _e236))];
-            let _e307 = params.member.member_2.member_2;
-            let _e314 = params.member.member_2.member[(_e307 - 1u)][_e232[1]];
-            let _e317 = nodes.member[(_e314 + ((_e198 * 32u) + _e236))];
-            if _e181 {
-                phi_653_ = ((((((_e290.member.x <= _e266.member_1.y) && (_e266.member.x <= _e290.member_1.y)) && (_e290.member.y <= _e266.member_2.x)) && (_e266.member.y <= _e290.member_2.x)) && (_e290.member_1.x <= _e266.member_2.y)) && (_e266.member_1.x <= _e290.member_2.y));
+            let _e241 = phi_505_;
+            let _e244 = (_e57 / 32u);
+            let _e245 = (_e57 % 32u);
+            let _e247 = params.member.member_2.member_2;
+            let _e251 = params.member.member_2.member[_e247][_e241[0]];
+            let _e254 = nodes.member[(_e251 + _e204)];
+            let _e268 = params.member.member_2.member_2;
+            let _e272 = params.member.member_2.member[_e268][_e241[1]];
+            let _e275 = nodes.member[(_e272 + _e207)];
+            let _e289 = params.member.member_2.member_2;
+            let _e296 = params.member.member_2.member[(_e289 - 1u)][_e241[0]];
+            let _e299 = nodes.member[(_e296 + ((_e204 * 32u) + _e245))];
+            let _e316 = params.member.member_2.member_2;
+            let _e323 = params.member.member_2.member[(_e316 - 1u)][_e241[1]];
+            let _e326 = nodes.member[(_e323 + ((_e207 * 32u) + _e245))];
+            if _e190 {
+                phi_666_ = ((((((_e299.member.x <= _e275.member_1.y) && (_e275.member.x <= _e299.member_1.y)) && (_e299.member.y <= _e275.member_2.x)) && (_e275.member.y <= _e299.member_2.x)) && (_e299.member_1.x <= _e275.member_2.y)) && (_e275.member_1.x <= _e299.member_2.y));
             } else {
-                phi_653_ = false;
+                phi_666_ = false;
             }
-            let _e342 = phi_653_;
-            if _e181 {
-                if ((((((_e317.member.x <= _e245.member_1.y) && (_e245.member.x <= _e317.member_1.y)) && (_e317.member.y <= _e245.member_2.x)) && (_e245.member.y <= _e317.member_2.x)) && (_e317.member_1.x <= _e245.member_2.y)) && (_e245.member_1.x <= _e317.member_2.y)) {
-                    let _e356 = atomicAdd((&counters[_e235]), 1u);
-                    let _e357 = ((_e235 * 32u) + _e356);
-                    columns[_e357] = type_29(array<f32, 3>(_e317.member.x, _e317.member.y, _e317.member_1.x), array<f32, 3>(_e317.member_1.y, _e317.member_2.x, _e317.member_2.y));
-                    names[_e357] = _e236;
+            let _e351 = phi_666_;
+            if _e190 {
+                if ((((((_e326.member.x <= _e254.member_1.y) && (_e254.member.x <= _e326.member_1.y)) && (_e326.member.y <= _e254.member_2.x)) && (_e254.member.y <= _e326.member_2.x)) && (_e326.member_1.x <= _e254.member_2.y)) && (_e254.member_1.x <= _e326.member_2.y)) {
+                    let _e365 = atomicAdd((&counters[_e244]), 1u);
+                    let _e366 = ((_e244 * 32u) + _e365);
+                    columns[_e366] = type_29(array<f32, 3>(_e326.member.x, _e326.member.y, _e326.member_1.x), array<f32, 3>(_e326.member_1.y, _e326.member_2.x, _e326.member_2.y));
+                    names[_e366] = _e245;
                 }
             }
-            if _e342 {
-                phi_691_ = type_29(array<f32, 3>(_e290.member.x, _e290.member.y, _e290.member_1.x), array<f32, 3>(_e290.member_1.y, _e290.member_2.x, _e290.member_2.y));
+            if _e351 {
+                phi_704_ = type_29(array<f32, 3>(_e299.member.x, _e299.member.y, _e299.member_1.x), array<f32, 3>(_e299.member_1.y, _e299.member_2.x, _e299.member_2.y));
             } else {
-                phi_691_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_704_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e364 = phi_691_;
+            let _e373 = phi_704_;
             workgroupBarrier();
-            if (_e72 == 1u) {
-                phi_697_ = (_e195 == _e198);
+            if (_e78 == 1u) {
+                phi_710_ = (_e204 == _e207);
             } else {
-                phi_697_ = false;
+                phi_710_ = false;
             }
-            let _e368 = phi_697_;
-            let _e369 = (_e52 / 32u);
-            let _e371 = (_e369 * 32u);
-            let _e373 = atomicLoad((&counters[_e369]));
-            let _e374 = (_e373 / 4u);
-            if ((_e373 % 4u) > 0u) {
-                phi_720_ = (_e374 + 1u);
+            let _e377 = phi_710_;
+            let _e378 = (_e57 / 32u);
+            let _e380 = (_e378 * 32u);
+            let _e382 = atomicLoad((&counters[_e378]));
+            let _e383 = (_e382 / 4u);
+            if ((_e382 % 4u) > 0u) {
+                phi_733_ = (_e383 + 1u);
             } else {
-                phi_720_ = _e374;
+                phi_733_ = _e383;
             }
-            let _e379 = phi_720_;
-            phi_723_ = type_9(0u, _e379);
-            phi_726_ = 0u;
+            let _e388 = phi_733_;
+            phi_736_ = type_9(0u, _e388);
+            phi_739_ = 0u;
             loop {
-                let _e382 = phi_723_;
-                let _e384 = phi_726_;
-                local = _e384;
-                local_3 = _e384;
-                if (_e382.member < _e382.member_1) {
-                    phi_724_ = type_9((_e382.member + 1u), _e382.member_1);
-                    phi_749_ = type_9(1u, _e382.member);
+                let _e391 = phi_736_;
+                let _e393 = phi_739_;
+                local = _e393;
+                local_3 = _e393;
+                if (_e391.member < _e391.member_1) {
+                    phi_737_ = type_9((_e391.member + 1u), _e391.member_1);
+                    phi_762_ = type_9(1u, _e391.member);
                 } else {
-                    phi_724_ = _e382;
-                    phi_749_ = type_9(0u, type_9().member_1);
+                    phi_737_ = _e391;
+                    phi_762_ = type_9(0u, type_9().member_1);
                 }
-                let _e396 = phi_724_;
-                let _e398 = phi_749_;
-                let _e402 = (bitcast<i32>(_e398.member) != 0i);
-                if _e402 {
-                    let _e403 = (4u * _e398.member_1);
-                    let _e406 = columns[(_e371 + _e403)];
-                    let _e445 = columns[((_e371 + _e403) + 1u)];
-                    let _e486 = columns[((_e371 + _e403) + 2u)];
-                    let _e527 = columns[((_e371 + _e403) + 3u)];
-                    phi_727_ = (_e384 | ((((select(0u, 1u, ((((((_e364.member[0] <= _e406.member_1[0]) && (_e406.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e406.member_1[1])) && (_e406.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e406.member_1[2])) && (_e406.member[2] <= _e364.member_1[2]))) << bitcast<u32>((_e403 & 31u))) | (select(0u, 1u, ((((((_e364.member[0] <= _e445.member_1[0]) && (_e445.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e445.member_1[1])) && (_e445.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e445.member_1[2])) && (_e445.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e364.member[0] <= _e486.member_1[0]) && (_e486.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e486.member_1[1])) && (_e486.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e486.member_1[2])) && (_e486.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e364.member[0] <= _e527.member_1[0]) && (_e527.member[0] <= _e364.member_1[0])) && (_e364.member[1] <= _e527.member_1[1])) && (_e527.member[1] <= _e364.member_1[1])) && (_e364.member[2] <= _e527.member_1[2])) && (_e527.member[2] <= _e364.member_1[2]))) << bitcast<u32>(((_e403 + 3u) & 31u)))));
+                let _e405 = phi_737_;
+                let _e407 = phi_762_;
+                let _e411 = (bitcast<i32>(_e407.member) != 0i);
+                if _e411 {
+                    let _e412 = (4u * _e407.member_1);
+                    let _e415 = columns[(_e380 + _e412)];
+                    let _e454 = columns[((_e380 + _e412) + 1u)];
+                    let _e495 = columns[((_e380 + _e412) + 2u)];
+                    let _e536 = columns[((_e380 + _e412) + 3u)];
+                    phi_740_ = (_e393 | ((((select(0u, 1u, ((((((_e373.member[0] <= _e415.member_1[0]) && (_e415.member[0] <= _e373.member_1[0])) && (_e373.member[1] <= _e415.member_1[1])) && (_e415.member[1] <= _e373.member_1[1])) && (_e373.member[2] <= _e415.member_1[2])) && (_e415.member[2] <= _e373.member_1[2]))) << bitcast<u32>((_e412 & 31u))) | (select(0u, 1u, ((((((_e373.member[0] <= _e454.member_1[0]) && (_e454.member[0] <= _e373.member_1[0])) && (_e373.member[1] <= _e454.member_1[1])) && (_e454.member[1] <= _e373.member_1[1])) && (_e373.member[2] <= _e454.member_1[2])) && (_e454.member[2] <= _e373.member_1[2]))) << bitcast<u32>(((_e412 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e373.member[0] <= _e495.member_1[0]) && (_e495.member[0] <= _e373.member_1[0])) && (_e373.member[1] <= _e495.member_1[1])) && (_e495.member[1] <= _e373.member_1[1])) && (_e373.member[2] <= _e495.member_1[2])) && (_e495.member[2] <= _e373.member_1[2]))) << bitcast<u32>(((_e412 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e373.member[0] <= _e536.member_1[0]) && (_e536.member[0] <= _e373.member_1[0])) && (_e373.member[1] <= _e536.member_1[1])) && (_e536.member[1] <= _e373.member_1[1])) && (_e373.member[2] <= _e536.member_1[2])) && (_e536.member[2] <= _e373.member_1[2]))) << bitcast<u32>(((_e412 + 3u) & 31u)))));
                 } else {
-                    phi_727_ = u32();
+                    phi_740_ = u32();
                 }
-                let _e567 = phi_727_;
+                let _e576 = phi_740_;
                 continue;
                 continuing {
-                    phi_723_ = _e396;
-                    phi_726_ = _e567;
-                    break if !(_e402);
+                    phi_736_ = _e405;
+                    phi_739_ = _e576;
+                    break if !(_e411);
                 }
             }
-            if (_e373 < 32u) {
-                let _e575 = local;
-                phi_938_ = (_e575 & ((1u << bitcast<u32>((_e373 & 31u))) - 1u));
+            if (_e382 < 32u) {
+                let _e584 = local;
+                phi_951_ = (_e584 & ((1u << bitcast<u32>((_e382 & 31u))) - 1u));
             } else {
-                let _e1501 = local_3;
-                phi_938_ = _e1501;
+                let _e1739 = local_3;
+                phi_951_ = _e1739;
             }
-            let _e578 = phi_938_;
-            if _e368 {
-                phi_1044_ = type_9(0u, _e373);
-                phi_1047_ = _e578;
+            let _e587 = phi_951_;
+            if _e377 {
+                phi_1057_ = type_9(0u, _e382);
+                phi_1060_ = _e587;
                 loop {
-                    let _e581 = phi_1044_;
-                    let _e583 = phi_1047_;
-                    local_4 = _e583;
-                    if (_e581.member < _e581.member_1) {
-                        phi_1045_ = type_9((_e581.member + 1u), _e581.member_1);
-                        phi_1070_ = type_9(1u, _e581.member);
+                    let _e590 = phi_1057_;
+                    let _e592 = phi_1060_;
+                    local_4 = _e592;
+                    if (_e590.member < _e590.member_1) {
+                        phi_1058_ = type_9((_e590.member + 1u), _e590.member_1);
+                        phi_1083_ = type_9(1u, _e590.member);
                     } else {
-                        phi_1045_ = _e581;
-                        phi_1070_ = type_9(0u, type_9().member_1);
+                        phi_1058_ = _e590;
+                        phi_1083_ = type_9(0u, type_9().member_1);
                     }
-                    let _e595 = phi_1045_;
-                    let _e597 = phi_1070_;
-                    let _e601 = (bitcast<i32>(_e597.member) != 0i);
-                    if _e601 {
-                        let _e604 = names[(_e371 + _e597.member_1)];
-                        if _e368 {
-                            let _e605 = ((_e52 % 32u) < _e604);
-                            if _e605 {
-                                phi_1094_ = bool();
+                    let _e604 = phi_1058_;
+                    let _e606 = phi_1083_;
+                    let _e610 = (bitcast<i32>(_e606.member) != 0i);
+                    if _e610 {
+                        let _e613 = names[(_e380 + _e606.member_1)];
+                        if _e377 {
+                            let _e614 = ((_e57 % 32u) < _e613);
+                            if _e614 {
+                                phi_1107_ = bool();
                             } else {
-                                phi_1094_ = false;
+                                phi_1107_ = false;
                             }
-                            let _e607 = phi_1094_;
-                            phi_1095_ = _e607;
-                            phi_1096_ = _e605;
+                            let _e616 = phi_1107_;
+                            phi_1108_ = _e616;
+                            phi_1109_ = _e614;
                         } else {
-                            phi_1095_ = bool();
-                            phi_1096_ = true;
+                            phi_1108_ = bool();
+                            phi_1109_ = true;
                         }
-                        let _e609 = phi_1095_;
-                        let _e611 = phi_1096_;
-                        if _e611 {
-                            phi_1100_ = true;
+                        let _e618 = phi_1108_;
+                        let _e620 = phi_1109_;
+                        if _e620 {
+                            phi_1113_ = true;
                         } else {
-                            phi_1100_ = _e609;
+                            phi_1113_ = _e618;
                         }
-                        let _e613 = phi_1100_;
-                        if _e613 {
-                            phi_1108_ = false;
+                        let _e622 = phi_1113_;
+                        if _e622 {
+                            phi_1121_ = false;
                         } else {
-                            phi_1108_ = true;
+                            phi_1121_ = true;
                         }
-                        let _e615 = phi_1108_;
-                        if _e615 {
-                            phi_1116_ = (_e583 & ~((1u << bitcast<u32>((_e597.member_1 & 31u)))));
+                        let _e624 = phi_1121_;
+                        if _e624 {
+                            phi_1129_ = (_e592 & ~((1u << bitcast<u32>((_e606.member_1 & 31u)))));
                         } else {
-                            phi_1116_ = _e583;
+                            phi_1129_ = _e592;
                         }
-                        let _e622 = phi_1116_;
-                        phi_1048_ = _e622;
+                        let _e631 = phi_1129_;
+                        phi_1061_ = _e631;
                     } else {
-                        phi_1048_ = u32();
+                        phi_1061_ = u32();
                     }
-                    let _e624 = phi_1048_;
+                    let _e633 = phi_1061_;
                     continue;
                     continuing {
-                        phi_1044_ = _e595;
-                        phi_1047_ = _e624;
-                        break if !(_e601);
+                        phi_1057_ = _e604;
+                        phi_1060_ = _e633;
+                        break if !(_e610);
                     }
                 }
-                let _e1515 = local_4;
-                phi_1117_ = _e1515;
+                let _e1753 = local_4;
+                phi_1130_ = _e1753;
             } else {
-                phi_1117_ = _e578;
+                phi_1130_ = _e587;
             }
-            let _e627 = phi_1117_;
-            let _e629 = countOneBits(_e627);
-            if (_e629 > 0u) {
-                let _e632 = atomicAdd((&counters[4u]), _e629);
-                phi_1127_ = type_9(_e627, _e632);
+            let _e636 = phi_1130_;
+            let _e638 = countOneBits(_e636);
+            if (_e638 > 0u) {
+                let _e641 = atomicAdd((&counters[4u]), _e638);
+                phi_1140_ = type_9(_e636, _e641);
             } else {
-                phi_1127_ = type_9(_e627, 0u);
+                phi_1140_ = type_9(_e636, 0u);
             }
-            let _e635 = phi_1127_;
+            let _e644 = phi_1140_;
             workgroupBarrier();
-            if (_e52 == 0u) {
-                let _e638 = atomicLoad((&counters[4u]));
-                n_hits[0u] = _e638;
+            if (_e57 == 0u) {
+                let _e647 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e647;
             }
-            let _e641 = workgroupUniformLoad((&n_hits[0u]));
-            let _e642 = (_e641 / 512u);
-            if ((_e641 % 512u) > 0u) {
-                phi_1153_ = (_e642 + 1u);
+            let _e650 = workgroupUniformLoad((&n_hits[0u]));
+            let _e651 = (_e650 / 512u);
+            if ((_e650 % 512u) > 0u) {
+                phi_1166_ = (_e651 + 1u);
             } else {
-                phi_1153_ = _e642;
+                phi_1166_ = _e651;
             }
-            let _e647 = phi_1153_;
-            phi_1156_ = type_9(0u, _e647);
-            phi_1159_ = _e635;
+            let _e656 = phi_1166_;
+            if (_e57 == 0u) {
+                let _e659 = atomicLoad((&counters[7u]));
+                let _e661 = n_hits[0u];
+                atomicStore((&counters[7u]), (_e659 + _e661));
+            }
+            phi_1179_ = type_9(0u, _e656);
+            phi_1182_ = _e644;
             loop {
-                let _e650 = phi_1156_;
-                let _e652 = phi_1159_;
-                if (_e650.member < _e650.member_1) {
-                    phi_1157_ = type_9((_e650.member + 1u), _e650.member_1);
-                    phi_1184_ = type_9(1u, _e650.member);
+                let _e666 = phi_1179_;
+                let _e668 = phi_1182_;
+                if (_e666.member < _e666.member_1) {
+                    phi_1180_ = type_9((_e666.member + 1u), _e666.member_1);
+                    phi_1207_ = type_9(1u, _e666.member);
                 } else {
-                    phi_1157_ = _e650;
-                    phi_1184_ = type_9(0u, type_9().member_1);
+                    phi_1180_ = _e666;
+                    phi_1207_ = type_9(0u, type_9().member_1);
                 }
-                let _e664 = phi_1157_;
-                let _e666 = phi_1184_;
-                let _e670 = (bitcast<i32>(_e666.member) != 0i);
-                if _e670 {
-                    let _e671 = (_e52 / 32u);
-                    let _e673 = (_e666.member_1 * 512u);
-                    phi_1201_ = _e652;
-                    phi_1204_ = type_9(0u, countOneBits(_e652.member));
+                let _e680 = phi_1180_;
+                let _e682 = phi_1207_;
+                let _e686 = (bitcast<i32>(_e682.member) != 0i);
+                if _e686 {
+                    let _e687 = (_e57 / 32u);
+                    let _e689 = (_e682.member_1 * 512u);
+                    phi_1224_ = _e668;
+                    phi_1227_ = type_9(0u, countOneBits(_e668.member));
                     loop {
-                        let _e678 = phi_1201_;
-                        let _e680 = phi_1204_;
-                        local_5 = _e678;
-                        if (_e680.member < _e680.member_1) {
-                            phi_1205_ = type_9((_e680.member + 1u), _e680.member_1);
-                            phi_1227_ = type_9(1u, _e680.member);
+                        let _e694 = phi_1224_;
+                        let _e696 = phi_1227_;
+                        local_5 = _e694;
+                        if (_e696.member < _e696.member_1) {
+                            phi_1228_ = type_9((_e696.member + 1u), _e696.member_1);
+                            phi_1250_ = type_9(1u, _e696.member);
                         } else {
-                            phi_1205_ = _e680;
-                            phi_1227_ = type_9(0u, type_9().member_1);
+                            phi_1228_ = _e696;
+                            phi_1250_ = type_9(0u, type_9().member_1);
                         }
-                        let _e692 = phi_1205_;
-                        let _e694 = phi_1227_;
-                        if (bitcast<i32>(_e694.member) != 0i) {
-                            let _e699 = (_e678.member_1 - _e673);
-                            if (_e699 >= 512u) {
-                                phi_1261_ = type_9();
-                                phi_1262_ = false;
+                        let _e708 = phi_1228_;
+                        let _e710 = phi_1250_;
+                        if (bitcast<i32>(_e710.member) != 0i) {
+                            let _e715 = (_e694.member_1 - _e689);
+                            if (_e715 >= 512u) {
+                                phi_1284_ = type_9();
+                                phi_1285_ = false;
                             } else {
-                                let _e708 = names[((_e671 * 32u) + select(firstTrailingBit(_e678.member), 32u, (_e678.member == 0u)))];
-                                hits[_e699] = (((_e671 << bitcast<u32>(10i)) | ((_e52 % 32u) << bitcast<u32>(5i))) | _e708);
-                                phi_1261_ = type_9((_e678.member & (_e678.member - 1u)), (_e678.member_1 + 1u));
-                                phi_1262_ = true;
+                                let _e724 = names[((_e687 * 32u) + select(firstTrailingBit(_e694.member), 32u, (_e694.member == 0u)))];
+                                hits[_e715] = (((_e687 << bitcast<u32>(10i)) | ((_e57 % 32u) << bitcast<u32>(5i))) | _e724);
+                                phi_1284_ = type_9((_e694.member & (_e694.member - 1u)), (_e694.member_1 + 1u));
+                                phi_1285_ = true;
                             }
-                            let _e724 = phi_1261_;
-                            let _e726 = phi_1262_;
-                            phi_1202_ = _e724;
-                            phi_1263_ = _e726;
+                            let _e740 = phi_1284_;
+                            let _e742 = phi_1285_;
+                            phi_1225_ = _e740;
+                            phi_1286_ = _e742;
                         } else {
-                            phi_1202_ = type_9();
-                            phi_1263_ = false;
+                            phi_1225_ = type_9();
+                            phi_1286_ = false;
                         }
-                        let _e728 = phi_1202_;
-                        let _e730 = phi_1263_;
+                        let _e744 = phi_1225_;
+                        let _e746 = phi_1286_;
                         continue;
                         continuing {
-                            phi_1201_ = _e728;
-                            phi_1204_ = _e692;
-                            break if !(_e730);
+                            phi_1224_ = _e744;
+                            phi_1227_ = _e708;
+                            break if !(_e746);
                         }
                     }
                     workgroupBarrier();
-                    let _e733 = n_hits[0u];
-                    let _e734 = (_e733 - _e673);
-                    if (512u < _e734) {
-                        phi_1271_ = 512u;
+                    let _e749 = n_hits[0u];
+                    let _e750 = (_e749 - _e689);
+                    if (512u < _e750) {
+                        phi_1294_ = 512u;
                     } else {
-                        phi_1271_ = _e734;
+                        phi_1294_ = _e750;
                     }
-                    let _e737 = phi_1271_;
-                    phi_1274_ = type_9(0u, 4u);
+                    let _e753 = phi_1294_;
+                    phi_1297_ = type_9(0u, 4u);
                     loop {
-                        let _e739 = phi_1274_;
-                        if (_e739.member < _e739.member_1) {
-                            phi_1275_ = type_9((_e739.member + 1u), _e739.member_1);
-                            phi_1300_ = type_9(1u, _e739.member);
+                        let _e755 = phi_1297_;
+                        if (_e755.member < _e755.member_1) {
+                            phi_1298_ = type_9((_e755.member + 1u), _e755.member_1);
+                            phi_1323_ = type_9(1u, _e755.member);
                         } else {
-                            phi_1275_ = _e739;
-                            phi_1300_ = type_9(0u, type_9().member_1);
+                            phi_1298_ = _e755;
+                            phi_1323_ = type_9(0u, type_9().member_1);
                         }
-                        let _e751 = phi_1275_;
-                        let _e753 = phi_1300_;
-                        if (bitcast<i32>(_e753.member) != 0i) {
-                            let _e759 = (_e52 + (_e753.member_1 * 128u));
-                            if (_e759 >= _e737) {
-                                phi_2474_ = false;
+                        let _e767 = phi_1298_;
+                        let _e769 = phi_1323_;
+                        if (bitcast<i32>(_e769.member) != 0i) {
+                            let _e775 = (_e57 + (_e769.member_1 * 128u));
+                            if (_e775 >= _e753) {
+                                phi_2775_ = false;
                             } else {
-                                let _e762 = hits[_e759];
-                                let _e765 = ((_e762 >> bitcast<u32>(10i)) & 3u);
-                                let _e772 = firsts[(2u * _e765)];
-                                let _e777 = firsts[((2u * _e765) + 1u)];
-                                let _e780 = leaves.member[(_e772 + ((_e762 >> bitcast<u32>(5i)) & 31u))];
-                                let _e786 = leaves.member[(_e777 + (_e762 & 31u))];
-                                let _e793 = ((_e762 >> bitcast<u32>(10i)) & 3u);
-                                let _e800 = firsts[(2u * _e793)];
-                                let _e805 = firsts[((2u * _e793) + 1u)];
-                                let _e808 = nodes.member[(_e800 + ((_e762 >> bitcast<u32>(5i)) & 31u))];
-                                let _e822 = nodes.member[(_e805 + (_e762 & 31u))];
-                                if ((_e69.member_1 & 1u) != 0u) {
-                                    if (_e72 == 0u) {
-                                        if (_e786.x == _e780.x) {
-                                            phi_1433_ = true;
-                                        } else {
-                                            phi_1433_ = (_e786.x == _e780.x);
-                                        }
-                                        let _e851 = phi_1433_;
-                                        if (_e786.y == _e780.x) {
-                                            phi_1440_ = true;
-                                        } else {
-                                            phi_1440_ = (_e786.y == _e780.x);
-                                        }
-                                        let _e855 = phi_1440_;
-                                        if (_e786.z == _e780.x) {
-                                            phi_1448_ = true;
-                                        } else {
-                                            phi_1448_ = (_e786.z == _e780.x);
-                                        }
-                                        let _e860 = phi_1448_;
-                                        phi_1463_ = ((_e851 || _e855) || _e860);
-                                    } else {
-                                        if (_e786.x == _e780.x) {
-                                            phi_1455_ = true;
-                                        } else {
-                                            phi_1455_ = (_e786.x == _e780.y);
-                                        }
-                                        let _e842 = phi_1455_;
-                                        if (_e786.y == _e780.x) {
-                                            phi_1461_ = true;
-                                        } else {
-                                            phi_1461_ = (_e786.y == _e780.y);
-                                        }
-                                        let _e846 = phi_1461_;
-                                        phi_1463_ = (_e842 || _e846);
-                                    }
-                                    let _e863 = phi_1463_;
-                                    if _e863 {
-                                        phi_1467_ = false;
-                                    } else {
-                                        phi_1467_ = true;
-                                    }
-                                    let _e865 = phi_1467_;
-                                    phi_1468_ = _e865;
+                                let _e778 = hits[_e775];
+                                if ((_e75.member_1 & 512u) != 0u) {
+                                    let _e781 = ((_e778 >> bitcast<u32>(10i)) & 3u);
+                                    let _e788 = firsts[(2u * _e781)];
+                                    let _e789 = (_e788 + ((_e778 >> bitcast<u32>(5i)) & 31u));
+                                    let _e793 = firsts[((2u * _e781) + 1u)];
+                                    let _e794 = (_e793 + (_e778 & 31u));
+                                    let _e800 = ends.member[(((_e789 / 32u) * 96u) + (_e789 % 32u))];
+                                    let _e808 = ends.member[(((((_e789 / 32u) * 3u) + 1u) * 32u) + (_e789 % 32u))];
+                                    let _e824 = ends.member[(((((_e789 / 32u) * 3u) + 2u) * 32u) + (_e789 % 32u))];
+                                    let _e834 = ends.member[(((_e794 / 32u) * 96u) + (_e794 % 32u))];
+                                    let _e842 = ends.member[(((((_e794 / 32u) * 3u) + 1u) * 32u) + (_e794 % 32u))];
+                                    let _e858 = ends.member[(((((_e794 / 32u) * 3u) + 2u) * 32u) + (_e794 % 32u))];
+                                    let _e869 = (((_e75.member_5 + (2f * _e75.member_4)) * 1.0001f) + (8f * 0.000000000000000000000000000000000000011754944f));
+                                    phi_1519_ = !(((((((_e800.x - _e834.w) > _e869) && ((_e808.z - _e858.y) > _e869)) || (((_e834.x - _e800.w) > _e869) && ((_e842.z - _e824.y) > _e869))) || ((((_e800.y - _e842.x) > _e869) && ((_e808.w - _e858.z) > _e869)) || (((_e834.y - _e808.x) > _e869) && ((_e842.w - _e824.z) > _e869)))) || ((((_e800.z - _e842.y) > _e869) && ((_e824.x - _e858.w) > _e869)) || (((_e834.z - _e808.y) > _e869) && ((_e858.x - _e824.w) > _e869)))));
                                 } else {
-                                    phi_1468_ = true;
+                                    phi_1519_ = true;
                                 }
-                                let _e867 = phi_1468_;
-                                if _e867 {
-                                    if ((_e69.member_1 & 2u) != 0u) {
-                                        let _e872 = bodies.member[_e780.x];
-                                        let _e874 = bodies.member[_e786.x];
-                                        if ((_e872 / 4u) != (_e874 / 4u)) {
-                                            phi_1510_ = true;
+                                let _e907 = phi_1519_;
+                                if _e907 {
+                                    phi_1609_ = true;
+                                } else {
+                                    let _e910 = ((_e778 >> bitcast<u32>(10i)) & 3u);
+                                    let _e917 = firsts[(2u * _e910)];
+                                    let _e922 = firsts[((2u * _e910) + 1u)];
+                                    if ((_e75.member_1 & 2u) != 0u) {
+                                        phi_1604_ = false;
+                                    } else {
+                                        if ((_e75.member_1 & 32u) != 0u) {
+                                            let _e931 = nodes.member[(_e917 + ((_e778 >> bitcast<u32>(5i)) & 31u))];
+                                            let _e945 = nodes.member[(_e922 + (_e778 & 31u))];
+                                            phi_1603_ = (((((_e931.member_1.y - _e945.member.x) > _e75.member_6) && ((_e945.member_1.y - _e931.member.x) > _e75.member_6)) && (((_e931.member_2.x - _e945.member.y) > _e75.member_6) && ((_e945.member_2.x - _e931.member.y) > _e75.member_6))) && (((_e931.member_2.y - _e945.member_1.x) > _e75.member_6) && ((_e945.member_2.y - _e931.member_1.x) > _e75.member_6)));
                                         } else {
-                                            if ((_e872 & 2u) == 0u) {
-                                                phi_1509_ = false;
+                                            phi_1603_ = true;
+                                        }
+                                        let _e977 = phi_1603_;
+                                        phi_1604_ = _e977;
+                                    }
+                                    let _e979 = phi_1604_;
+                                    if _e979 {
+                                        phi_1608_ = false;
+                                    } else {
+                                        phi_1608_ = true;
+                                    }
+                                    let _e981 = phi_1608_;
+                                    phi_1609_ = _e981;
+                                }
+                                let _e983 = phi_1609_;
+                                if _e983 {
+                                    let _e986 = ((_e778 >> bitcast<u32>(10i)) & 3u);
+                                    let _e993 = firsts[(2u * _e986)];
+                                    let _e998 = firsts[((2u * _e986) + 1u)];
+                                    let _e1001 = leaves.member[(_e993 + ((_e778 >> bitcast<u32>(5i)) & 31u))];
+                                    let _e1007 = leaves.member[(_e998 + (_e778 & 31u))];
+                                    let _e1014 = ((_e778 >> bitcast<u32>(10i)) & 3u);
+                                    let _e1021 = firsts[(2u * _e1014)];
+                                    let _e1026 = firsts[((2u * _e1014) + 1u)];
+                                    let _e1029 = nodes.member[(_e1021 + ((_e778 >> bitcast<u32>(5i)) & 31u))];
+                                    let _e1043 = nodes.member[(_e1026 + (_e778 & 31u))];
+                                    if ((_e75.member_1 & 1u) != 0u) {
+                                        if (_e78 == 0u) {
+                                            if (_e1007.x == _e1001.x) {
+                                                phi_1730_ = true;
                                             } else {
-                                                phi_1509_ = true;
+                                                phi_1730_ = (_e1007.x == _e1001.x);
                                             }
-                                            let _e881 = phi_1509_;
-                                            phi_1510_ = _e881;
-                                        }
-                                        let _e883 = phi_1510_;
-                                        if _e883 {
-                                            phi_1517_ = (((_e872 & _e874) & 1u) == 0u);
+                                            let _e1072 = phi_1730_;
+                                            if (_e1007.y == _e1001.x) {
+                                                phi_1737_ = true;
+                                            } else {
+                                                phi_1737_ = (_e1007.y == _e1001.x);
+                                            }
+                                            let _e1076 = phi_1737_;
+                                            if (_e1007.z == _e1001.x) {
+                                                phi_1745_ = true;
+                                            } else {
+                                                phi_1745_ = (_e1007.z == _e1001.x);
+                                            }
+                                            let _e1081 = phi_1745_;
+                                            phi_1760_ = ((_e1072 || _e1076) || _e1081);
                                         } else {
-                                            phi_1517_ = false;
+                                            if (_e1007.x == _e1001.x) {
+                                                phi_1752_ = true;
+                                            } else {
+                                                phi_1752_ = (_e1007.x == _e1001.y);
+                                            }
+                                            let _e1063 = phi_1752_;
+                                            if (_e1007.y == _e1001.x) {
+                                                phi_1758_ = true;
+                                            } else {
+                                                phi_1758_ = (_e1007.y == _e1001.y);
+                                            }
+                                            let _e1067 = phi_1758_;
+                                            phi_1760_ = (_e1063 || _e1067);
                                         }
-                                        let _e888 = phi_1517_;
-                                        if _e888 {
-                                            if ((_e69.member_1 & 4u) != 0u) {
-                                                let _e895 = bodies.member[_e69.member[0]];
-                                                let _e898 = bodies.member[(_e69.member[0] + 1u)];
-                                                let _e903 = ((_e69.member[0] + 4u) + (2u * (_e872 >> bitcast<u32>(2i))));
-                                                let _e908 = ((_e69.member[0] + 4u) + (2u * (_e874 >> bitcast<u32>(2i))));
-                                                let _e910 = bodies.member[_e903];
-                                                let _e912 = bodies.member[_e908];
-                                                let _e921 = bodies.member[((((_e69.member[0] + 4u) + (2u * _e895)) + (_e910 * _e898)) + (_e912 / 32u))];
-                                                let _e924 = bodies.member[(_e903 + 1u)];
-                                                let _e927 = bodies.member[(_e908 + 1u)];
-                                                if (_e924 == _e927) {
-                                                    if (((_e921 >> bitcast<u32>(((_e912 % 32u) & 31u))) & 1u) == 1u) {
-                                                        phi_1631_ = true;
-                                                    } else {
-                                                        phi_1631_ = ((_e872 >> bitcast<u32>(2i)) == (_e874 >> bitcast<u32>(2i)));
-                                                    }
-                                                    let _e941 = phi_1631_;
-                                                    phi_1632_ = _e941;
+                                        let _e1084 = phi_1760_;
+                                        if _e1084 {
+                                            phi_1764_ = false;
+                                        } else {
+                                            phi_1764_ = true;
+                                        }
+                                        let _e1086 = phi_1764_;
+                                        phi_1765_ = _e1086;
+                                    } else {
+                                        phi_1765_ = true;
+                                    }
+                                    let _e1088 = phi_1765_;
+                                    if _e1088 {
+                                        if ((_e75.member_1 & 2u) != 0u) {
+                                            let _e1093 = bodies.member[_e1001.x];
+                                            let _e1095 = bodies.member[_e1007.x];
+                                            if ((_e1093 / 4u) != (_e1095 / 4u)) {
+                                                phi_1807_ = true;
+                                            } else {
+                                                if ((_e1093 & 2u) == 0u) {
+                                                    phi_1806_ = false;
                                                 } else {
-                                                    phi_1632_ = false;
+                                                    phi_1806_ = true;
                                                 }
-                                                let _e943 = phi_1632_;
-                                                if _e943 {
-                                                    let _e946 = bodies.member[(_e69.member[0] + 2u)];
-                                                    let _e949 = bodies.member[(_e69.member[0] + 3u)];
-                                                    let _e950 = (_e949 + _e69.member[0]);
-                                                    if (_e72 == 1u) {
-                                                        if (_e786.w < _e780.w) {
-                                                            phi_1667_ = _e780.w;
-                                                            phi_1668_ = _e786.w;
+                                                let _e1102 = phi_1806_;
+                                                phi_1807_ = _e1102;
+                                            }
+                                            let _e1104 = phi_1807_;
+                                            if _e1104 {
+                                                phi_1814_ = (((_e1093 & _e1095) & 1u) == 0u);
+                                            } else {
+                                                phi_1814_ = false;
+                                            }
+                                            let _e1109 = phi_1814_;
+                                            if _e1109 {
+                                                if ((_e75.member_1 & 4u) != 0u) {
+                                                    let _e1116 = bodies.member[_e75.member[0]];
+                                                    let _e1119 = bodies.member[(_e75.member[0] + 1u)];
+                                                    let _e1124 = ((_e75.member[0] + 4u) + (2u * (_e1093 >> bitcast<u32>(2i))));
+                                                    let _e1129 = ((_e75.member[0] + 4u) + (2u * (_e1095 >> bitcast<u32>(2i))));
+                                                    let _e1131 = bodies.member[_e1124];
+                                                    let _e1133 = bodies.member[_e1129];
+                                                    let _e1142 = bodies.member[((((_e75.member[0] + 4u) + (2u * _e1116)) + (_e1131 * _e1119)) + (_e1133 / 32u))];
+                                                    let _e1145 = bodies.member[(_e1124 + 1u)];
+                                                    let _e1148 = bodies.member[(_e1129 + 1u)];
+                                                    if (_e1145 == _e1148) {
+                                                        if (((_e1142 >> bitcast<u32>(((_e1133 % 32u) & 31u))) & 1u) == 1u) {
+                                                            phi_1928_ = true;
                                                         } else {
-                                                            phi_1667_ = _e786.w;
-                                                            phi_1668_ = _e780.w;
+                                                            phi_1928_ = ((_e1093 >> bitcast<u32>(2i)) == (_e1095 >> bitcast<u32>(2i)));
                                                         }
-                                                        let _e954 = phi_1667_;
-                                                        let _e956 = phi_1668_;
-                                                        phi_1669_ = _e954;
-                                                        phi_1670_ = _e956;
+                                                        let _e1162 = phi_1928_;
+                                                        phi_1929_ = _e1162;
                                                     } else {
-                                                        phi_1669_ = _e786.w;
-                                                        phi_1670_ = _e780.w;
+                                                        phi_1929_ = false;
                                                     }
-                                                    let _e958 = phi_1669_;
-                                                    let _e960 = phi_1670_;
-                                                    phi_1673_ = type_15(0i, 32i);
-                                                    phi_1676_ = _e946;
-                                                    phi_1678_ = 0u;
-                                                    loop {
-                                                        let _e962 = phi_1673_;
-                                                        let _e964 = phi_1676_;
-                                                        let _e966 = phi_1678_;
-                                                        local_1 = _e966;
-                                                        local_2 = _e966;
-                                                        if (_e962.member < _e962.member_1) {
-                                                            let _e973 = (_e962.member + 1i);
-                                                            if ((false == (_e973 > _e962.member)) != false) {
-                                                                phi_1699_ = true;
+                                                    let _e1164 = phi_1929_;
+                                                    if _e1164 {
+                                                        let _e1167 = bodies.member[(_e75.member[0] + 2u)];
+                                                        let _e1170 = bodies.member[(_e75.member[0] + 3u)];
+                                                        let _e1171 = (_e1170 + _e75.member[0]);
+                                                        if (_e78 == 1u) {
+                                                            if (_e1007.w < _e1001.w) {
+                                                                phi_1964_ = _e1001.w;
+                                                                phi_1965_ = _e1007.w;
                                                             } else {
-                                                                phi_1699_ = false;
+                                                                phi_1964_ = _e1007.w;
+                                                                phi_1965_ = _e1001.w;
                                                             }
-                                                            let _e978 = phi_1699_;
-                                                            if _e978 {
-                                                                phi_1705_ = type_16(0u, type_16().member_1);
-                                                            } else {
-                                                                phi_1705_ = type_16(1u, _e973);
-                                                            }
-                                                            let _e983 = phi_1705_;
-                                                            phi_1674_ = type_15(_e983.member_1, _e962.member_1);
-                                                            phi_1719_ = type_16(1u, _e962.member);
+                                                            let _e1175 = phi_1964_;
+                                                            let _e1177 = phi_1965_;
+                                                            phi_1966_ = _e1175;
+                                                            phi_1967_ = _e1177;
                                                         } else {
-                                                            phi_1674_ = _e962;
-                                                            phi_1719_ = type_16(0u, type_16().member_1);
+                                                            phi_1966_ = _e1007.w;
+                                                            phi_1967_ = _e1001.w;
                                                         }
-                                                        let _e989 = phi_1674_;
-                                                        let _e991 = phi_1719_;
-                                                        if (bitcast<i32>(_e991.member) != 0i) {
-                                                            if (_e966 >= _e964) {
-                                                                phi_1802_ = u32();
-                                                                phi_1803_ = u32();
-                                                                phi_1804_ = false;
-                                                            } else {
-                                                                let _e998 = (_e966 + ((_e964 - _e966) / 2u));
-                                                                let _e1000 = (_e950 + (3u * _e998));
-                                                                let _e1002 = bodies.member[_e1000];
-                                                                let _e1005 = bodies.member[(_e1000 + 1u)];
-                                                                let _e1008 = bodies.member[(_e1000 + 2u)];
-                                                                if (_e1002 < _e72) {
-                                                                    phi_1795_ = true;
+                                                        let _e1179 = phi_1966_;
+                                                        let _e1181 = phi_1967_;
+                                                        phi_1970_ = type_15(0i, 32i);
+                                                        phi_1973_ = _e1167;
+                                                        phi_1975_ = 0u;
+                                                        loop {
+                                                            let _e1183 = phi_1970_;
+                                                            let _e1185 = phi_1973_;
+                                                            let _e1187 = phi_1975_;
+                                                            local_1 = _e1187;
+                                                            local_2 = _e1187;
+                                                            if (_e1183.member < _e1183.member_1) {
+                                                                let _e1194 = (_e1183.member + 1i);
+                                                                if ((false == (_e1194 > _e1183.member)) != false) {
+                                                                    phi_1996_ = true;
                                                                 } else {
-                                                                    if (_e1002 == _e72) {
-                                                                        if (_e1005 < _e960) {
-                                                                            phi_1789_ = false;
-                                                                        } else {
-                                                                            if (_e1005 == _e960) {
-                                                                                if (_e1008 < _e958) {
-                                                                                    phi_1787_ = false;
-                                                                                } else {
-                                                                                    phi_1787_ = true;
-                                                                                }
-                                                                                let _e1015 = phi_1787_;
-                                                                                phi_1788_ = _e1015;
+                                                                    phi_1996_ = false;
+                                                                }
+                                                                let _e1199 = phi_1996_;
+                                                                if _e1199 {
+                                                                    phi_2002_ = type_16(0u, type_16().member_1);
+                                                                } else {
+                                                                    phi_2002_ = type_16(1u, _e1194);
+                                                                }
+                                                                let _e1204 = phi_2002_;
+                                                                phi_1971_ = type_15(_e1204.member_1, _e1183.member_1);
+                                                                phi_2016_ = type_16(1u, _e1183.member);
+                                                            } else {
+                                                                phi_1971_ = _e1183;
+                                                                phi_2016_ = type_16(0u, type_16().member_1);
+                                                            }
+                                                            let _e1210 = phi_1971_;
+                                                            let _e1212 = phi_2016_;
+                                                            if (bitcast<i32>(_e1212.member) != 0i) {
+                                                                if (_e1187 >= _e1185) {
+                                                                    phi_2099_ = u32();
+                                                                    phi_2100_ = u32();
+                                                                    phi_2101_ = false;
+                                                                } else {
+                                                                    let _e1219 = (_e1187 + ((_e1185 - _e1187) / 2u));
+                                                                    let _e1221 = (_e1171 + (3u * _e1219));
+                                                                    let _e1223 = bodies.member[_e1221];
+                                                                    let _e1226 = bodies.member[(_e1221 + 1u)];
+                                                                    let _e1229 = bodies.member[(_e1221 + 2u)];
+                                                                    if (_e1223 < _e78) {
+                                                                        phi_2092_ = true;
+                                                                    } else {
+                                                                        if (_e1223 == _e78) {
+                                                                            if (_e1226 < _e1181) {
+                                                                                phi_2086_ = false;
                                                                             } else {
-                                                                                phi_1788_ = true;
+                                                                                if (_e1226 == _e1181) {
+                                                                                    if (_e1229 < _e1179) {
+                                                                                        phi_2084_ = false;
+                                                                                    } else {
+                                                                                        phi_2084_ = true;
+                                                                                    }
+                                                                                    let _e1236 = phi_2084_;
+                                                                                    phi_2085_ = _e1236;
+                                                                                } else {
+                                                                                    phi_2085_ = true;
+                                                                                }
+                                                                                let _e1238 = phi_2085_;
+                                                                                phi_2086_ = _e1238;
                                                                             }
-                                                                            let _e1017 = phi_1788_;
-                                                                            phi_1789_ = _e1017;
+                                                                            let _e1240 = phi_2086_;
+                                                                            phi_2087_ = _e1240;
+                                                                        } else {
+                                                                            phi_2087_ = true;
                                                                         }
-                                                                        let _e1019 = phi_1789_;
-                                                                        phi_1790_ = _e1019;
-                                                                    } else {
-                                                                        phi_1790_ = true;
+                                                                        let _e1242 = phi_2087_;
+                                                                        if _e1242 {
+                                                                            phi_2091_ = false;
+                                                                        } else {
+                                                                            phi_2091_ = true;
+                                                                        }
+                                                                        let _e1244 = phi_2091_;
+                                                                        phi_2092_ = _e1244;
                                                                     }
-                                                                    let _e1021 = phi_1790_;
-                                                                    if _e1021 {
-                                                                        phi_1794_ = false;
+                                                                    let _e1246 = phi_2092_;
+                                                                    if _e1246 {
+                                                                        phi_2097_ = _e1185;
+                                                                        phi_2098_ = (_e1219 + 1u);
                                                                     } else {
-                                                                        phi_1794_ = true;
+                                                                        phi_2097_ = _e1219;
+                                                                        phi_2098_ = _e1187;
                                                                     }
-                                                                    let _e1023 = phi_1794_;
-                                                                    phi_1795_ = _e1023;
+                                                                    let _e1249 = phi_2097_;
+                                                                    let _e1251 = phi_2098_;
+                                                                    phi_2099_ = _e1249;
+                                                                    phi_2100_ = _e1251;
+                                                                    phi_2101_ = true;
                                                                 }
-                                                                let _e1025 = phi_1795_;
-                                                                if _e1025 {
-                                                                    phi_1800_ = _e964;
-                                                                    phi_1801_ = (_e998 + 1u);
-                                                                } else {
-                                                                    phi_1800_ = _e998;
-                                                                    phi_1801_ = _e966;
-                                                                }
-                                                                let _e1028 = phi_1800_;
-                                                                let _e1030 = phi_1801_;
-                                                                phi_1802_ = _e1028;
-                                                                phi_1803_ = _e1030;
-                                                                phi_1804_ = true;
-                                                            }
-                                                            let _e1032 = phi_1802_;
-                                                            let _e1034 = phi_1803_;
-                                                            let _e1036 = phi_1804_;
-                                                            phi_1677_ = _e1032;
-                                                            phi_1679_ = _e1034;
-                                                            phi_1805_ = _e1036;
-                                                        } else {
-                                                            phi_1677_ = u32();
-                                                            phi_1679_ = u32();
-                                                            phi_1805_ = false;
-                                                        }
-                                                        let _e1038 = phi_1677_;
-                                                        let _e1040 = phi_1679_;
-                                                        let _e1042 = phi_1805_;
-                                                        continue;
-                                                        continuing {
-                                                            phi_1673_ = _e989;
-                                                            phi_1676_ = _e1038;
-                                                            phi_1678_ = _e1040;
-                                                            break if !(_e1042);
-                                                        }
-                                                    }
-                                                    let _e1045 = local_1;
-                                                    if (_e1045 < _e946) {
-                                                        let _e1048 = local_2;
-                                                        let _e1050 = (_e950 + (3u * _e1048));
-                                                        let _e1052 = bodies.member[_e1050];
-                                                        if (_e1052 == _e72) {
-                                                            let _e1056 = bodies.member[(_e1050 + 1u)];
-                                                            if (_e1056 == _e960) {
-                                                                let _e1060 = bodies.member[(_e1050 + 2u)];
-                                                                phi_1853_ = (_e1060 == _e958);
-                                                                phi_1854_ = false;
+                                                                let _e1253 = phi_2099_;
+                                                                let _e1255 = phi_2100_;
+                                                                let _e1257 = phi_2101_;
+                                                                phi_1974_ = _e1253;
+                                                                phi_1976_ = _e1255;
+                                                                phi_2102_ = _e1257;
                                                             } else {
-                                                                phi_1853_ = bool();
-                                                                phi_1854_ = true;
+                                                                phi_1974_ = u32();
+                                                                phi_1976_ = u32();
+                                                                phi_2102_ = false;
                                                             }
-                                                            let _e1063 = phi_1853_;
-                                                            let _e1065 = phi_1854_;
-                                                            phi_1855_ = _e1063;
-                                                            phi_1856_ = _e1065;
-                                                        } else {
-                                                            phi_1855_ = bool();
-                                                            phi_1856_ = true;
+                                                            let _e1259 = phi_1974_;
+                                                            let _e1261 = phi_1976_;
+                                                            let _e1263 = phi_2102_;
+                                                            continue;
+                                                            continuing {
+                                                                phi_1970_ = _e1210;
+                                                                phi_1973_ = _e1259;
+                                                                phi_1975_ = _e1261;
+                                                                break if !(_e1263);
+                                                            }
                                                         }
-                                                        let _e1067 = phi_1855_;
-                                                        let _e1069 = phi_1856_;
-                                                        if _e1069 {
-                                                            phi_1860_ = false;
+                                                        let _e1266 = local_1;
+                                                        if (_e1266 < _e1167) {
+                                                            let _e1269 = local_2;
+                                                            let _e1271 = (_e1171 + (3u * _e1269));
+                                                            let _e1273 = bodies.member[_e1271];
+                                                            if (_e1273 == _e78) {
+                                                                let _e1277 = bodies.member[(_e1271 + 1u)];
+                                                                if (_e1277 == _e1181) {
+                                                                    let _e1281 = bodies.member[(_e1271 + 2u)];
+                                                                    phi_2150_ = (_e1281 == _e1179);
+                                                                    phi_2151_ = false;
+                                                                } else {
+                                                                    phi_2150_ = bool();
+                                                                    phi_2151_ = true;
+                                                                }
+                                                                let _e1284 = phi_2150_;
+                                                                let _e1286 = phi_2151_;
+                                                                phi_2152_ = _e1284;
+                                                                phi_2153_ = _e1286;
+                                                            } else {
+                                                                phi_2152_ = bool();
+                                                                phi_2153_ = true;
+                                                            }
+                                                            let _e1288 = phi_2152_;
+                                                            let _e1290 = phi_2153_;
+                                                            if _e1290 {
+                                                                phi_2157_ = false;
+                                                            } else {
+                                                                phi_2157_ = _e1288;
+                                                            }
+                                                            let _e1292 = phi_2157_;
+                                                            phi_2158_ = _e1292;
                                                         } else {
-                                                            phi_1860_ = _e1067;
+                                                            phi_2158_ = false;
                                                         }
-                                                        let _e1071 = phi_1860_;
-                                                        phi_1861_ = _e1071;
+                                                        let _e1294 = phi_2158_;
+                                                        phi_2162_ = _e1294;
                                                     } else {
-                                                        phi_1861_ = false;
+                                                        phi_2162_ = true;
                                                     }
-                                                    let _e1073 = phi_1861_;
-                                                    phi_1865_ = _e1073;
+                                                    let _e1296 = phi_2162_;
+                                                    if _e1296 {
+                                                        phi_2166_ = false;
+                                                    } else {
+                                                        phi_2166_ = true;
+                                                    }
+                                                    let _e1298 = phi_2166_;
+                                                    phi_2167_ = _e1298;
                                                 } else {
-                                                    phi_1865_ = true;
+                                                    phi_2167_ = true;
                                                 }
-                                                let _e1075 = phi_1865_;
-                                                if _e1075 {
-                                                    phi_1869_ = false;
+                                                let _e1300 = phi_2167_;
+                                                if _e1300 {
+                                                    phi_2171_ = false;
                                                 } else {
-                                                    phi_1869_ = true;
+                                                    phi_2171_ = true;
                                                 }
-                                                let _e1077 = phi_1869_;
-                                                phi_1870_ = _e1077;
+                                                let _e1302 = phi_2171_;
+                                                phi_2172_ = _e1302;
                                             } else {
-                                                phi_1870_ = true;
+                                                phi_2172_ = true;
                                             }
-                                            let _e1079 = phi_1870_;
-                                            if _e1079 {
-                                                phi_1874_ = false;
+                                            let _e1304 = phi_2172_;
+                                            if _e1304 {
+                                                phi_2176_ = false;
                                             } else {
-                                                phi_1874_ = true;
+                                                phi_2176_ = true;
                                             }
-                                            let _e1081 = phi_1874_;
-                                            phi_1875_ = _e1081;
+                                            let _e1306 = phi_2176_;
+                                            phi_2177_ = _e1306;
                                         } else {
-                                            phi_1875_ = true;
+                                            phi_2177_ = true;
                                         }
-                                        let _e1083 = phi_1875_;
-                                        if _e1083 {
-                                            phi_1879_ = false;
+                                        let _e1308 = phi_2177_;
+                                        if _e1308 {
+                                            if ((_e75.member_1 & 32u) != 0u) {
+                                                let _e1329 = (((((_e1029.member_1.y - _e1043.member.x) > _e75.member_6) && ((_e1043.member_1.y - _e1029.member.x) > _e75.member_6)) && (((_e1029.member_2.x - _e1043.member.y) > _e75.member_6) && ((_e1043.member_2.x - _e1029.member.y) > _e75.member_6))) && (((_e1029.member_2.y - _e1043.member_1.x) > _e75.member_6) && ((_e1043.member_2.y - _e1029.member_1.x) > _e75.member_6)));
+                                                if _e1329 {
+                                                    phi_2741_ = bool();
+                                                } else {
+                                                    let _e1331 = keys.member[_e1001.x];
+                                                    let _e1334 = keys.member[_e1001.y];
+                                                    let _e1336 = function_5(_e1331[0], _e1334[0]);
+                                                    let _e1338 = keys.member[_e1001.z];
+                                                    let _e1340 = function_5(_e1336, _e1338[0]);
+                                                    let _e1342 = keys.member[_e1007.x];
+                                                    let _e1345 = keys.member[_e1007.y];
+                                                    let _e1347 = function_4(_e1342[3], _e1345[3]);
+                                                    let _e1349 = keys.member[_e1007.z];
+                                                    let _e1351 = function_4(_e1347, _e1349[3]);
+                                                    if (_e1340[1] > _e1351[1]) {
+                                                        phi_2294_ = true;
+                                                    } else {
+                                                        if (_e1340[1] == _e1351[1]) {
+                                                            phi_2293_ = (_e1340[0] > _e1351[0]);
+                                                        } else {
+                                                            phi_2293_ = false;
+                                                        }
+                                                        let _e1362 = phi_2293_;
+                                                        phi_2294_ = _e1362;
+                                                    }
+                                                    let _e1364 = phi_2294_;
+                                                    let _e1367 = keys.member[_e1007.x];
+                                                    let _e1370 = keys.member[_e1007.y];
+                                                    let _e1372 = function_5(_e1367[0], _e1370[0]);
+                                                    let _e1374 = keys.member[_e1007.z];
+                                                    let _e1376 = function_5(_e1372, _e1374[0]);
+                                                    let _e1378 = keys.member[_e1001.x];
+                                                    let _e1381 = keys.member[_e1001.y];
+                                                    let _e1383 = function_4(_e1378[3], _e1381[3]);
+                                                    let _e1385 = keys.member[_e1001.z];
+                                                    let _e1387 = function_4(_e1383, _e1385[3]);
+                                                    if (_e1376[1] > _e1387[1]) {
+                                                        phi_2382_ = true;
+                                                    } else {
+                                                        if (_e1376[1] == _e1387[1]) {
+                                                            phi_2381_ = (_e1376[0] > _e1387[0]);
+                                                        } else {
+                                                            phi_2381_ = false;
+                                                        }
+                                                        let _e1398 = phi_2381_;
+                                                        phi_2382_ = _e1398;
+                                                    }
+                                                    let _e1400 = phi_2382_;
+                                                    let _e1404 = keys.member[_e1001.x];
+                                                    let _e1407 = keys.member[_e1001.y];
+                                                    let _e1409 = function_3(_e1404[1], _e1407[1]);
+                                                    let _e1411 = keys.member[_e1001.z];
+                                                    let _e1413 = function_3(_e1409, _e1411[1]);
+                                                    let _e1415 = keys.member[_e1007.x];
+                                                    let _e1418 = keys.member[_e1007.y];
+                                                    let _e1420 = function_2(_e1415[4], _e1418[4]);
+                                                    let _e1422 = keys.member[_e1007.z];
+                                                    let _e1424 = function_2(_e1420, _e1422[4]);
+                                                    if (_e1413[1] > _e1424[1]) {
+                                                        phi_2471_ = true;
+                                                    } else {
+                                                        if (_e1413[1] == _e1424[1]) {
+                                                            phi_2470_ = (_e1413[0] > _e1424[0]);
+                                                        } else {
+                                                            phi_2470_ = false;
+                                                        }
+                                                        let _e1435 = phi_2470_;
+                                                        phi_2471_ = _e1435;
+                                                    }
+                                                    let _e1437 = phi_2471_;
+                                                    let _e1440 = keys.member[_e1007.x];
+                                                    let _e1443 = keys.member[_e1007.y];
+                                                    let _e1445 = function_3(_e1440[1], _e1443[1]);
+                                                    let _e1447 = keys.member[_e1007.z];
+                                                    let _e1449 = function_3(_e1445, _e1447[1]);
+                                                    let _e1451 = keys.member[_e1001.x];
+                                                    let _e1454 = keys.member[_e1001.y];
+                                                    let _e1456 = function_2(_e1451[4], _e1454[4]);
+                                                    let _e1458 = keys.member[_e1001.z];
+                                                    let _e1460 = function_2(_e1456, _e1458[4]);
+                                                    if (_e1449[1] > _e1460[1]) {
+                                                        phi_2559_ = true;
+                                                    } else {
+                                                        if (_e1449[1] == _e1460[1]) {
+                                                            phi_2558_ = (_e1449[0] > _e1460[0]);
+                                                        } else {
+                                                            phi_2558_ = false;
+                                                        }
+                                                        let _e1471 = phi_2558_;
+                                                        phi_2559_ = _e1471;
+                                                    }
+                                                    let _e1473 = phi_2559_;
+                                                    let _e1478 = keys.member[_e1001.x];
+                                                    let _e1481 = keys.member[_e1001.y];
+                                                    let _e1483 = function_1(_e1478[2], _e1481[2]);
+                                                    let _e1485 = keys.member[_e1001.z];
+                                                    let _e1487 = function_1(_e1483, _e1485[2]);
+                                                    let _e1489 = keys.member[_e1007.x];
+                                                    let _e1492 = keys.member[_e1007.y];
+                                                    let _e1494 = function_(_e1489[5], _e1492[5]);
+                                                    let _e1496 = keys.member[_e1007.z];
+                                                    let _e1498 = function_(_e1494, _e1496[5]);
+                                                    if (_e1487[1] > _e1498[1]) {
+                                                        phi_2649_ = true;
+                                                    } else {
+                                                        if (_e1487[1] == _e1498[1]) {
+                                                            phi_2648_ = (_e1487[0] > _e1498[0]);
+                                                        } else {
+                                                            phi_2648_ = false;
+                                                        }
+                                                        let _e1509 = phi_2648_;
+                                                        phi_2649_ = _e1509;
+                                                    }
+                                                    let _e1511 = phi_2649_;
+                                                    let _e1514 = keys.member[_e1007.x];
+                                                    let _e1517 = keys.member[_e1007.y];
+                                                    let _e1519 = function_1(_e1514[2], _e1517[2]);
+                                                    let _e1521 = keys.member[_e1007.z];
+                                                    let _e1523 = function_1(_e1519, _e1521[2]);
+                                                    let _e1525 = keys.member[_e1001.x];
+                                                    let _e1528 = keys.member[_e1001.y];
+                                                    let _e1530 = function_(_e1525[5], _e1528[5]);
+                                                    let _e1532 = keys.member[_e1001.z];
+                                                    let _e1534 = function_(_e1530, _e1532[5]);
+                                                    if (_e1523[1] > _e1534[1]) {
+                                                        phi_2737_ = true;
+                                                    } else {
+                                                        if (_e1523[1] == _e1534[1]) {
+                                                            phi_2736_ = (_e1523[0] > _e1534[0]);
+                                                        } else {
+                                                            phi_2736_ = false;
+                                                        }
+                                                        let _e1545 = phi_2736_;
+                                                        phi_2737_ = _e1545;
+                                                    }
+                                                    let _e1547 = phi_2737_;
+                                                    phi_2741_ = (((!(_e1364) && !(_e1400)) && (!(_e1437) && !(_e1473))) && (!(_e1511) && !(_e1547)));
+                                                }
+                                                let _e1552 = phi_2741_;
+                                                phi_2742_ = _e1552;
+                                                phi_2743_ = _e1329;
+                                            } else {
+                                                phi_2742_ = bool();
+                                                phi_2743_ = true;
+                                            }
+                                            let _e1554 = phi_2742_;
+                                            let _e1556 = phi_2743_;
+                                            if _e1556 {
+                                                phi_2747_ = false;
+                                            } else {
+                                                phi_2747_ = true;
+                                            }
+                                            let _e1558 = phi_2747_;
+                                            phi_2748_ = _e1554;
+                                            phi_2749_ = _e1558;
                                         } else {
-                                            phi_1879_ = true;
+                                            phi_2748_ = false;
+                                            phi_2749_ = true;
                                         }
-                                        let _e1085 = phi_1879_;
-                                        phi_1880_ = _e1085;
+                                        let _e1560 = phi_2748_;
+                                        let _e1562 = phi_2749_;
+                                        phi_2750_ = _e1560;
+                                        phi_2751_ = _e1562;
                                     } else {
-                                        phi_1880_ = true;
+                                        phi_2750_ = false;
+                                        phi_2751_ = true;
                                     }
-                                    let _e1087 = phi_1880_;
-                                    if _e1087 {
-                                        if ((_e69.member_1 & 32u) != 0u) {
-                                            let _e1108 = (((((_e808.member_1.y - _e822.member.x) > _e69.member_6) && ((_e822.member_1.y - _e808.member.x) > _e69.member_6)) && (((_e808.member_2.x - _e822.member.y) > _e69.member_6) && ((_e822.member_2.x - _e808.member.y) > _e69.member_6))) && (((_e808.member_2.y - _e822.member_1.x) > _e69.member_6) && ((_e822.member_2.y - _e808.member_1.x) > _e69.member_6)));
-                                            if _e1108 {
-                                                phi_2444_ = bool();
-                                            } else {
-                                                let _e1110 = keys.member[_e780.x];
-                                                let _e1113 = keys.member[_e780.y];
-                                                let _e1115 = function_5(_e1110[0], _e1113[0]);
-                                                let _e1117 = keys.member[_e780.z];
-                                                let _e1119 = function_5(_e1115, _e1117[0]);
-                                                let _e1121 = keys.member[_e786.x];
-                                                let _e1124 = keys.member[_e786.y];
-                                                let _e1126 = function_4(_e1121[3], _e1124[3]);
-                                                let _e1128 = keys.member[_e786.z];
-                                                let _e1130 = function_4(_e1126, _e1128[3]);
-                                                if (_e1119[1] > _e1130[1]) {
-                                                    phi_1997_ = true;
-                                                } else {
-                                                    if (_e1119[1] == _e1130[1]) {
-                                                        phi_1996_ = (_e1119[0] > _e1130[0]);
-                                                    } else {
-                                                        phi_1996_ = false;
-                                                    }
-                                                    let _e1141 = phi_1996_;
-                                                    phi_1997_ = _e1141;
-                                                }
-                                                let _e1143 = phi_1997_;
-                                                let _e1146 = keys.member[_e786.x];
-                                                let _e1149 = keys.member[_e786.y];
-                                                let _e1151 = function_5(_e1146[0], _e1149[0]);
-                                                let _e1153 = keys.member[_e786.z];
-                                                let _e1155 = function_5(_e1151, _e1153[0]);
-                                                let _e1157 = keys.member[_e780.x];
-                                                let _e1160 = keys.member[_e780.y];
-                                                let _e1162 = function_4(_e1157[3], _e1160[3]);
-                                                let _e1164 = keys.member[_e780.z];
-                                                let _e1166 = function_4(_e1162, _e1164[3]);
-                                                if (_e1155[1] > _e1166[1]) {
-                                                    phi_2085_ = true;
-                                                } else {
-                                                    if (_e1155[1] == _e1166[1]) {
-                                                        phi_2084_ = (_e1155[0] > _e1166[0]);
-                                                    } else {
-                                                        phi_2084_ = false;
-                                                    }
-                                                    let _e1177 = phi_2084_;
-                                                    phi_2085_ = _e1177;
-                                                }
-                                                let _e1179 = phi_2085_;
-                                                let _e1183 = keys.member[_e780.x];
-                                                let _e1186 = keys.member[_e780.y];
-                                                let _e1188 = function_3(_e1183[1], _e1186[1]);
-                                                let _e1190 = keys.member[_e780.z];
-                                                let _e1192 = function_3(_e1188, _e1190[1]);
-                                                let _e1194 = keys.member[_e786.x];
-                                                let _e1197 = keys.member[_e786.y];
-                                                let _e1199 = function_2(_e1194[4], _e1197[4]);
-                                                let _e1201 = keys.member[_e786.z];
-                                                let _e1203 = function_2(_e1199, _e1201[4]);
-                                                if (_e1192[1] > _e1203[1]) {
-                                                    phi_2174_ = true;
-                                                } else {
-                                                    if (_e1192[1] == _e1203[1]) {
-                                                        phi_2173_ = (_e1192[0] > _e1203[0]);
-                                                    } else {
-                                                        phi_2173_ = false;
-                                                    }
-                                                    let _e1214 = phi_2173_;
-                                                    phi_2174_ = _e1214;
-                                                }
-                                                let _e1216 = phi_2174_;
-                                                let _e1219 = keys.member[_e786.x];
-                                                let _e1222 = keys.member[_e786.y];
-                                                let _e1224 = function_3(_e1219[1], _e1222[1]);
-                                                let _e1226 = keys.member[_e786.z];
-                                                let _e1228 = function_3(_e1224, _e1226[1]);
-                                                let _e1230 = keys.member[_e780.x];
-                                                let _e1233 = keys.member[_e780.y];
-                                                let _e1235 = function_2(_e1230[4], _e1233[4]);
-                                                let _e1237 = keys.member[_e780.z];
-                                                let _e1239 = function_2(_e1235, _e1237[4]);
-                                                if (_e1228[1] > _e1239[1]) {
-                                                    phi_2262_ = true;
-                                                } else {
-                                                    if (_e1228[1] == _e1239[1]) {
-                                                        phi_2261_ = (_e1228[0] > _e1239[0]);
-                                                    } else {
-                                                        phi_2261_ = false;
-                                                    }
-                                                    let _e1250 = phi_2261_;
-                                                    phi_2262_ = _e1250;
-                                                }
-                                                let _e1252 = phi_2262_;
-                                                let _e1257 = keys.member[_e780.x];
-                                                let _e1260 = keys.member[_e780.y];
-                                                let _e1262 = function_1(_e1257[2], _e1260[2]);
-                                                let _e1264 = keys.member[_e780.z];
-                                                let _e1266 = function_1(_e1262, _e1264[2]);
-                                                let _e1268 = keys.member[_e786.x];
-                                                let _e1271 = keys.member[_e786.y];
-                                                let _e1273 = function_(_e1268[5], _e1271[5]);
-                                                let _e1275 = keys.member[_e786.z];
-                                                let _e1277 = function_(_e1273, _e1275[5]);
-                                                if (_e1266[1] > _e1277[1]) {
-                                                    phi_2352_ = true;
-                                                } else {
-                                                    if (_e1266[1] == _e1277[1]) {
-                                                        phi_2351_ = (_e1266[0] > _e1277[0]);
-                                                    } else {
-                                                        phi_2351_ = false;
-                                                    }
-                                                    let _e1288 = phi_2351_;
-                                                    phi_2352_ = _e1288;
-                                                }
-                                                let _e1290 = phi_2352_;
-                                                let _e1293 = keys.member[_e786.x];
-                                                let _e1296 = keys.member[_e786.y];
-                                                let _e1298 = function_1(_e1293[2], _e1296[2]);
-                                                let _e1300 = keys.member[_e786.z];
-                                                let _e1302 = function_1(_e1298, _e1300[2]);
-                                                let _e1304 = keys.member[_e780.x];
-                                                let _e1307 = keys.member[_e780.y];
-                                                let _e1309 = function_(_e1304[5], _e1307[5]);
-                                                let _e1311 = keys.member[_e780.z];
-                                                let _e1313 = function_(_e1309, _e1311[5]);
-                                                if (_e1302[1] > _e1313[1]) {
-                                                    phi_2440_ = true;
-                                                } else {
-                                                    if (_e1302[1] == _e1313[1]) {
-                                                        phi_2439_ = (_e1302[0] > _e1313[0]);
-                                                    } else {
-                                                        phi_2439_ = false;
-                                                    }
-                                                    let _e1324 = phi_2439_;
-                                                    phi_2440_ = _e1324;
-                                                }
-                                                let _e1326 = phi_2440_;
-                                                phi_2444_ = (((!(_e1143) && !(_e1179)) && (!(_e1216) && !(_e1252))) && (!(_e1290) && !(_e1326)));
-                                            }
-                                            let _e1331 = phi_2444_;
-                                            phi_2445_ = _e1331;
-                                            phi_2446_ = _e1108;
-                                        } else {
-                                            phi_2445_ = bool();
-                                            phi_2446_ = true;
-                                        }
-                                        let _e1333 = phi_2445_;
-                                        let _e1335 = phi_2446_;
-                                        if _e1335 {
-                                            phi_2450_ = false;
-                                        } else {
-                                            phi_2450_ = true;
-                                        }
-                                        let _e1337 = phi_2450_;
-                                        phi_2451_ = _e1333;
-                                        phi_2452_ = _e1337;
+                                    let _e1564 = phi_2750_;
+                                    let _e1566 = phi_2751_;
+                                    if _e1566 {
+                                        phi_2755_ = _e1564;
                                     } else {
-                                        phi_2451_ = false;
-                                        phi_2452_ = true;
+                                        phi_2755_ = true;
                                     }
-                                    let _e1339 = phi_2451_;
-                                    let _e1341 = phi_2452_;
-                                    phi_2453_ = _e1339;
-                                    phi_2454_ = _e1341;
-                                } else {
-                                    phi_2453_ = false;
-                                    phi_2454_ = true;
+                                    let _e1568 = phi_2755_;
+                                    if _e1568 {
+                                    } else {
+                                        let _e1570 = atomicAdd((&counters[7u]), 4294967295u);
+                                    }
+                                    if _e1568 {
+                                        if _e907 {
+                                            let _e1572 = atomicAdd((&counters[5u]), 1u);
+                                            hits[_e775] = ((2147483648u | (_e1572 << bitcast<u32>(12i))) | _e778);
+                                        }
+                                    }
                                 }
-                                let _e1343 = phi_2453_;
-                                let _e1345 = phi_2454_;
-                                if _e1345 {
-                                    phi_2458_ = _e1343;
-                                } else {
-                                    phi_2458_ = true;
-                                }
-                                let _e1347 = phi_2458_;
-                                if _e1347 {
-                                    let _e1349 = atomicAdd((&counters[9u]), 1u);
-                                }
-                                if _e1347 {
-                                    let _e1351 = atomicAdd((&counters[7u]), 1u);
-                                    hits[_e759] = ((2147483648u | (_e1351 << bitcast<u32>(12i))) | _e762);
-                                }
-                                phi_2474_ = true;
+                                phi_2775_ = true;
                             }
-                            let _e1358 = phi_2474_;
-                            phi_2475_ = _e1358;
+                            let _e1579 = phi_2775_;
+                            phi_2776_ = _e1579;
                         } else {
-                            phi_2475_ = false;
+                            phi_2776_ = false;
                         }
-                        let _e1360 = phi_2475_;
+                        let _e1581 = phi_2776_;
                         continue;
                         continuing {
-                            phi_1274_ = _e751;
-                            break if !(_e1360);
+                            phi_1297_ = _e767;
+                            break if !(_e1581);
                         }
                     }
-                    let _e1364 = params.member.member_1.member_3;
+                    let _e1585 = params.member.member_1.member_3;
                     workgroupBarrier();
-                    if (_e52 == 0u) {
-                        let _e1367 = atomicLoad((&counters[7u]));
-                        if (_e1367 > 0u) {
-                            let _e1370 = atomicAdd((&output.member[0u]), _e1367);
-                            if ((_e1370 + _e1367) < _e1370) {
-                                let _e1374 = atomicAdd((&output.member[2u]), 1u);
+                    if (_e57 == 0u) {
+                        let _e1588 = atomicLoad((&counters[5u]));
+                        if (_e1588 > 0u) {
+                            let _e1592 = params.member.member.member_1;
+                            if ((_e1592 & 1024u) != 0u) {
+                                let _e1602 = atomicAdd((&output.member[0u]), _e1588);
+                                let _e1603 = (_e1602 + _e1588);
+                                if (_e1603 < _e1602) {
+                                    phi_2809_ = 4294967295u;
+                                } else {
+                                    phi_2809_ = _e1603;
+                                }
+                                let _e1606 = phi_2809_;
+                                let _e1609 = params.member.member_1.member_3;
+                                if (_e1606 > _e1609) {
+                                    let _e1612 = atomicMax((&output.member[2u]), _e1606);
+                                }
+                                phi_2832_ = _e1602;
+                            } else {
+                                let _e1596 = atomicAdd((&output.member[0u]), _e1588);
+                                if ((_e1596 + _e1588) < _e1596) {
+                                    let _e1600 = atomicAdd((&output.member[2u]), 1u);
+                                }
+                                phi_2832_ = _e1596;
                             }
-                            atomicStore((&counters[8u]), _e1370);
+                            let _e1614 = phi_2832_;
+                            atomicStore((&counters[6u]), _e1614);
                         }
                         atomicStore((&counters[5u]), 0u);
-                        atomicStore((&counters[6u]), 0u);
-                        atomicStore((&counters[7u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e1380 = atomicLoad((&counters[8u]));
-                    phi_2511_ = type_9(0u, 4u);
+                    let _e1618 = atomicLoad((&counters[6u]));
+                    phi_2839_ = type_9(0u, 4u);
                     loop {
-                        let _e1382 = phi_2511_;
-                        if (_e1382.member < _e1382.member_1) {
-                            phi_2512_ = type_9((_e1382.member + 1u), _e1382.member_1);
-                            phi_2535_ = type_9(1u, _e1382.member);
+                        let _e1620 = phi_2839_;
+                        if (_e1620.member < _e1620.member_1) {
+                            phi_2840_ = type_9((_e1620.member + 1u), _e1620.member_1);
+                            phi_2863_ = type_9(1u, _e1620.member);
                         } else {
-                            phi_2512_ = _e1382;
-                            phi_2535_ = type_9(0u, type_9().member_1);
+                            phi_2840_ = _e1620;
+                            phi_2863_ = type_9(0u, type_9().member_1);
                         }
-                        let _e1394 = phi_2512_;
-                        let _e1396 = phi_2535_;
-                        if (bitcast<i32>(_e1396.member) != 0i) {
-                            let _e1402 = (_e52 + (_e1396.member_1 * 128u));
-                            if (_e1402 >= _e737) {
-                                phi_2630_ = false;
+                        let _e1632 = phi_2840_;
+                        let _e1634 = phi_2863_;
+                        if (bitcast<i32>(_e1634.member) != 0i) {
+                            let _e1640 = (_e57 + (_e1634.member_1 * 128u));
+                            if (_e1640 >= _e753) {
+                                phi_2958_ = false;
                             } else {
-                                let _e1405 = hits[_e1402];
-                                if ((_e1405 & 2147483648u) == 0u) {
-                                    phi_2559_ = 4294967295u;
+                                let _e1643 = hits[_e1640];
+                                if ((_e1643 & 2147483648u) == 0u) {
+                                    phi_2887_ = 4294967295u;
                                 } else {
-                                    phi_2559_ = ((_e1405 & 2147483647u) >> bitcast<u32>(12i));
+                                    phi_2887_ = ((_e1643 & 2147483647u) >> bitcast<u32>(12i));
                                 }
-                                let _e1412 = phi_2559_;
-                                if (_e1412 != 4294967295u) {
-                                    let _e1416 = ((_e1405 >> bitcast<u32>(10i)) & 3u);
-                                    let _e1423 = firsts[(2u * _e1416)];
-                                    let _e1428 = firsts[((2u * _e1416) + 1u)];
-                                    let _e1431 = leaves.member[(_e1423 + ((_e1405 >> bitcast<u32>(5i)) & 31u))];
-                                    let _e1434 = leaves.member[(_e1428 + (_e1405 & 31u))];
-                                    let _e1436 = (_e1380 + _e1412);
-                                    if (_e72 == 1u) {
-                                        if (_e1431.w < _e1434.w) {
-                                            phi_2611_ = type_9(_e1431.w, _e1434.w);
+                                let _e1650 = phi_2887_;
+                                if (_e1650 != 4294967295u) {
+                                    let _e1654 = ((_e1643 >> bitcast<u32>(10i)) & 3u);
+                                    let _e1661 = firsts[(2u * _e1654)];
+                                    let _e1666 = firsts[((2u * _e1654) + 1u)];
+                                    let _e1669 = leaves.member[(_e1661 + ((_e1643 >> bitcast<u32>(5i)) & 31u))];
+                                    let _e1672 = leaves.member[(_e1666 + (_e1643 & 31u))];
+                                    let _e1674 = (_e1618 + _e1650);
+                                    if (_e78 == 1u) {
+                                        if (_e1669.w < _e1672.w) {
+                                            phi_2939_ = type_9(_e1669.w, _e1672.w);
                                         } else {
-                                            phi_2611_ = type_9(_e1434.w, _e1431.w);
+                                            phi_2939_ = type_9(_e1672.w, _e1669.w);
                                         }
-                                        let _e1443 = phi_2611_;
-                                        phi_2616_ = _e1443;
+                                        let _e1681 = phi_2939_;
+                                        phi_2944_ = _e1681;
                                     } else {
-                                        phi_2616_ = type_9(_e1431.w, _e1434.w);
+                                        phi_2944_ = type_9(_e1669.w, _e1672.w);
                                     }
-                                    let _e1445 = phi_2616_;
-                                    if (_e1436 < _e1364) {
-                                        let _e1449 = (2u * _e1436);
-                                        atomicStore((&output.member[(4u + _e1449)]), _e1445.member);
-                                        atomicStore((&output.member[(_e1449 + 5u)]), _e1445.member_1);
+                                    let _e1683 = phi_2944_;
+                                    if (_e1674 < _e1585) {
+                                        let _e1687 = (2u * _e1674);
+                                        atomicStore((&output.member[(4u + _e1687)]), _e1683.member);
+                                        atomicStore((&output.member[(_e1687 + 5u)]), _e1683.member_1);
                                     }
                                 }
-                                phi_2630_ = true;
+                                phi_2958_ = true;
                             }
-                            let _e1455 = phi_2630_;
-                            phi_2631_ = _e1455;
+                            let _e1693 = phi_2958_;
+                            phi_2959_ = _e1693;
                         } else {
-                            phi_2631_ = false;
+                            phi_2959_ = false;
                         }
-                        let _e1457 = phi_2631_;
+                        let _e1695 = phi_2959_;
                         continue;
                         continuing {
-                            phi_2511_ = _e1394;
-                            break if !(_e1457);
+                            phi_2839_ = _e1632;
+                            break if !(_e1695);
                         }
                     }
                     workgroupBarrier();
-                    let _e1620 = local_5;
-                    phi_1160_ = _e1620;
+                    let _e1865 = local_5;
+                    phi_1183_ = _e1865;
                 } else {
-                    phi_1160_ = type_9();
+                    phi_1183_ = type_9();
                 }
-                let _e1460 = phi_1160_;
+                let _e1698 = phi_1183_;
                 continue;
                 continuing {
-                    phi_1156_ = _e664;
-                    phi_1159_ = _e1460;
-                    break if !(_e670);
+                    phi_1179_ = _e680;
+                    phi_1182_ = _e1698;
+                    break if !(_e686);
                 }
             }
         }
         continue;
         continuing {
-            phi_293_ = _e142;
-            break if !(_e148);
+            phi_306_ = _e151;
+            break if !(_e157);
         }
     }
-    if (_e52 == 0u) {
-        let _e1465 = atomicLoad((&counters[9u]));
-        if (_e1465 > 0u) {
-            let _e1468 = atomicAdd((&output.member[1u]), _e1465);
-            if ((_e1468 + _e1465) < _e1468) {
-                let _e1472 = atomicAdd((&output.member[3u]), 1u);
+    if (_e57 == 0u) {
+        let _e1703 = atomicLoad((&counters[7u]));
+        if (_e1703 > 0u) {
+            let _e1706 = atomicAdd((&output.member[1u]), _e1703);
+            if ((_e1706 + _e1703) < _e1706) {
+                let _e1710 = atomicAdd((&output.member[3u]), 1u);
             }
         }
     }

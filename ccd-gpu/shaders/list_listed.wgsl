@@ -73,275 +73,276 @@ struct type_25 {
     member_1: array<u32, 4>,
 }
 
-struct type_28 {
+struct type_29 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
 var<storage> params: type_11;
+var<workgroup> counters: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
-var<storage, read_write> output: type_28;
-var<workgroup> counters: array<atomic<u32>, 4>;
+var<storage, read_write> output: type_29;
 @group(0) @binding(1) 
 var<storage> boxes: type_21;
+@group(0) @binding(2) 
+var<storage> elements: type_13;
 @group(0) @binding(3) 
 var<storage> bodies: type_13;
 @group(0) @binding(4) 
 var<storage> keys: type_24;
 @group(0) @binding(5) 
 var<storage> input: type_13;
-@group(0) @binding(2) 
-var<storage> elements: type_13;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_108_: bool;
-    var phi_109_: bool;
-    var phi_113_: array<u32, 2>;
+    var phi_110_: bool;
+    var phi_111_: bool;
+    var phi_115_: array<u32, 2>;
 
     if (param[1] > param_1[1]) {
-        phi_109_ = true;
+        phi_111_ = true;
     } else {
         if (param[1] == param_1[1]) {
-            phi_108_ = (param[0] > param_1[0]);
+            phi_110_ = (param[0] > param_1[0]);
         } else {
-            phi_108_ = false;
+            phi_110_ = false;
         }
-        let _e14 = phi_108_;
-        phi_109_ = _e14;
+        let _e14 = phi_110_;
+        phi_111_ = _e14;
     }
-    let _e16 = phi_109_;
+    let _e16 = phi_111_;
     if _e16 {
-        phi_113_ = param_1;
+        phi_115_ = param_1;
     } else {
-        phi_113_ = param;
+        phi_115_ = param;
     }
-    let _e18 = phi_113_;
+    let _e18 = phi_115_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_132_: bool;
-    var phi_133_: bool;
-    var phi_137_: array<u32, 2>;
+    var phi_134_: bool;
+    var phi_135_: bool;
+    var phi_139_: array<u32, 2>;
 
     if (param_3[1] > param_2[1]) {
-        phi_133_ = true;
+        phi_135_ = true;
     } else {
         if (param_3[1] == param_2[1]) {
-            phi_132_ = (param_3[0] > param_2[0]);
+            phi_134_ = (param_3[0] > param_2[0]);
         } else {
-            phi_132_ = false;
+            phi_134_ = false;
         }
-        let _e14 = phi_132_;
-        phi_133_ = _e14;
+        let _e14 = phi_134_;
+        phi_135_ = _e14;
     }
-    let _e16 = phi_133_;
+    let _e16 = phi_135_;
     if _e16 {
-        phi_137_ = param_3;
+        phi_139_ = param_3;
     } else {
-        phi_137_ = param_2;
+        phi_139_ = param_2;
     }
-    let _e18 = phi_137_;
+    let _e18 = phi_139_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_156_: bool;
-    var phi_157_: bool;
-    var phi_161_: array<u32, 2>;
+    var phi_158_: bool;
+    var phi_159_: bool;
+    var phi_163_: array<u32, 2>;
 
     if (param_4[1] > param_5[1]) {
-        phi_157_ = true;
+        phi_159_ = true;
     } else {
         if (param_4[1] == param_5[1]) {
-            phi_156_ = (param_4[0] > param_5[0]);
+            phi_158_ = (param_4[0] > param_5[0]);
         } else {
-            phi_156_ = false;
+            phi_158_ = false;
         }
-        let _e14 = phi_156_;
-        phi_157_ = _e14;
+        let _e14 = phi_158_;
+        phi_159_ = _e14;
     }
-    let _e16 = phi_157_;
+    let _e16 = phi_159_;
     if _e16 {
-        phi_161_ = param_5;
+        phi_163_ = param_5;
     } else {
-        phi_161_ = param_4;
+        phi_163_ = param_4;
     }
-    let _e18 = phi_161_;
+    let _e18 = phi_163_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_180_: bool;
-    var phi_181_: bool;
-    var phi_185_: array<u32, 2>;
+    var phi_182_: bool;
+    var phi_183_: bool;
+    var phi_187_: array<u32, 2>;
 
     if (param_7[1] > param_6[1]) {
-        phi_181_ = true;
+        phi_183_ = true;
     } else {
         if (param_7[1] == param_6[1]) {
-            phi_180_ = (param_7[0] > param_6[0]);
+            phi_182_ = (param_7[0] > param_6[0]);
         } else {
-            phi_180_ = false;
+            phi_182_ = false;
         }
-        let _e14 = phi_180_;
-        phi_181_ = _e14;
+        let _e14 = phi_182_;
+        phi_183_ = _e14;
     }
-    let _e16 = phi_181_;
+    let _e16 = phi_183_;
     if _e16 {
-        phi_185_ = param_7;
+        phi_187_ = param_7;
     } else {
-        phi_185_ = param_6;
+        phi_187_ = param_6;
     }
-    let _e18 = phi_185_;
+    let _e18 = phi_187_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_204_: bool;
-    var phi_205_: bool;
-    var phi_209_: array<u32, 2>;
+    var phi_206_: bool;
+    var phi_207_: bool;
+    var phi_211_: array<u32, 2>;
 
     if (param_8[1] > param_9[1]) {
-        phi_205_ = true;
+        phi_207_ = true;
     } else {
         if (param_8[1] == param_9[1]) {
-            phi_204_ = (param_8[0] > param_9[0]);
+            phi_206_ = (param_8[0] > param_9[0]);
         } else {
-            phi_204_ = false;
+            phi_206_ = false;
         }
-        let _e14 = phi_204_;
-        phi_205_ = _e14;
+        let _e14 = phi_206_;
+        phi_207_ = _e14;
     }
-    let _e16 = phi_205_;
+    let _e16 = phi_207_;
     if _e16 {
-        phi_209_ = param_9;
+        phi_211_ = param_9;
     } else {
-        phi_209_ = param_8;
+        phi_211_ = param_8;
     }
-    let _e18 = phi_209_;
+    let _e18 = phi_211_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_228_: bool;
-    var phi_229_: bool;
-    var phi_233_: array<u32, 2>;
+    var phi_230_: bool;
+    var phi_231_: bool;
+    var phi_235_: array<u32, 2>;
 
     if (param_11[1] > param_10[1]) {
-        phi_229_ = true;
+        phi_231_ = true;
     } else {
         if (param_11[1] == param_10[1]) {
-            phi_228_ = (param_11[0] > param_10[0]);
+            phi_230_ = (param_11[0] > param_10[0]);
         } else {
-            phi_228_ = false;
+            phi_230_ = false;
         }
-        let _e14 = phi_228_;
-        phi_229_ = _e14;
+        let _e14 = phi_230_;
+        phi_231_ = _e14;
     }
-    let _e16 = phi_229_;
+    let _e16 = phi_231_;
     if _e16 {
-        phi_233_ = param_11;
+        phi_235_ = param_11;
     } else {
-        phi_233_ = param_10;
+        phi_235_ = param_10;
     }
-    let _e18 = phi_233_;
+    let _e18 = phi_235_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_278_: u32;
-    var phi_288_: u32;
-    var phi_295_: u32;
-    var phi_311_: u32;
-    var phi_332_: u32;
-    var phi_333_: u32;
-    var phi_336_: type_9;
-    var phi_337_: type_9;
-    var phi_360_: type_9;
-    var phi_495_: type_25;
-    var phi_509_: array<u32, 3>;
+    var phi_280_: u32;
+    var phi_290_: u32;
+    var phi_297_: u32;
+    var phi_313_: u32;
+    var phi_334_: u32;
+    var phi_335_: u32;
+    var phi_338_: type_9;
+    var phi_339_: type_9;
+    var phi_362_: type_9;
+    var phi_496_: type_25;
     var phi_510_: array<u32, 3>;
-    var phi_532_: array<u32, 2>;
-    var phi_600_: bool;
-    var phi_606_: bool;
-    var phi_574_: bool;
-    var phi_581_: bool;
-    var phi_589_: bool;
-    var phi_608_: bool;
-    var phi_612_: bool;
+    var phi_511_: array<u32, 3>;
+    var phi_533_: array<u32, 2>;
+    var phi_601_: bool;
+    var phi_607_: bool;
+    var phi_575_: bool;
+    var phi_582_: bool;
+    var phi_590_: bool;
+    var phi_609_: bool;
     var phi_613_: bool;
-    var phi_657_: bool;
+    var phi_614_: bool;
     var phi_658_: bool;
-    var phi_665_: bool;
-    var phi_781_: bool;
+    var phi_659_: bool;
+    var phi_666_: bool;
     var phi_782_: bool;
-    var phi_817_: u32;
+    var phi_783_: bool;
     var phi_818_: u32;
     var phi_819_: u32;
     var phi_820_: u32;
-    var phi_823_: type_16;
-    var phi_826_: u32;
-    var phi_828_: u32;
-    var phi_849_: bool;
-    var phi_855_: type_17;
+    var phi_821_: u32;
     var phi_824_: type_16;
-    var phi_869_: type_17;
-    var phi_937_: bool;
+    var phi_827_: u32;
+    var phi_829_: u32;
+    var phi_850_: bool;
+    var phi_856_: type_17;
+    var phi_825_: type_16;
+    var phi_870_: type_17;
     var phi_938_: bool;
     var phi_939_: bool;
     var phi_940_: bool;
-    var phi_944_: bool;
+    var phi_941_: bool;
     var phi_945_: bool;
-    var phi_950_: u32;
+    var phi_946_: bool;
     var phi_951_: u32;
     var phi_952_: u32;
     var phi_953_: u32;
-    var phi_954_: bool;
-    var phi_827_: u32;
-    var phi_829_: u32;
+    var phi_954_: u32;
     var phi_955_: bool;
+    var phi_828_: u32;
+    var phi_830_: u32;
+    var phi_956_: bool;
     var local: u32;
     var local_1: u32;
-    var phi_1003_: bool;
     var phi_1004_: bool;
     var phi_1005_: bool;
     var phi_1006_: bool;
-    var phi_1010_: bool;
+    var phi_1007_: bool;
     var phi_1011_: bool;
-    var phi_1015_: bool;
-    var phi_1019_: bool;
+    var phi_1012_: bool;
+    var phi_1016_: bool;
     var phi_1020_: bool;
-    var phi_1024_: bool;
+    var phi_1021_: bool;
     var phi_1025_: bool;
-    var phi_1029_: bool;
+    var phi_1026_: bool;
     var phi_1030_: bool;
-    var phi_1166_: bool;
+    var phi_1031_: bool;
     var phi_1167_: bool;
-    var phi_1260_: bool;
+    var phi_1168_: bool;
     var phi_1261_: bool;
-    var phi_1355_: bool;
+    var phi_1262_: bool;
     var phi_1356_: bool;
-    var phi_1449_: bool;
+    var phi_1357_: bool;
     var phi_1450_: bool;
-    var phi_1545_: bool;
+    var phi_1451_: bool;
     var phi_1546_: bool;
-    var phi_1639_: bool;
+    var phi_1547_: bool;
     var phi_1640_: bool;
-    var phi_1644_: bool;
+    var phi_1641_: bool;
     var phi_1645_: bool;
     var phi_1646_: bool;
-    var phi_1650_: bool;
+    var phi_1647_: bool;
     var phi_1651_: bool;
     var phi_1652_: bool;
     var phi_1653_: bool;
     var phi_1654_: bool;
-    var phi_1658_: bool;
-    var phi_1670_: u32;
-    var phi_1671_: bool;
-    var phi_1672_: u32;
-    var phi_1673_: bool;
-    var phi_1674_: type_9;
+    var phi_1655_: bool;
+    var phi_1659_: bool;
+    var phi_1665_: u32;
+    var phi_1666_: u32;
+    var phi_1667_: bool;
+    var phi_1668_: type_9;
+    var phi_1695_: u32;
+    var phi_1718_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -349,664 +350,675 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e31 = id_2;
-    let _e32 = n_2;
-    let _e33 = lane_2;
-    let _e45 = ((_e31.y * _e32.x) + _e31.x);
-    let _e48 = (_e32.x * _e32.y);
-    let _e52 = params.member.member_2.member;
-    let _e54 = params.member.member_1.member_2;
-    let _e56 = input.member[0u];
-    if (_e54 < _e56) {
-        phi_278_ = _e54;
+    let _e33 = id_2;
+    let _e34 = n_2;
+    let _e35 = lane_2;
+    let _e47 = ((_e33.y * _e34.x) + _e33.x);
+    let _e50 = (_e34.x * _e34.y);
+    let _e54 = params.member.member_2.member;
+    let _e56 = params.member.member_1.member_2;
+    let _e58 = input.member[0u];
+    if (_e56 < _e58) {
+        phi_280_ = _e56;
     } else {
-        phi_278_ = _e56;
+        phi_280_ = _e58;
     }
-    let _e59 = phi_278_;
-    let _e61 = params.member.member_1.member_1;
-    if (_e59 > _e61) {
-        let _e64 = params.member.member_1.member_1;
-        phi_288_ = (_e59 - _e64);
+    let _e61 = phi_280_;
+    let _e63 = params.member.member_1.member_1;
+    if (_e61 > _e63) {
+        let _e66 = params.member.member_1.member_1;
+        phi_290_ = (_e61 - _e66);
     } else {
-        phi_288_ = 0u;
+        phi_290_ = 0u;
     }
-    let _e67 = phi_288_;
-    let _e69 = params.member.member_1.member;
-    if (_e69 < _e67) {
-        phi_295_ = _e69;
+    let _e69 = phi_290_;
+    let _e71 = params.member.member_1.member;
+    if (_e71 < _e69) {
+        phi_297_ = _e71;
     } else {
-        phi_295_ = _e67;
+        phi_297_ = _e69;
     }
-    let _e72 = phi_295_;
-    let _e73 = (_e72 / 128u);
-    if ((_e72 % 128u) > 0u) {
-        phi_311_ = (_e73 + 1u);
+    let _e74 = phi_297_;
+    let _e75 = (_e74 / 128u);
+    if ((_e74 % 128u) > 0u) {
+        phi_313_ = (_e75 + 1u);
     } else {
-        phi_311_ = _e73;
+        phi_313_ = _e75;
     }
-    let _e78 = phi_311_;
-    if (_e78 > _e45) {
-        let _e80 = (_e78 - _e45);
-        if (_e48 == 0u) {
+    let _e80 = phi_313_;
+    if (_e80 > _e47) {
+        let _e82 = (_e80 - _e47);
+        if (_e50 == 0u) {
             return;
         }
-        let _e82 = (_e80 / _e48);
-        if (_e48 == 0u) {
+        let _e84 = (_e82 / _e50);
+        if (_e50 == 0u) {
             return;
         }
-        if ((_e80 % _e48) > 0u) {
-            phi_332_ = (_e82 + 1u);
+        if ((_e82 % _e50) > 0u) {
+            phi_334_ = (_e84 + 1u);
         } else {
-            phi_332_ = _e82;
+            phi_334_ = _e84;
         }
-        let _e88 = phi_332_;
-        phi_333_ = _e88;
+        let _e90 = phi_334_;
+        phi_335_ = _e90;
     } else {
-        phi_333_ = 0u;
+        phi_335_ = 0u;
     }
-    let _e90 = phi_333_;
-    phi_336_ = type_9(0u, _e90);
+    let _e92 = phi_335_;
+    phi_338_ = type_9(0u, _e92);
     loop {
-        let _e93 = phi_336_;
-        if (_e93.member < _e93.member_1) {
-            phi_337_ = type_9((_e93.member + 1u), _e93.member_1);
-            phi_360_ = type_9(1u, _e93.member);
+        let _e95 = phi_338_;
+        if (_e95.member < _e95.member_1) {
+            phi_339_ = type_9((_e95.member + 1u), _e95.member_1);
+            phi_362_ = type_9(1u, _e95.member);
         } else {
-            phi_337_ = _e93;
-            phi_360_ = type_9(0u, type_9().member_1);
+            phi_339_ = _e95;
+            phi_362_ = type_9(0u, type_9().member_1);
         }
-        let _e105 = phi_337_;
-        let _e107 = phi_360_;
-        let _e111 = (bitcast<i32>(_e107.member) != 0i);
-        if _e111 {
-            let _e115 = (((_e45 + (_e107.member_1 * _e48)) * 128u) + _e33);
-            if (_e33 == 0u) {
+        let _e107 = phi_339_;
+        let _e109 = phi_362_;
+        let _e113 = (bitcast<i32>(_e109.member) != 0i);
+        if _e113 {
+            let _e117 = (((_e47 + (_e109.member_1 * _e50)) * 128u) + _e35);
+            if (_e35 == 0u) {
                 atomicStore((&counters[0u]), 0u);
-                atomicStore((&counters[1u]), 0u);
             }
             workgroupBarrier();
-            if (_e115 < _e72) {
-                let _e121 = params.member.member_1.member_1;
-                let _e123 = (2u * (_e121 + _e115));
-                let _e126 = input.member[(4u + _e123)];
-                let _e129 = input.member[(_e123 + 5u)];
-                if (_e52 == 0u) {
-                    let _e146 = (3u * _e129);
-                    let _e148 = elements.member[_e146];
-                    let _e151 = elements.member[(_e146 + 1u)];
-                    let _e154 = elements.member[(_e146 + 2u)];
-                    phi_495_ = type_25(0u, array<u32, 4>(_e126, _e148, _e151, _e154));
+            if (_e117 < _e74) {
+                let _e122 = params.member.member_1.member_1;
+                let _e124 = (2u * (_e122 + _e117));
+                let _e127 = input.member[(4u + _e124)];
+                let _e130 = input.member[(_e124 + 5u)];
+                if (_e54 == 0u) {
+                    let _e147 = (3u * _e130);
+                    let _e149 = elements.member[_e147];
+                    let _e152 = elements.member[(_e147 + 1u)];
+                    let _e155 = elements.member[(_e147 + 2u)];
+                    phi_496_ = type_25(0u, array<u32, 4>(_e127, _e149, _e152, _e155));
                 } else {
-                    let _e132 = (2u * _e126);
-                    let _e133 = (2u * _e129);
-                    let _e135 = elements.member[_e132];
-                    let _e137 = elements.member[_e133];
-                    let _e140 = elements.member[(_e132 + 1u)];
-                    let _e143 = elements.member[(_e133 + 1u)];
-                    phi_495_ = type_25(1u, array<u32, 4>(_e135, _e140, _e137, _e143));
+                    let _e133 = (2u * _e127);
+                    let _e134 = (2u * _e130);
+                    let _e136 = elements.member[_e133];
+                    let _e138 = elements.member[_e134];
+                    let _e141 = elements.member[(_e133 + 1u)];
+                    let _e144 = elements.member[(_e134 + 1u)];
+                    phi_496_ = type_25(1u, array<u32, 4>(_e136, _e141, _e138, _e144));
                 }
-                let _e158 = phi_495_;
-                if (_e52 == 0u) {
-                    phi_509_ = array<u32, 3>(_e158.member_1[1], _e158.member_1[2], _e158.member_1[3]);
-                    phi_510_ = array<u32, 3>(_e158.member_1[0], _e158.member_1[0], _e158.member_1[0]);
+                let _e159 = phi_496_;
+                if (_e54 == 0u) {
+                    phi_510_ = array<u32, 3>(_e159.member_1[1], _e159.member_1[2], _e159.member_1[3]);
+                    phi_511_ = array<u32, 3>(_e159.member_1[0], _e159.member_1[0], _e159.member_1[0]);
                 } else {
-                    phi_509_ = array<u32, 3>(_e158.member_1[2], _e158.member_1[3], _e158.member_1[3]);
-                    phi_510_ = array<u32, 3>(_e158.member_1[0], _e158.member_1[1], _e158.member_1[1]);
+                    phi_510_ = array<u32, 3>(_e159.member_1[2], _e159.member_1[3], _e159.member_1[3]);
+                    phi_511_ = array<u32, 3>(_e159.member_1[0], _e159.member_1[1], _e159.member_1[1]);
                 }
-                let _e170 = phi_509_;
-                let _e172 = phi_510_;
-                if (_e52 == 0u) {
-                    let _e186 = params.member.member.member_2[2u];
-                    phi_532_ = array<u32, 2>(_e126, (_e186 + _e129));
+                let _e171 = phi_510_;
+                let _e173 = phi_511_;
+                if (_e54 == 0u) {
+                    let _e187 = params.member.member.member_2[2u];
+                    phi_533_ = array<u32, 2>(_e127, (_e187 + _e130));
                 } else {
-                    let _e177 = params.member.member.member_2[1u];
-                    let _e181 = params.member.member.member_2[1u];
-                    phi_532_ = array<u32, 2>((_e177 + _e126), (_e181 + _e129));
+                    let _e178 = params.member.member.member_2[1u];
+                    let _e182 = params.member.member.member_2[1u];
+                    phi_533_ = array<u32, 2>((_e178 + _e127), (_e182 + _e130));
                 }
-                let _e190 = phi_532_;
-                let _e194 = boxes.member[_e190[0]];
-                let _e196 = boxes.member[_e190[1]];
-                let _e199 = params.member.member.member_1;
-                if ((_e199 & 1u) != 0u) {
-                    if (_e52 == 0u) {
-                        if (_e170[0] == _e172[0]) {
-                            phi_574_ = true;
+                let _e191 = phi_533_;
+                let _e195 = boxes.member[_e191[0]];
+                let _e197 = boxes.member[_e191[1]];
+                let _e200 = params.member.member.member_1;
+                if ((_e200 & 1u) != 0u) {
+                    if (_e54 == 0u) {
+                        if (_e171[0] == _e173[0]) {
+                            phi_575_ = true;
                         } else {
-                            phi_574_ = (_e170[0] == _e172[0]);
+                            phi_575_ = (_e171[0] == _e173[0]);
                         }
-                        let _e221 = phi_574_;
-                        if (_e170[1] == _e172[0]) {
-                            phi_581_ = true;
+                        let _e222 = phi_575_;
+                        if (_e171[1] == _e173[0]) {
+                            phi_582_ = true;
                         } else {
-                            phi_581_ = (_e170[1] == _e172[0]);
+                            phi_582_ = (_e171[1] == _e173[0]);
                         }
-                        let _e226 = phi_581_;
-                        if (_e170[2] == _e172[0]) {
-                            phi_589_ = true;
+                        let _e227 = phi_582_;
+                        if (_e171[2] == _e173[0]) {
+                            phi_590_ = true;
                         } else {
-                            phi_589_ = (_e170[2] == _e172[0]);
+                            phi_590_ = (_e171[2] == _e173[0]);
                         }
-                        let _e232 = phi_589_;
-                        phi_608_ = ((_e221 || _e226) || _e232);
+                        let _e233 = phi_590_;
+                        phi_609_ = ((_e222 || _e227) || _e233);
                     } else {
-                        if (_e170[0] == _e172[0]) {
-                            phi_600_ = true;
+                        if (_e171[0] == _e173[0]) {
+                            phi_601_ = true;
                         } else {
-                            phi_600_ = (_e170[0] == _e172[1]);
+                            phi_601_ = (_e171[0] == _e173[1]);
                         }
-                        let _e210 = phi_600_;
-                        if (_e170[1] == _e172[0]) {
-                            phi_606_ = true;
+                        let _e211 = phi_601_;
+                        if (_e171[1] == _e173[0]) {
+                            phi_607_ = true;
                         } else {
-                            phi_606_ = (_e170[1] == _e172[1]);
+                            phi_607_ = (_e171[1] == _e173[1]);
                         }
-                        let _e214 = phi_606_;
-                        phi_608_ = (_e210 || _e214);
+                        let _e215 = phi_607_;
+                        phi_609_ = (_e211 || _e215);
                     }
-                    let _e235 = phi_608_;
-                    if _e235 {
-                        phi_612_ = false;
+                    let _e236 = phi_609_;
+                    if _e236 {
+                        phi_613_ = false;
                     } else {
-                        phi_612_ = true;
+                        phi_613_ = true;
                     }
-                    let _e237 = phi_612_;
-                    phi_613_ = _e237;
+                    let _e238 = phi_613_;
+                    phi_614_ = _e238;
                 } else {
-                    phi_613_ = true;
+                    phi_614_ = true;
                 }
-                let _e239 = phi_613_;
-                if _e239 {
-                    let _e241 = params.member.member.member_1;
-                    if ((_e241 & 2u) != 0u) {
-                        let _e246 = bodies.member[_e172[0]];
-                        let _e249 = bodies.member[_e170[0]];
-                        if ((_e246 / 4u) != (_e249 / 4u)) {
-                            phi_658_ = true;
+                let _e240 = phi_614_;
+                if _e240 {
+                    let _e242 = params.member.member.member_1;
+                    if ((_e242 & 2u) != 0u) {
+                        let _e247 = bodies.member[_e173[0]];
+                        let _e250 = bodies.member[_e171[0]];
+                        if ((_e247 / 4u) != (_e250 / 4u)) {
+                            phi_659_ = true;
                         } else {
-                            if ((_e246 & 2u) == 0u) {
-                                phi_657_ = false;
+                            if ((_e247 & 2u) == 0u) {
+                                phi_658_ = false;
                             } else {
-                                phi_657_ = true;
+                                phi_658_ = true;
                             }
-                            let _e256 = phi_657_;
-                            phi_658_ = _e256;
+                            let _e257 = phi_658_;
+                            phi_659_ = _e257;
                         }
-                        let _e258 = phi_658_;
-                        if _e258 {
-                            phi_665_ = (((_e246 & _e249) & 1u) == 0u);
+                        let _e259 = phi_659_;
+                        if _e259 {
+                            phi_666_ = (((_e247 & _e250) & 1u) == 0u);
                         } else {
-                            phi_665_ = false;
+                            phi_666_ = false;
                         }
-                        let _e263 = phi_665_;
-                        if _e263 {
-                            let _e265 = params.member.member.member_1;
-                            if ((_e265 & 4u) != 0u) {
-                                let _e270 = params.member.member.member[0u];
-                                let _e272 = bodies.member[_e270];
-                                let _e275 = bodies.member[(_e270 + 1u)];
-                                let _e280 = ((_e270 + 4u) + (2u * (_e246 >> bitcast<u32>(2i))));
-                                let _e285 = ((_e270 + 4u) + (2u * (_e249 >> bitcast<u32>(2i))));
-                                let _e287 = bodies.member[_e280];
-                                let _e289 = bodies.member[_e285];
-                                let _e298 = bodies.member[((((_e270 + 4u) + (2u * _e272)) + (_e287 * _e275)) + (_e289 / 32u))];
-                                let _e301 = bodies.member[(_e280 + 1u)];
-                                let _e304 = bodies.member[(_e285 + 1u)];
-                                if (_e301 == _e304) {
-                                    if (((_e298 >> bitcast<u32>(((_e289 % 32u) & 31u))) & 1u) == 1u) {
-                                        phi_781_ = true;
+                        let _e264 = phi_666_;
+                        if _e264 {
+                            let _e266 = params.member.member.member_1;
+                            if ((_e266 & 4u) != 0u) {
+                                let _e271 = params.member.member.member[0u];
+                                let _e273 = bodies.member[_e271];
+                                let _e276 = bodies.member[(_e271 + 1u)];
+                                let _e281 = ((_e271 + 4u) + (2u * (_e247 >> bitcast<u32>(2i))));
+                                let _e286 = ((_e271 + 4u) + (2u * (_e250 >> bitcast<u32>(2i))));
+                                let _e288 = bodies.member[_e281];
+                                let _e290 = bodies.member[_e286];
+                                let _e299 = bodies.member[((((_e271 + 4u) + (2u * _e273)) + (_e288 * _e276)) + (_e290 / 32u))];
+                                let _e302 = bodies.member[(_e281 + 1u)];
+                                let _e305 = bodies.member[(_e286 + 1u)];
+                                if (_e302 == _e305) {
+                                    if (((_e299 >> bitcast<u32>(((_e290 % 32u) & 31u))) & 1u) == 1u) {
+                                        phi_782_ = true;
                                     } else {
-                                        phi_781_ = ((_e246 >> bitcast<u32>(2i)) == (_e249 >> bitcast<u32>(2i)));
+                                        phi_782_ = ((_e247 >> bitcast<u32>(2i)) == (_e250 >> bitcast<u32>(2i)));
                                     }
-                                    let _e318 = phi_781_;
-                                    phi_782_ = _e318;
+                                    let _e319 = phi_782_;
+                                    phi_783_ = _e319;
                                 } else {
-                                    phi_782_ = false;
+                                    phi_783_ = false;
                                 }
-                                let _e320 = phi_782_;
-                                if _e320 {
-                                    let _e323 = bodies.member[(_e270 + 2u)];
-                                    let _e326 = bodies.member[(_e270 + 3u)];
-                                    let _e327 = (_e326 + _e270);
-                                    if (_e52 == 1u) {
-                                        if (_e129 < _e126) {
-                                            phi_817_ = _e126;
-                                            phi_818_ = _e129;
+                                let _e321 = phi_783_;
+                                if _e321 {
+                                    let _e324 = bodies.member[(_e271 + 2u)];
+                                    let _e327 = bodies.member[(_e271 + 3u)];
+                                    let _e328 = (_e327 + _e271);
+                                    if (_e54 == 1u) {
+                                        if (_e130 < _e127) {
+                                            phi_818_ = _e127;
+                                            phi_819_ = _e130;
                                         } else {
-                                            phi_817_ = _e129;
-                                            phi_818_ = _e126;
+                                            phi_818_ = _e130;
+                                            phi_819_ = _e127;
                                         }
-                                        let _e331 = phi_817_;
-                                        let _e333 = phi_818_;
-                                        phi_819_ = _e331;
-                                        phi_820_ = _e333;
+                                        let _e332 = phi_818_;
+                                        let _e334 = phi_819_;
+                                        phi_820_ = _e332;
+                                        phi_821_ = _e334;
                                     } else {
-                                        phi_819_ = _e129;
-                                        phi_820_ = _e126;
+                                        phi_820_ = _e130;
+                                        phi_821_ = _e127;
                                     }
-                                    let _e335 = phi_819_;
-                                    let _e337 = phi_820_;
-                                    phi_823_ = type_16(0i, 32i);
-                                    phi_826_ = _e323;
-                                    phi_828_ = 0u;
+                                    let _e336 = phi_820_;
+                                    let _e338 = phi_821_;
+                                    phi_824_ = type_16(0i, 32i);
+                                    phi_827_ = _e324;
+                                    phi_829_ = 0u;
                                     loop {
-                                        let _e339 = phi_823_;
-                                        let _e341 = phi_826_;
-                                        let _e343 = phi_828_;
-                                        local = _e343;
-                                        local_1 = _e343;
-                                        if (_e339.member < _e339.member_1) {
-                                            let _e350 = (_e339.member + 1i);
-                                            if ((false == (_e350 > _e339.member)) != false) {
-                                                phi_849_ = true;
+                                        let _e340 = phi_824_;
+                                        let _e342 = phi_827_;
+                                        let _e344 = phi_829_;
+                                        local = _e344;
+                                        local_1 = _e344;
+                                        if (_e340.member < _e340.member_1) {
+                                            let _e351 = (_e340.member + 1i);
+                                            if ((false == (_e351 > _e340.member)) != false) {
+                                                phi_850_ = true;
                                             } else {
-                                                phi_849_ = false;
+                                                phi_850_ = false;
                                             }
-                                            let _e355 = phi_849_;
-                                            if _e355 {
-                                                phi_855_ = type_17(0u, type_17().member_1);
+                                            let _e356 = phi_850_;
+                                            if _e356 {
+                                                phi_856_ = type_17(0u, type_17().member_1);
                                             } else {
-                                                phi_855_ = type_17(1u, _e350);
+                                                phi_856_ = type_17(1u, _e351);
                                             }
-                                            let _e360 = phi_855_;
-                                            phi_824_ = type_16(_e360.member_1, _e339.member_1);
-                                            phi_869_ = type_17(1u, _e339.member);
+                                            let _e361 = phi_856_;
+                                            phi_825_ = type_16(_e361.member_1, _e340.member_1);
+                                            phi_870_ = type_17(1u, _e340.member);
                                         } else {
-                                            phi_824_ = _e339;
-                                            phi_869_ = type_17(0u, type_17().member_1);
+                                            phi_825_ = _e340;
+                                            phi_870_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e366 = phi_824_;
-                                        let _e368 = phi_869_;
-                                        if (bitcast<i32>(_e368.member) != 0i) {
-                                            if (_e343 >= _e341) {
-                                                phi_952_ = u32();
+                                        let _e367 = phi_825_;
+                                        let _e369 = phi_870_;
+                                        if (bitcast<i32>(_e369.member) != 0i) {
+                                            if (_e344 >= _e342) {
                                                 phi_953_ = u32();
-                                                phi_954_ = false;
+                                                phi_954_ = u32();
+                                                phi_955_ = false;
                                             } else {
-                                                let _e375 = (_e343 + ((_e341 - _e343) / 2u));
-                                                let _e377 = (_e327 + (3u * _e375));
-                                                let _e379 = bodies.member[_e377];
-                                                let _e382 = bodies.member[(_e377 + 1u)];
-                                                let _e385 = bodies.member[(_e377 + 2u)];
-                                                if (_e379 < _e52) {
-                                                    phi_945_ = true;
+                                                let _e376 = (_e344 + ((_e342 - _e344) / 2u));
+                                                let _e378 = (_e328 + (3u * _e376));
+                                                let _e380 = bodies.member[_e378];
+                                                let _e383 = bodies.member[(_e378 + 1u)];
+                                                let _e386 = bodies.member[(_e378 + 2u)];
+                                                if (_e380 < _e54) {
+                                                    phi_946_ = true;
                                                 } else {
-                                                    if (_e379 == _e52) {
-                                                        if (_e382 < _e337) {
-                                                            phi_939_ = false;
+                                                    if (_e380 == _e54) {
+                                                        if (_e383 < _e338) {
+                                                            phi_940_ = false;
                                                         } else {
-                                                            if (_e382 == _e337) {
-                                                                if (_e385 < _e335) {
-                                                                    phi_937_ = false;
+                                                            if (_e383 == _e338) {
+                                                                if (_e386 < _e336) {
+                                                                    phi_938_ = false;
                                                                 } else {
-                                                                    phi_937_ = true;
+                                                                    phi_938_ = true;
                                                                 }
-                                                                let _e392 = phi_937_;
-                                                                phi_938_ = _e392;
+                                                                let _e393 = phi_938_;
+                                                                phi_939_ = _e393;
                                                             } else {
-                                                                phi_938_ = true;
+                                                                phi_939_ = true;
                                                             }
-                                                            let _e394 = phi_938_;
-                                                            phi_939_ = _e394;
+                                                            let _e395 = phi_939_;
+                                                            phi_940_ = _e395;
                                                         }
-                                                        let _e396 = phi_939_;
-                                                        phi_940_ = _e396;
+                                                        let _e397 = phi_940_;
+                                                        phi_941_ = _e397;
                                                     } else {
-                                                        phi_940_ = true;
+                                                        phi_941_ = true;
                                                     }
-                                                    let _e398 = phi_940_;
-                                                    if _e398 {
-                                                        phi_944_ = false;
+                                                    let _e399 = phi_941_;
+                                                    if _e399 {
+                                                        phi_945_ = false;
                                                     } else {
-                                                        phi_944_ = true;
+                                                        phi_945_ = true;
                                                     }
-                                                    let _e400 = phi_944_;
-                                                    phi_945_ = _e400;
+                                                    let _e401 = phi_945_;
+                                                    phi_946_ = _e401;
                                                 }
-                                                let _e402 = phi_945_;
-                                                if _e402 {
-                                                    phi_950_ = _e341;
-                                                    phi_951_ = (_e375 + 1u);
+                                                let _e403 = phi_946_;
+                                                if _e403 {
+                                                    phi_951_ = _e342;
+                                                    phi_952_ = (_e376 + 1u);
                                                 } else {
-                                                    phi_950_ = _e375;
-                                                    phi_951_ = _e343;
+                                                    phi_951_ = _e376;
+                                                    phi_952_ = _e344;
                                                 }
-                                                let _e405 = phi_950_;
-                                                let _e407 = phi_951_;
-                                                phi_952_ = _e405;
-                                                phi_953_ = _e407;
-                                                phi_954_ = true;
+                                                let _e406 = phi_951_;
+                                                let _e408 = phi_952_;
+                                                phi_953_ = _e406;
+                                                phi_954_ = _e408;
+                                                phi_955_ = true;
                                             }
-                                            let _e409 = phi_952_;
-                                            let _e411 = phi_953_;
-                                            let _e413 = phi_954_;
-                                            phi_827_ = _e409;
-                                            phi_829_ = _e411;
-                                            phi_955_ = _e413;
+                                            let _e410 = phi_953_;
+                                            let _e412 = phi_954_;
+                                            let _e414 = phi_955_;
+                                            phi_828_ = _e410;
+                                            phi_830_ = _e412;
+                                            phi_956_ = _e414;
                                         } else {
-                                            phi_827_ = u32();
-                                            phi_829_ = u32();
-                                            phi_955_ = false;
+                                            phi_828_ = u32();
+                                            phi_830_ = u32();
+                                            phi_956_ = false;
                                         }
-                                        let _e415 = phi_827_;
-                                        let _e417 = phi_829_;
-                                        let _e419 = phi_955_;
+                                        let _e416 = phi_828_;
+                                        let _e418 = phi_830_;
+                                        let _e420 = phi_956_;
                                         continue;
                                         continuing {
-                                            phi_823_ = _e366;
-                                            phi_826_ = _e415;
-                                            phi_828_ = _e417;
-                                            break if !(_e419);
+                                            phi_824_ = _e367;
+                                            phi_827_ = _e416;
+                                            phi_829_ = _e418;
+                                            break if !(_e420);
                                         }
                                     }
-                                    let _e422 = local;
-                                    if (_e422 < _e323) {
-                                        let _e425 = local_1;
-                                        let _e427 = (_e327 + (3u * _e425));
-                                        let _e429 = bodies.member[_e427];
-                                        if (_e429 == _e52) {
-                                            let _e433 = bodies.member[(_e427 + 1u)];
-                                            if (_e433 == _e337) {
-                                                let _e437 = bodies.member[(_e427 + 2u)];
-                                                phi_1003_ = (_e437 == _e335);
-                                                phi_1004_ = false;
+                                    let _e423 = local;
+                                    if (_e423 < _e324) {
+                                        let _e426 = local_1;
+                                        let _e428 = (_e328 + (3u * _e426));
+                                        let _e430 = bodies.member[_e428];
+                                        if (_e430 == _e54) {
+                                            let _e434 = bodies.member[(_e428 + 1u)];
+                                            if (_e434 == _e338) {
+                                                let _e438 = bodies.member[(_e428 + 2u)];
+                                                phi_1004_ = (_e438 == _e336);
+                                                phi_1005_ = false;
                                             } else {
-                                                phi_1003_ = bool();
-                                                phi_1004_ = true;
+                                                phi_1004_ = bool();
+                                                phi_1005_ = true;
                                             }
-                                            let _e440 = phi_1003_;
-                                            let _e442 = phi_1004_;
-                                            phi_1005_ = _e440;
-                                            phi_1006_ = _e442;
+                                            let _e441 = phi_1004_;
+                                            let _e443 = phi_1005_;
+                                            phi_1006_ = _e441;
+                                            phi_1007_ = _e443;
                                         } else {
-                                            phi_1005_ = bool();
-                                            phi_1006_ = true;
+                                            phi_1006_ = bool();
+                                            phi_1007_ = true;
                                         }
-                                        let _e444 = phi_1005_;
-                                        let _e446 = phi_1006_;
-                                        if _e446 {
-                                            phi_1010_ = false;
+                                        let _e445 = phi_1006_;
+                                        let _e447 = phi_1007_;
+                                        if _e447 {
+                                            phi_1011_ = false;
                                         } else {
-                                            phi_1010_ = _e444;
+                                            phi_1011_ = _e445;
                                         }
-                                        let _e448 = phi_1010_;
-                                        phi_1011_ = _e448;
+                                        let _e449 = phi_1011_;
+                                        phi_1012_ = _e449;
                                     } else {
-                                        phi_1011_ = false;
+                                        phi_1012_ = false;
                                     }
-                                    let _e450 = phi_1011_;
-                                    phi_1015_ = _e450;
+                                    let _e451 = phi_1012_;
+                                    phi_1016_ = _e451;
                                 } else {
-                                    phi_1015_ = true;
+                                    phi_1016_ = true;
                                 }
-                                let _e452 = phi_1015_;
-                                if _e452 {
-                                    phi_1019_ = false;
+                                let _e453 = phi_1016_;
+                                if _e453 {
+                                    phi_1020_ = false;
                                 } else {
-                                    phi_1019_ = true;
+                                    phi_1020_ = true;
                                 }
-                                let _e454 = phi_1019_;
-                                phi_1020_ = _e454;
+                                let _e455 = phi_1020_;
+                                phi_1021_ = _e455;
                             } else {
-                                phi_1020_ = true;
+                                phi_1021_ = true;
                             }
-                            let _e456 = phi_1020_;
-                            if _e456 {
-                                phi_1024_ = false;
+                            let _e457 = phi_1021_;
+                            if _e457 {
+                                phi_1025_ = false;
                             } else {
-                                phi_1024_ = true;
+                                phi_1025_ = true;
                             }
-                            let _e458 = phi_1024_;
-                            phi_1025_ = _e458;
+                            let _e459 = phi_1025_;
+                            phi_1026_ = _e459;
                         } else {
-                            phi_1025_ = true;
+                            phi_1026_ = true;
                         }
-                        let _e460 = phi_1025_;
-                        if _e460 {
-                            phi_1029_ = false;
+                        let _e461 = phi_1026_;
+                        if _e461 {
+                            phi_1030_ = false;
                         } else {
-                            phi_1029_ = true;
+                            phi_1030_ = true;
                         }
-                        let _e462 = phi_1029_;
-                        phi_1030_ = _e462;
+                        let _e463 = phi_1030_;
+                        phi_1031_ = _e463;
                     } else {
-                        phi_1030_ = true;
+                        phi_1031_ = true;
                     }
-                    let _e464 = phi_1030_;
-                    if _e464 {
-                        let _e466 = params.member.member.member_1;
-                        if ((_e466 & 32u) != 0u) {
-                            let _e470 = params.member.member.member_6;
-                            let _e511 = (((((_e194.member_1[0] - _e196.member[0]) > _e470) && ((_e196.member_1[0] - _e194.member[0]) > _e470)) && (((_e194.member_1[1] - _e196.member[1]) > _e470) && ((_e196.member_1[1] - _e194.member[1]) > _e470))) && (((_e194.member_1[2] - _e196.member[2]) > _e470) && ((_e196.member_1[2] - _e194.member[2]) > _e470)));
-                            if _e511 {
-                                phi_1644_ = bool();
+                    let _e465 = phi_1031_;
+                    if _e465 {
+                        let _e467 = params.member.member.member_1;
+                        if ((_e467 & 32u) != 0u) {
+                            let _e471 = params.member.member.member_6;
+                            let _e512 = (((((_e195.member_1[0] - _e197.member[0]) > _e471) && ((_e197.member_1[0] - _e195.member[0]) > _e471)) && (((_e195.member_1[1] - _e197.member[1]) > _e471) && ((_e197.member_1[1] - _e195.member[1]) > _e471))) && (((_e195.member_1[2] - _e197.member[2]) > _e471) && ((_e197.member_1[2] - _e195.member[2]) > _e471)));
+                            if _e512 {
+                                phi_1645_ = bool();
                             } else {
-                                let _e514 = keys.member[_e172[0]];
-                                let _e518 = keys.member[_e172[1]];
-                                let _e520 = function_(_e514[0], _e518[0]);
-                                let _e523 = keys.member[_e172[2]];
-                                let _e525 = function_(_e520, _e523[0]);
-                                let _e528 = keys.member[_e170[0]];
-                                let _e532 = keys.member[_e170[1]];
-                                let _e534 = function_1(_e528[3], _e532[3]);
-                                let _e537 = keys.member[_e170[2]];
-                                let _e539 = function_1(_e534, _e537[3]);
-                                if (_e525[1] > _e539[1]) {
-                                    phi_1167_ = true;
+                                let _e515 = keys.member[_e173[0]];
+                                let _e519 = keys.member[_e173[1]];
+                                let _e521 = function_(_e515[0], _e519[0]);
+                                let _e524 = keys.member[_e173[2]];
+                                let _e526 = function_(_e521, _e524[0]);
+                                let _e529 = keys.member[_e171[0]];
+                                let _e533 = keys.member[_e171[1]];
+                                let _e535 = function_1(_e529[3], _e533[3]);
+                                let _e538 = keys.member[_e171[2]];
+                                let _e540 = function_1(_e535, _e538[3]);
+                                if (_e526[1] > _e540[1]) {
+                                    phi_1168_ = true;
                                 } else {
-                                    if (_e525[1] == _e539[1]) {
-                                        phi_1166_ = (_e525[0] > _e539[0]);
+                                    if (_e526[1] == _e540[1]) {
+                                        phi_1167_ = (_e526[0] > _e540[0]);
                                     } else {
-                                        phi_1166_ = false;
+                                        phi_1167_ = false;
                                     }
-                                    let _e550 = phi_1166_;
-                                    phi_1167_ = _e550;
+                                    let _e551 = phi_1167_;
+                                    phi_1168_ = _e551;
                                 }
-                                let _e552 = phi_1167_;
-                                let _e556 = keys.member[_e170[0]];
-                                let _e560 = keys.member[_e170[1]];
-                                let _e562 = function_(_e556[0], _e560[0]);
-                                let _e565 = keys.member[_e170[2]];
-                                let _e567 = function_(_e562, _e565[0]);
-                                let _e570 = keys.member[_e172[0]];
-                                let _e574 = keys.member[_e172[1]];
-                                let _e576 = function_1(_e570[3], _e574[3]);
-                                let _e579 = keys.member[_e172[2]];
-                                let _e581 = function_1(_e576, _e579[3]);
-                                if (_e567[1] > _e581[1]) {
-                                    phi_1261_ = true;
+                                let _e553 = phi_1168_;
+                                let _e557 = keys.member[_e171[0]];
+                                let _e561 = keys.member[_e171[1]];
+                                let _e563 = function_(_e557[0], _e561[0]);
+                                let _e566 = keys.member[_e171[2]];
+                                let _e568 = function_(_e563, _e566[0]);
+                                let _e571 = keys.member[_e173[0]];
+                                let _e575 = keys.member[_e173[1]];
+                                let _e577 = function_1(_e571[3], _e575[3]);
+                                let _e580 = keys.member[_e173[2]];
+                                let _e582 = function_1(_e577, _e580[3]);
+                                if (_e568[1] > _e582[1]) {
+                                    phi_1262_ = true;
                                 } else {
-                                    if (_e567[1] == _e581[1]) {
-                                        phi_1260_ = (_e567[0] > _e581[0]);
+                                    if (_e568[1] == _e582[1]) {
+                                        phi_1261_ = (_e568[0] > _e582[0]);
                                     } else {
-                                        phi_1260_ = false;
+                                        phi_1261_ = false;
                                     }
-                                    let _e592 = phi_1260_;
-                                    phi_1261_ = _e592;
+                                    let _e593 = phi_1261_;
+                                    phi_1262_ = _e593;
                                 }
-                                let _e594 = phi_1261_;
-                                let _e599 = keys.member[_e172[0]];
-                                let _e603 = keys.member[_e172[1]];
-                                let _e605 = function_2(_e599[1], _e603[1]);
-                                let _e608 = keys.member[_e172[2]];
-                                let _e610 = function_2(_e605, _e608[1]);
-                                let _e613 = keys.member[_e170[0]];
-                                let _e617 = keys.member[_e170[1]];
-                                let _e619 = function_3(_e613[4], _e617[4]);
-                                let _e622 = keys.member[_e170[2]];
-                                let _e624 = function_3(_e619, _e622[4]);
-                                if (_e610[1] > _e624[1]) {
-                                    phi_1356_ = true;
+                                let _e595 = phi_1262_;
+                                let _e600 = keys.member[_e173[0]];
+                                let _e604 = keys.member[_e173[1]];
+                                let _e606 = function_2(_e600[1], _e604[1]);
+                                let _e609 = keys.member[_e173[2]];
+                                let _e611 = function_2(_e606, _e609[1]);
+                                let _e614 = keys.member[_e171[0]];
+                                let _e618 = keys.member[_e171[1]];
+                                let _e620 = function_3(_e614[4], _e618[4]);
+                                let _e623 = keys.member[_e171[2]];
+                                let _e625 = function_3(_e620, _e623[4]);
+                                if (_e611[1] > _e625[1]) {
+                                    phi_1357_ = true;
                                 } else {
-                                    if (_e610[1] == _e624[1]) {
-                                        phi_1355_ = (_e610[0] > _e624[0]);
+                                    if (_e611[1] == _e625[1]) {
+                                        phi_1356_ = (_e611[0] > _e625[0]);
                                     } else {
-                                        phi_1355_ = false;
+                                        phi_1356_ = false;
                                     }
-                                    let _e635 = phi_1355_;
-                                    phi_1356_ = _e635;
+                                    let _e636 = phi_1356_;
+                                    phi_1357_ = _e636;
                                 }
-                                let _e637 = phi_1356_;
-                                let _e641 = keys.member[_e170[0]];
-                                let _e645 = keys.member[_e170[1]];
-                                let _e647 = function_2(_e641[1], _e645[1]);
-                                let _e650 = keys.member[_e170[2]];
-                                let _e652 = function_2(_e647, _e650[1]);
-                                let _e655 = keys.member[_e172[0]];
-                                let _e659 = keys.member[_e172[1]];
-                                let _e661 = function_3(_e655[4], _e659[4]);
-                                let _e664 = keys.member[_e172[2]];
-                                let _e666 = function_3(_e661, _e664[4]);
-                                if (_e652[1] > _e666[1]) {
-                                    phi_1450_ = true;
+                                let _e638 = phi_1357_;
+                                let _e642 = keys.member[_e171[0]];
+                                let _e646 = keys.member[_e171[1]];
+                                let _e648 = function_2(_e642[1], _e646[1]);
+                                let _e651 = keys.member[_e171[2]];
+                                let _e653 = function_2(_e648, _e651[1]);
+                                let _e656 = keys.member[_e173[0]];
+                                let _e660 = keys.member[_e173[1]];
+                                let _e662 = function_3(_e656[4], _e660[4]);
+                                let _e665 = keys.member[_e173[2]];
+                                let _e667 = function_3(_e662, _e665[4]);
+                                if (_e653[1] > _e667[1]) {
+                                    phi_1451_ = true;
                                 } else {
-                                    if (_e652[1] == _e666[1]) {
-                                        phi_1449_ = (_e652[0] > _e666[0]);
+                                    if (_e653[1] == _e667[1]) {
+                                        phi_1450_ = (_e653[0] > _e667[0]);
                                     } else {
-                                        phi_1449_ = false;
+                                        phi_1450_ = false;
                                     }
-                                    let _e677 = phi_1449_;
-                                    phi_1450_ = _e677;
+                                    let _e678 = phi_1450_;
+                                    phi_1451_ = _e678;
                                 }
-                                let _e679 = phi_1450_;
-                                let _e685 = keys.member[_e172[0]];
-                                let _e689 = keys.member[_e172[1]];
-                                let _e691 = function_4(_e685[2], _e689[2]);
-                                let _e694 = keys.member[_e172[2]];
-                                let _e696 = function_4(_e691, _e694[2]);
-                                let _e699 = keys.member[_e170[0]];
-                                let _e703 = keys.member[_e170[1]];
-                                let _e705 = function_5(_e699[5], _e703[5]);
-                                let _e708 = keys.member[_e170[2]];
-                                let _e710 = function_5(_e705, _e708[5]);
-                                if (_e696[1] > _e710[1]) {
-                                    phi_1546_ = true;
+                                let _e680 = phi_1451_;
+                                let _e686 = keys.member[_e173[0]];
+                                let _e690 = keys.member[_e173[1]];
+                                let _e692 = function_4(_e686[2], _e690[2]);
+                                let _e695 = keys.member[_e173[2]];
+                                let _e697 = function_4(_e692, _e695[2]);
+                                let _e700 = keys.member[_e171[0]];
+                                let _e704 = keys.member[_e171[1]];
+                                let _e706 = function_5(_e700[5], _e704[5]);
+                                let _e709 = keys.member[_e171[2]];
+                                let _e711 = function_5(_e706, _e709[5]);
+                                if (_e697[1] > _e711[1]) {
+                                    phi_1547_ = true;
                                 } else {
-                                    if (_e696[1] == _e710[1]) {
-                                        phi_1545_ = (_e696[0] > _e710[0]);
+                                    if (_e697[1] == _e711[1]) {
+                                        phi_1546_ = (_e697[0] > _e711[0]);
                                     } else {
-                                        phi_1545_ = false;
+                                        phi_1546_ = false;
                                     }
-                                    let _e721 = phi_1545_;
-                                    phi_1546_ = _e721;
+                                    let _e722 = phi_1546_;
+                                    phi_1547_ = _e722;
                                 }
-                                let _e723 = phi_1546_;
-                                let _e727 = keys.member[_e170[0]];
-                                let _e731 = keys.member[_e170[1]];
-                                let _e733 = function_4(_e727[2], _e731[2]);
-                                let _e736 = keys.member[_e170[2]];
-                                let _e738 = function_4(_e733, _e736[2]);
-                                let _e741 = keys.member[_e172[0]];
-                                let _e745 = keys.member[_e172[1]];
-                                let _e747 = function_5(_e741[5], _e745[5]);
-                                let _e750 = keys.member[_e172[2]];
-                                let _e752 = function_5(_e747, _e750[5]);
-                                if (_e738[1] > _e752[1]) {
-                                    phi_1640_ = true;
+                                let _e724 = phi_1547_;
+                                let _e728 = keys.member[_e171[0]];
+                                let _e732 = keys.member[_e171[1]];
+                                let _e734 = function_4(_e728[2], _e732[2]);
+                                let _e737 = keys.member[_e171[2]];
+                                let _e739 = function_4(_e734, _e737[2]);
+                                let _e742 = keys.member[_e173[0]];
+                                let _e746 = keys.member[_e173[1]];
+                                let _e748 = function_5(_e742[5], _e746[5]);
+                                let _e751 = keys.member[_e173[2]];
+                                let _e753 = function_5(_e748, _e751[5]);
+                                if (_e739[1] > _e753[1]) {
+                                    phi_1641_ = true;
                                 } else {
-                                    if (_e738[1] == _e752[1]) {
-                                        phi_1639_ = (_e738[0] > _e752[0]);
+                                    if (_e739[1] == _e753[1]) {
+                                        phi_1640_ = (_e739[0] > _e753[0]);
                                     } else {
-                                        phi_1639_ = false;
+                                        phi_1640_ = false;
                                     }
-                                    let _e763 = phi_1639_;
-                                    phi_1640_ = _e763;
+                                    let _e764 = phi_1640_;
+                                    phi_1641_ = _e764;
                                 }
-                                let _e765 = phi_1640_;
-                                phi_1644_ = (((!(_e552) && !(_e594)) && (!(_e637) && !(_e679))) && (!(_e723) && !(_e765)));
+                                let _e766 = phi_1641_;
+                                phi_1645_ = (((!(_e553) && !(_e595)) && (!(_e638) && !(_e680))) && (!(_e724) && !(_e766)));
                             }
-                            let _e770 = phi_1644_;
-                            phi_1645_ = _e770;
-                            phi_1646_ = _e511;
+                            let _e771 = phi_1645_;
+                            phi_1646_ = _e771;
+                            phi_1647_ = _e512;
                         } else {
-                            phi_1645_ = bool();
-                            phi_1646_ = true;
+                            phi_1646_ = bool();
+                            phi_1647_ = true;
                         }
-                        let _e772 = phi_1645_;
-                        let _e774 = phi_1646_;
-                        if _e774 {
-                            phi_1650_ = false;
+                        let _e773 = phi_1646_;
+                        let _e775 = phi_1647_;
+                        if _e775 {
+                            phi_1651_ = false;
                         } else {
-                            phi_1650_ = true;
+                            phi_1651_ = true;
                         }
-                        let _e776 = phi_1650_;
-                        phi_1651_ = _e772;
-                        phi_1652_ = _e776;
+                        let _e777 = phi_1651_;
+                        phi_1652_ = _e773;
+                        phi_1653_ = _e777;
                     } else {
-                        phi_1651_ = false;
-                        phi_1652_ = true;
+                        phi_1652_ = false;
+                        phi_1653_ = true;
                     }
-                    let _e778 = phi_1651_;
-                    let _e780 = phi_1652_;
-                    phi_1653_ = _e778;
-                    phi_1654_ = _e780;
+                    let _e779 = phi_1652_;
+                    let _e781 = phi_1653_;
+                    phi_1654_ = _e779;
+                    phi_1655_ = _e781;
                 } else {
-                    phi_1653_ = false;
-                    phi_1654_ = true;
+                    phi_1654_ = false;
+                    phi_1655_ = true;
                 }
-                let _e782 = phi_1653_;
-                let _e784 = phi_1654_;
-                if _e784 {
-                    phi_1658_ = _e782;
+                let _e783 = phi_1654_;
+                let _e785 = phi_1655_;
+                if _e785 {
+                    phi_1659_ = _e783;
                 } else {
-                    phi_1658_ = true;
+                    phi_1659_ = true;
                 }
-                let _e786 = phi_1658_;
-                if _e786 {
-                    let _e788 = atomicAdd((&counters[1u]), 1u);
-                    let _e790 = atomicAdd((&counters[0u]), 1u);
-                    phi_1670_ = _e790;
-                    phi_1671_ = true;
+                let _e787 = phi_1659_;
+                if _e787 {
+                    let _e789 = atomicAdd((&counters[0u]), 1u);
+                    phi_1665_ = _e789;
                 } else {
-                    phi_1670_ = 0u;
-                    phi_1671_ = false;
+                    phi_1665_ = 0u;
                 }
-                let _e792 = phi_1670_;
-                let _e794 = phi_1671_;
-                phi_1672_ = _e792;
-                phi_1673_ = _e794;
-                phi_1674_ = type_9(_e126, _e129);
+                let _e791 = phi_1665_;
+                phi_1666_ = _e791;
+                phi_1667_ = _e787;
+                phi_1668_ = type_9(_e127, _e130);
             } else {
-                phi_1672_ = 0u;
-                phi_1673_ = false;
-                phi_1674_ = type_9(0u, 0u);
+                phi_1666_ = 0u;
+                phi_1667_ = false;
+                phi_1668_ = type_9(0u, 0u);
             }
-            let _e796 = phi_1672_;
-            let _e798 = phi_1673_;
-            let _e800 = phi_1674_;
+            let _e793 = phi_1666_;
+            let _e795 = phi_1667_;
+            let _e797 = phi_1668_;
             workgroupBarrier();
-            if (_e33 == 0u) {
-                let _e803 = atomicLoad((&counters[0u]));
-                let _e805 = atomicLoad((&counters[1u]));
-                if (_e803 > 0u) {
-                    let _e808 = atomicAdd((&output.member[0u]), _e803);
-                    if ((_e808 + _e803) < _e808) {
-                        let _e812 = atomicAdd((&output.member[2u]), 1u);
+            if (_e35 == 0u) {
+                let _e800 = atomicLoad((&counters[0u]));
+                if (_e800 > 0u) {
+                    let _e804 = params.member.member.member_1;
+                    if ((_e804 & 1024u) != 0u) {
+                        let _e814 = atomicAdd((&output.member[0u]), _e800);
+                        let _e815 = (_e814 + _e800);
+                        if (_e815 < _e814) {
+                            phi_1695_ = 4294967295u;
+                        } else {
+                            phi_1695_ = _e815;
+                        }
+                        let _e818 = phi_1695_;
+                        let _e821 = params.member.member_1.member_3;
+                        if (_e818 > _e821) {
+                            let _e824 = atomicMax((&output.member[2u]), _e818);
+                        }
+                        phi_1718_ = _e814;
+                    } else {
+                        let _e808 = atomicAdd((&output.member[0u]), _e800);
+                        if ((_e808 + _e800) < _e808) {
+                            let _e812 = atomicAdd((&output.member[2u]), 1u);
+                        }
+                        phi_1718_ = _e808;
                     }
-                    atomicStore((&counters[2u]), _e808);
-                }
-                if (_e805 > 0u) {
-                    let _e816 = atomicAdd((&output.member[1u]), _e805);
-                    if ((_e816 + _e805) < _e816) {
-                        let _e820 = atomicAdd((&output.member[3u]), 1u);
+                    let _e826 = phi_1718_;
+                    atomicStore((&counters[1u]), _e826);
+                    let _e829 = atomicAdd((&output.member[1u]), _e800);
+                    if ((_e829 + _e800) < _e829) {
+                        let _e833 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
             workgroupBarrier();
-            if _e798 {
-                let _e822 = params.member.member_1.member_3;
-                let _e824 = atomicLoad((&counters[2u]));
-                let _e825 = (_e824 + _e796);
-                if (_e825 < _e822) {
-                    let _e829 = (2u * _e825);
-                    atomicStore((&output.member[(4u + _e829)]), _e800.member);
-                    atomicStore((&output.member[(_e829 + 5u)]), _e800.member_1);
+            if _e795 {
+                let _e835 = params.member.member_1.member_3;
+                let _e837 = atomicLoad((&counters[1u]));
+                let _e838 = (_e837 + _e793);
+                if (_e838 < _e835) {
+                    let _e842 = (2u * _e838);
+                    atomicStore((&output.member[(4u + _e842)]), _e797.member);
+                    atomicStore((&output.member[(_e842 + 5u)]), _e797.member_1);
                 }
             }
         }
         continue;
         continuing {
-            phi_336_ = _e105;
-            break if !(_e111);
+            phi_338_ = _e107;
+            break if !(_e113);
         }
     }
     return;

@@ -82,82 +82,84 @@ var<storage> input: type_11;
 var<storage, read_write> output: type_31;
 var<workgroup> columns: array<type_24, 128>;
 var<workgroup> names: array<u32, 128>;
-var<workgroup> counters: array<atomic<u32>, 10>;
+var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> n_hits: array<u32, 1>;
 var<workgroup> hits: array<u32, 512>;
 var<workgroup> firsts: array<u32, 8>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_158_: u32;
-    var phi_195_: u32;
-    var phi_196_: u32;
-    var phi_204_: u32;
-    var phi_220_: u32;
-    var phi_243_: u32;
-    var phi_244_: u32;
-    var phi_247_: type_9;
-    var phi_248_: type_9;
-    var phi_271_: type_9;
-    var phi_318_: u32;
-    var phi_319_: u32;
-    var phi_327_: u32;
-    var phi_341_: u32;
-    var phi_401_: array<u32, 2>;
-    var phi_562_: bool;
-    var phi_600_: type_24;
-    var phi_609_: bool;
-    var phi_632_: u32;
-    var phi_635_: type_9;
-    var phi_638_: u32;
-    var phi_636_: type_9;
-    var phi_661_: type_9;
-    var phi_639_: u32;
+    var phi_156_: u32;
+    var phi_193_: u32;
+    var phi_194_: u32;
+    var phi_202_: u32;
+    var phi_218_: u32;
+    var phi_241_: u32;
+    var phi_242_: u32;
+    var phi_245_: type_9;
+    var phi_246_: type_9;
+    var phi_269_: type_9;
+    var phi_316_: u32;
+    var phi_317_: u32;
+    var phi_325_: u32;
+    var phi_339_: u32;
+    var phi_399_: array<u32, 2>;
+    var phi_560_: bool;
+    var phi_598_: type_24;
+    var phi_607_: bool;
+    var phi_630_: u32;
+    var phi_633_: type_9;
+    var phi_636_: u32;
+    var phi_634_: type_9;
+    var phi_659_: type_9;
+    var phi_637_: u32;
     var local: u32;
-    var phi_850_: u32;
-    var phi_874_: bool;
-    var phi_880_: type_9;
-    var phi_883_: u32;
-    var phi_881_: type_9;
-    var phi_906_: type_9;
-    var phi_939_: bool;
+    var phi_848_: u32;
+    var phi_872_: bool;
+    var phi_878_: type_9;
+    var phi_881_: u32;
+    var phi_879_: type_9;
+    var phi_904_: type_9;
+    var phi_937_: bool;
+    var phi_945_: u32;
+    var phi_882_: u32;
+    var phi_946_: u32;
     var phi_947_: u32;
-    var phi_884_: u32;
-    var phi_948_: u32;
-    var phi_949_: u32;
-    var phi_956_: type_9;
-    var phi_959_: u32;
-    var phi_957_: type_9;
-    var phi_982_: type_9;
+    var phi_954_: type_9;
+    var phi_957_: u32;
+    var phi_955_: type_9;
+    var phi_980_: type_9;
+    var phi_1003_: bool;
+    var phi_1004_: bool;
     var phi_1005_: bool;
     var phi_1006_: bool;
-    var phi_1007_: bool;
-    var phi_1008_: bool;
-    var phi_1012_: bool;
-    var phi_1020_: bool;
-    var phi_1028_: u32;
-    var phi_960_: u32;
-    var phi_1029_: u32;
-    var phi_1039_: type_9;
-    var phi_1065_: u32;
-    var phi_1068_: type_9;
-    var phi_1071_: type_9;
+    var phi_1010_: bool;
+    var phi_1018_: bool;
+    var phi_1026_: u32;
+    var phi_958_: u32;
+    var phi_1027_: u32;
+    var phi_1037_: type_9;
+    var phi_1063_: u32;
+    var phi_1066_: type_9;
     var phi_1069_: type_9;
-    var phi_1094_: type_9;
-    var phi_1111_: type_9;
-    var phi_1114_: type_9;
-    var phi_1115_: type_9;
-    var phi_1137_: type_9;
-    var phi_1171_: type_9;
-    var phi_1172_: bool;
+    var phi_1067_: type_9;
+    var phi_1092_: type_9;
+    var phi_1109_: type_9;
     var phi_1112_: type_9;
-    var phi_1173_: bool;
-    var phi_1181_: u32;
-    var phi_1218_: type_9;
-    var phi_1219_: type_9;
-    var phi_1242_: type_9;
-    var phi_1287_: bool;
-    var phi_1288_: bool;
-    var phi_1072_: type_9;
+    var phi_1113_: type_9;
+    var phi_1135_: type_9;
+    var phi_1169_: type_9;
+    var phi_1170_: bool;
+    var phi_1110_: type_9;
+    var phi_1171_: bool;
+    var phi_1179_: u32;
+    var phi_1213_: u32;
+    var phi_1236_: u32;
+    var phi_1243_: type_9;
+    var phi_1244_: type_9;
+    var phi_1267_: type_9;
+    var phi_1312_: bool;
+    var phi_1313_: bool;
+    var phi_1070_: type_9;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
@@ -177,11 +179,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e56 = params.member.member_1.member_2;
     let _e58 = input.member[0u];
     if (_e56 < _e58) {
-        phi_158_ = _e56;
+        phi_156_ = _e56;
     } else {
-        phi_158_ = _e58;
+        phi_156_ = _e58;
     }
-    let _e61 = phi_158_;
+    let _e61 = phi_156_;
     let _e62 = (_e41 / 32u);
     let _e66 = params.member.member_1.member_1;
     if (_e61 > _e66) {
@@ -196,30 +198,30 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e71 % _e74) > 0u) {
-            phi_195_ = (_e76 + 1u);
+            phi_193_ = (_e76 + 1u);
         } else {
-            phi_195_ = _e76;
+            phi_193_ = _e76;
         }
-        let _e82 = phi_195_;
-        phi_196_ = _e82;
+        let _e82 = phi_193_;
+        phi_194_ = _e82;
     } else {
-        phi_196_ = 0u;
+        phi_194_ = 0u;
     }
-    let _e84 = phi_196_;
+    let _e84 = phi_194_;
     let _e87 = params.member.member_2.member_4;
     if (_e87 < _e84) {
-        phi_204_ = _e87;
+        phi_202_ = _e87;
     } else {
-        phi_204_ = _e84;
+        phi_202_ = _e84;
     }
-    let _e90 = phi_204_;
+    let _e90 = phi_202_;
     let _e91 = (_e90 / 4u);
     if ((_e90 % 4u) > 0u) {
-        phi_220_ = (_e91 + 1u);
+        phi_218_ = (_e91 + 1u);
     } else {
-        phi_220_ = _e91;
+        phi_218_ = _e91;
     }
-    let _e96 = phi_220_;
+    let _e96 = phi_218_;
     if (_e96 > _e50) {
         let _e98 = (_e96 - _e50);
         if (_e53 == 0u) {
@@ -230,28 +232,28 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e98 % _e53) > 0u) {
-            phi_243_ = (_e100 + 1u);
+            phi_241_ = (_e100 + 1u);
         } else {
-            phi_243_ = _e100;
+            phi_241_ = _e100;
         }
-        let _e106 = phi_243_;
-        phi_244_ = _e106;
+        let _e106 = phi_241_;
+        phi_242_ = _e106;
     } else {
-        phi_244_ = 0u;
+        phi_242_ = 0u;
     }
-    let _e108 = phi_244_;
-    phi_247_ = type_9(0u, _e108);
+    let _e108 = phi_242_;
+    phi_245_ = type_9(0u, _e108);
     loop {
-        let _e111 = phi_247_;
+        let _e111 = phi_245_;
         if (_e111.member < _e111.member_1) {
-            phi_248_ = type_9((_e111.member + 1u), _e111.member_1);
-            phi_271_ = type_9(1u, _e111.member);
+            phi_246_ = type_9((_e111.member + 1u), _e111.member_1);
+            phi_269_ = type_9(1u, _e111.member);
         } else {
-            phi_248_ = _e111;
-            phi_271_ = type_9(0u, type_9().member_1);
+            phi_246_ = _e111;
+            phi_269_ = type_9(0u, type_9().member_1);
         }
-        let _e123 = phi_248_;
-        let _e125 = phi_271_;
+        let _e123 = phi_246_;
+        let _e125 = phi_269_;
         let _e129 = (bitcast<i32>(_e125.member) != 0i);
         if _e129 {
             let _e134 = (((_e50 + (_e125.member_1 * _e53)) * 4u) + (_e41 / 32u));
@@ -268,36 +270,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     return;
                 }
                 if ((_e142 % _e145) > 0u) {
-                    phi_318_ = (_e147 + 1u);
+                    phi_316_ = (_e147 + 1u);
                 } else {
-                    phi_318_ = _e147;
+                    phi_316_ = _e147;
                 }
-                let _e153 = phi_318_;
-                phi_319_ = _e153;
+                let _e153 = phi_316_;
+                phi_317_ = _e153;
             } else {
-                phi_319_ = 0u;
+                phi_317_ = 0u;
             }
-            let _e155 = phi_319_;
+            let _e155 = phi_317_;
             let _e158 = params.member.member_2.member_4;
             if (_e158 < _e155) {
-                phi_327_ = _e158;
+                phi_325_ = _e158;
             } else {
-                phi_327_ = _e155;
+                phi_325_ = _e155;
             }
-            let _e161 = phi_327_;
+            let _e161 = phi_325_;
             let _e162 = (_e134 < _e161);
             let _e165 = params.member.member_1.member_1;
             let _e168 = params.member.member_2.member_3;
             if _e162 {
-                phi_341_ = (_e134 * _e168);
+                phi_339_ = (_e134 * _e168);
             } else {
-                phi_341_ = 0u;
+                phi_339_ = 0u;
             }
-            let _e171 = phi_341_;
+            let _e171 = phi_339_;
             let _e173 = (2u * (_e165 + _e171));
             let _e176 = input.member[(4u + _e173)];
             let _e179 = input.member[(_e173 + 5u)];
-            if (_e41 <= 7u) {
+            if (_e41 <= 5u) {
                 atomicStore((&counters[_e41]), 0u);
             }
             workgroupBarrier();
@@ -307,11 +309,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e192 = params.member.member_2.member_1;
             if (_e192 == 0u) {
-                phi_401_ = array<u32, 2>(0u, 2u);
+                phi_399_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_401_ = array<u32, 2>(1u, 1u);
+                phi_399_ = array<u32, 2>(1u, 1u);
             }
-            let _e195 = phi_401_;
+            let _e195 = phi_399_;
             let _e198 = (_e41 / 32u);
             let _e199 = (_e41 % 32u);
             let _e201 = params.member.member_2.member_2;
@@ -327,11 +329,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e277 = params.member.member_2.member[(_e270 - 1u)][_e195[1]];
             let _e280 = nodes.member[(_e277 + ((_e179 * 32u) + _e199))];
             if _e162 {
-                phi_562_ = ((((((_e253.member.x <= _e229.member_1.y) && (_e229.member.x <= _e253.member_1.y)) && (_e253.member.y <= _e229.member_2.x)) && (_e229.member.y <= _e253.member_2.x)) && (_e253.member_1.x <= _e229.member_2.y)) && (_e229.member_1.x <= _e253.member_2.y));
+                phi_560_ = ((((((_e253.member.x <= _e229.member_1.y) && (_e229.member.x <= _e253.member_1.y)) && (_e253.member.y <= _e229.member_2.x)) && (_e229.member.y <= _e253.member_2.x)) && (_e253.member_1.x <= _e229.member_2.y)) && (_e229.member_1.x <= _e253.member_2.y));
             } else {
-                phi_562_ = false;
+                phi_560_ = false;
             }
-            let _e305 = phi_562_;
+            let _e305 = phi_560_;
             if _e162 {
                 if ((((((_e280.member.x <= _e208.member_1.y) && (_e208.member.x <= _e280.member_1.y)) && (_e280.member.y <= _e208.member_2.x)) && (_e208.member.y <= _e280.member_2.x)) && (_e280.member_1.x <= _e208.member_2.y)) && (_e208.member_1.x <= _e280.member_2.y)) {
                     let _e319 = atomicAdd((&counters[_e198]), 1u);
@@ -341,46 +343,46 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             if _e305 {
-                phi_600_ = type_24(array<f32, 3>(_e253.member.x, _e253.member.y, _e253.member_1.x), array<f32, 3>(_e253.member_1.y, _e253.member_2.x, _e253.member_2.y));
+                phi_598_ = type_24(array<f32, 3>(_e253.member.x, _e253.member.y, _e253.member_1.x), array<f32, 3>(_e253.member_1.y, _e253.member_2.x, _e253.member_2.y));
             } else {
-                phi_600_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_598_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e327 = phi_600_;
+            let _e327 = phi_598_;
             workgroupBarrier();
             let _e330 = params.member.member_2.member_1;
             if (_e330 == 1u) {
-                phi_609_ = (_e176 == _e179);
+                phi_607_ = (_e176 == _e179);
             } else {
-                phi_609_ = false;
+                phi_607_ = false;
             }
-            let _e334 = phi_609_;
+            let _e334 = phi_607_;
             let _e335 = (_e41 / 32u);
             let _e336 = (_e41 % 32u);
             let _e337 = (_e335 * 32u);
             let _e339 = atomicLoad((&counters[_e335]));
             let _e340 = (_e339 / 4u);
             if ((_e339 % 4u) > 0u) {
-                phi_632_ = (_e340 + 1u);
+                phi_630_ = (_e340 + 1u);
             } else {
-                phi_632_ = _e340;
+                phi_630_ = _e340;
             }
-            let _e345 = phi_632_;
-            phi_635_ = type_9(0u, _e345);
-            phi_638_ = 0u;
+            let _e345 = phi_630_;
+            phi_633_ = type_9(0u, _e345);
+            phi_636_ = 0u;
             loop {
-                let _e348 = phi_635_;
-                let _e350 = phi_638_;
+                let _e348 = phi_633_;
+                let _e350 = phi_636_;
                 local = _e350;
                 local_1 = _e350;
                 if (_e348.member < _e348.member_1) {
-                    phi_636_ = type_9((_e348.member + 1u), _e348.member_1);
-                    phi_661_ = type_9(1u, _e348.member);
+                    phi_634_ = type_9((_e348.member + 1u), _e348.member_1);
+                    phi_659_ = type_9(1u, _e348.member);
                 } else {
-                    phi_636_ = _e348;
-                    phi_661_ = type_9(0u, type_9().member_1);
+                    phi_634_ = _e348;
+                    phi_659_ = type_9(0u, type_9().member_1);
                 }
-                let _e362 = phi_636_;
-                let _e364 = phi_661_;
+                let _e362 = phi_634_;
+                let _e364 = phi_659_;
                 let _e368 = (bitcast<i32>(_e364.member) != 0i);
                 if _e368 {
                     let _e369 = (4u * _e364.member_1);
@@ -388,173 +390,173 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e411 = columns[((_e337 + _e369) + 1u)];
                     let _e452 = columns[((_e337 + _e369) + 2u)];
                     let _e493 = columns[((_e337 + _e369) + 3u)];
-                    phi_639_ = (_e350 | ((((select(0u, 1u, ((((((_e327.member[0] <= _e372.member_1[0]) && (_e372.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e372.member_1[1])) && (_e372.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e372.member_1[2])) && (_e372.member[2] <= _e327.member_1[2]))) << bitcast<u32>((_e369 & 31u))) | (select(0u, 1u, ((((((_e327.member[0] <= _e411.member_1[0]) && (_e411.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e411.member_1[1])) && (_e411.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e411.member_1[2])) && (_e411.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e327.member[0] <= _e452.member_1[0]) && (_e452.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e452.member_1[1])) && (_e452.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e452.member_1[2])) && (_e452.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e327.member[0] <= _e493.member_1[0]) && (_e493.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e493.member_1[1])) && (_e493.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e493.member_1[2])) && (_e493.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 3u) & 31u)))));
+                    phi_637_ = (_e350 | ((((select(0u, 1u, ((((((_e327.member[0] <= _e372.member_1[0]) && (_e372.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e372.member_1[1])) && (_e372.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e372.member_1[2])) && (_e372.member[2] <= _e327.member_1[2]))) << bitcast<u32>((_e369 & 31u))) | (select(0u, 1u, ((((((_e327.member[0] <= _e411.member_1[0]) && (_e411.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e411.member_1[1])) && (_e411.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e411.member_1[2])) && (_e411.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e327.member[0] <= _e452.member_1[0]) && (_e452.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e452.member_1[1])) && (_e452.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e452.member_1[2])) && (_e452.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e327.member[0] <= _e493.member_1[0]) && (_e493.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e493.member_1[1])) && (_e493.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e493.member_1[2])) && (_e493.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 3u) & 31u)))));
                 } else {
-                    phi_639_ = u32();
+                    phi_637_ = u32();
                 }
-                let _e533 = phi_639_;
+                let _e533 = phi_637_;
                 continue;
                 continuing {
-                    phi_635_ = _e362;
-                    phi_638_ = _e533;
+                    phi_633_ = _e362;
+                    phi_636_ = _e533;
                     break if !(_e368);
                 }
             }
             if (_e339 < 32u) {
                 let _e541 = local;
-                phi_850_ = (_e541 & ((1u << bitcast<u32>((_e339 & 31u))) - 1u));
+                phi_848_ = (_e541 & ((1u << bitcast<u32>((_e339 & 31u))) - 1u));
             } else {
-                let _e881 = local_1;
-                phi_850_ = _e881;
+                let _e898 = local_1;
+                phi_848_ = _e898;
             }
-            let _e544 = phi_850_;
+            let _e544 = phi_848_;
             let _e547 = params.member.member.member_1;
             if ((_e547 & 256u) != 0u) {
                 if ((bitcast<u32>(_e327.member_1[0]) & 1u) == 1u) {
-                    phi_874_ = true;
+                    phi_872_ = true;
                 } else {
-                    phi_874_ = !((_e327.member[0] <= _e327.member_1[0]));
+                    phi_872_ = !((_e327.member[0] <= _e327.member_1[0]));
                 }
-                let _e562 = phi_874_;
+                let _e562 = phi_872_;
                 if _e562 {
-                    phi_880_ = type_9(0u, _e339);
-                    phi_883_ = _e544;
+                    phi_878_ = type_9(0u, _e339);
+                    phi_881_ = _e544;
                     loop {
-                        let _e565 = phi_880_;
-                        let _e567 = phi_883_;
+                        let _e565 = phi_878_;
+                        let _e567 = phi_881_;
                         local_2 = _e567;
                         if (_e565.member < _e565.member_1) {
-                            phi_881_ = type_9((_e565.member + 1u), _e565.member_1);
-                            phi_906_ = type_9(1u, _e565.member);
+                            phi_879_ = type_9((_e565.member + 1u), _e565.member_1);
+                            phi_904_ = type_9(1u, _e565.member);
                         } else {
-                            phi_881_ = _e565;
-                            phi_906_ = type_9(0u, type_9().member_1);
+                            phi_879_ = _e565;
+                            phi_904_ = type_9(0u, type_9().member_1);
                         }
-                        let _e579 = phi_881_;
-                        let _e581 = phi_906_;
+                        let _e579 = phi_879_;
+                        let _e581 = phi_904_;
                         let _e585 = (bitcast<i32>(_e581.member) != 0i);
                         if _e585 {
                             let _e588 = columns[(_e337 + _e581.member_1)];
                             if ((bitcast<u32>(_e588.member_1[0]) & 1u) == 1u) {
-                                phi_939_ = true;
+                                phi_937_ = true;
                             } else {
-                                phi_939_ = !((_e588.member[0] <= _e588.member_1[0]));
+                                phi_937_ = !((_e588.member[0] <= _e588.member_1[0]));
                             }
-                            let _e599 = phi_939_;
+                            let _e599 = phi_937_;
                             if _e599 {
-                                phi_947_ = (_e567 & ~((1u << bitcast<u32>((_e581.member_1 & 31u)))));
+                                phi_945_ = (_e567 & ~((1u << bitcast<u32>((_e581.member_1 & 31u)))));
                             } else {
-                                phi_947_ = _e567;
+                                phi_945_ = _e567;
                             }
-                            let _e606 = phi_947_;
-                            phi_884_ = _e606;
+                            let _e606 = phi_945_;
+                            phi_882_ = _e606;
                         } else {
-                            phi_884_ = u32();
+                            phi_882_ = u32();
                         }
-                        let _e608 = phi_884_;
+                        let _e608 = phi_882_;
                         continue;
                         continuing {
-                            phi_880_ = _e579;
-                            phi_883_ = _e608;
+                            phi_878_ = _e579;
+                            phi_881_ = _e608;
                             break if !(_e585);
                         }
                     }
-                    let _e892 = local_2;
-                    phi_948_ = _e892;
+                    let _e909 = local_2;
+                    phi_946_ = _e909;
                 } else {
-                    phi_948_ = _e544;
+                    phi_946_ = _e544;
                 }
-                let _e611 = phi_948_;
-                phi_949_ = _e611;
+                let _e611 = phi_946_;
+                phi_947_ = _e611;
             } else {
-                phi_949_ = _e544;
+                phi_947_ = _e544;
             }
-            let _e613 = phi_949_;
+            let _e613 = phi_947_;
             if _e334 {
-                phi_956_ = type_9(0u, _e339);
-                phi_959_ = _e613;
+                phi_954_ = type_9(0u, _e339);
+                phi_957_ = _e613;
                 loop {
-                    let _e616 = phi_956_;
-                    let _e618 = phi_959_;
+                    let _e616 = phi_954_;
+                    let _e618 = phi_957_;
                     local_3 = _e618;
                     if (_e616.member < _e616.member_1) {
-                        phi_957_ = type_9((_e616.member + 1u), _e616.member_1);
-                        phi_982_ = type_9(1u, _e616.member);
+                        phi_955_ = type_9((_e616.member + 1u), _e616.member_1);
+                        phi_980_ = type_9(1u, _e616.member);
                     } else {
-                        phi_957_ = _e616;
-                        phi_982_ = type_9(0u, type_9().member_1);
+                        phi_955_ = _e616;
+                        phi_980_ = type_9(0u, type_9().member_1);
                     }
-                    let _e630 = phi_957_;
-                    let _e632 = phi_982_;
+                    let _e630 = phi_955_;
+                    let _e632 = phi_980_;
                     let _e636 = (bitcast<i32>(_e632.member) != 0i);
                     if _e636 {
                         let _e639 = names[(_e337 + _e632.member_1)];
                         if _e334 {
                             let _e640 = (_e336 < _e639);
                             if _e640 {
-                                phi_1006_ = bool();
+                                phi_1004_ = bool();
                             } else {
                                 if (_e336 == _e639) {
-                                    phi_1005_ = true;
+                                    phi_1003_ = true;
                                 } else {
-                                    phi_1005_ = false;
+                                    phi_1003_ = false;
                                 }
-                                let _e643 = phi_1005_;
-                                phi_1006_ = _e643;
+                                let _e643 = phi_1003_;
+                                phi_1004_ = _e643;
                             }
-                            let _e645 = phi_1006_;
-                            phi_1007_ = _e645;
-                            phi_1008_ = _e640;
+                            let _e645 = phi_1004_;
+                            phi_1005_ = _e645;
+                            phi_1006_ = _e640;
                         } else {
-                            phi_1007_ = bool();
-                            phi_1008_ = true;
+                            phi_1005_ = bool();
+                            phi_1006_ = true;
                         }
-                        let _e647 = phi_1007_;
-                        let _e649 = phi_1008_;
+                        let _e647 = phi_1005_;
+                        let _e649 = phi_1006_;
                         if _e649 {
-                            phi_1012_ = true;
+                            phi_1010_ = true;
                         } else {
-                            phi_1012_ = _e647;
+                            phi_1010_ = _e647;
                         }
-                        let _e651 = phi_1012_;
+                        let _e651 = phi_1010_;
                         if _e651 {
-                            phi_1020_ = false;
+                            phi_1018_ = false;
                         } else {
-                            phi_1020_ = true;
+                            phi_1018_ = true;
                         }
-                        let _e653 = phi_1020_;
+                        let _e653 = phi_1018_;
                         if _e653 {
-                            phi_1028_ = (_e618 & ~((1u << bitcast<u32>((_e632.member_1 & 31u)))));
+                            phi_1026_ = (_e618 & ~((1u << bitcast<u32>((_e632.member_1 & 31u)))));
                         } else {
-                            phi_1028_ = _e618;
+                            phi_1026_ = _e618;
                         }
-                        let _e660 = phi_1028_;
-                        phi_960_ = _e660;
+                        let _e660 = phi_1026_;
+                        phi_958_ = _e660;
                     } else {
-                        phi_960_ = u32();
+                        phi_958_ = u32();
                     }
-                    let _e662 = phi_960_;
+                    let _e662 = phi_958_;
                     continue;
                     continuing {
-                        phi_956_ = _e630;
-                        phi_959_ = _e662;
+                        phi_954_ = _e630;
+                        phi_957_ = _e662;
                         break if !(_e636);
                     }
                 }
-                let _e908 = local_3;
-                phi_1029_ = _e908;
+                let _e925 = local_3;
+                phi_1027_ = _e925;
             } else {
-                phi_1029_ = _e613;
+                phi_1027_ = _e613;
             }
-            let _e665 = phi_1029_;
+            let _e665 = phi_1027_;
             let _e667 = countOneBits(_e665);
             if (_e667 > 0u) {
                 let _e670 = atomicAdd((&counters[4u]), _e667);
-                phi_1039_ = type_9(_e665, _e670);
+                phi_1037_ = type_9(_e665, _e670);
             } else {
-                phi_1039_ = type_9(_e665, 0u);
+                phi_1037_ = type_9(_e665, 0u);
             }
-            let _e673 = phi_1039_;
+            let _e673 = phi_1037_;
             workgroupBarrier();
             if (_e41 == 0u) {
                 let _e676 = atomicLoad((&counters[4u]));
@@ -563,69 +565,69 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e679 = workgroupUniformLoad((&n_hits[0u]));
             let _e680 = (_e679 / 512u);
             if ((_e679 % 512u) > 0u) {
-                phi_1065_ = (_e680 + 1u);
+                phi_1063_ = (_e680 + 1u);
             } else {
-                phi_1065_ = _e680;
+                phi_1063_ = _e680;
             }
-            let _e685 = phi_1065_;
-            phi_1068_ = type_9(0u, _e685);
-            phi_1071_ = _e673;
+            let _e685 = phi_1063_;
+            phi_1066_ = type_9(0u, _e685);
+            phi_1069_ = _e673;
             loop {
-                let _e688 = phi_1068_;
-                let _e690 = phi_1071_;
+                let _e688 = phi_1066_;
+                let _e690 = phi_1069_;
                 if (_e688.member < _e688.member_1) {
-                    phi_1069_ = type_9((_e688.member + 1u), _e688.member_1);
-                    phi_1094_ = type_9(1u, _e688.member);
+                    phi_1067_ = type_9((_e688.member + 1u), _e688.member_1);
+                    phi_1092_ = type_9(1u, _e688.member);
                 } else {
-                    phi_1069_ = _e688;
-                    phi_1094_ = type_9(0u, type_9().member_1);
+                    phi_1067_ = _e688;
+                    phi_1092_ = type_9(0u, type_9().member_1);
                 }
-                let _e702 = phi_1069_;
-                let _e704 = phi_1094_;
+                let _e702 = phi_1067_;
+                let _e704 = phi_1092_;
                 let _e708 = (bitcast<i32>(_e704.member) != 0i);
                 if _e708 {
                     let _e709 = (_e41 / 32u);
                     let _e711 = (_e704.member_1 * 512u);
-                    phi_1111_ = _e690;
-                    phi_1114_ = type_9(0u, countOneBits(_e690.member));
+                    phi_1109_ = _e690;
+                    phi_1112_ = type_9(0u, countOneBits(_e690.member));
                     loop {
-                        let _e716 = phi_1111_;
-                        let _e718 = phi_1114_;
+                        let _e716 = phi_1109_;
+                        let _e718 = phi_1112_;
                         local_4 = _e716;
                         if (_e718.member < _e718.member_1) {
-                            phi_1115_ = type_9((_e718.member + 1u), _e718.member_1);
-                            phi_1137_ = type_9(1u, _e718.member);
+                            phi_1113_ = type_9((_e718.member + 1u), _e718.member_1);
+                            phi_1135_ = type_9(1u, _e718.member);
                         } else {
-                            phi_1115_ = _e718;
-                            phi_1137_ = type_9(0u, type_9().member_1);
+                            phi_1113_ = _e718;
+                            phi_1135_ = type_9(0u, type_9().member_1);
                         }
-                        let _e730 = phi_1115_;
-                        let _e732 = phi_1137_;
+                        let _e730 = phi_1113_;
+                        let _e732 = phi_1135_;
                         if (bitcast<i32>(_e732.member) != 0i) {
                             let _e737 = (_e716.member_1 - _e711);
                             if (_e737 >= 512u) {
-                                phi_1171_ = type_9();
-                                phi_1172_ = false;
+                                phi_1169_ = type_9();
+                                phi_1170_ = false;
                             } else {
                                 let _e746 = names[((_e709 * 32u) + select(firstTrailingBit(_e716.member), 32u, (_e716.member == 0u)))];
                                 hits[_e737] = (((_e709 << bitcast<u32>(10i)) | ((_e41 % 32u) << bitcast<u32>(5i))) | _e746);
-                                phi_1171_ = type_9((_e716.member & (_e716.member - 1u)), (_e716.member_1 + 1u));
-                                phi_1172_ = true;
+                                phi_1169_ = type_9((_e716.member & (_e716.member - 1u)), (_e716.member_1 + 1u));
+                                phi_1170_ = true;
                             }
-                            let _e762 = phi_1171_;
-                            let _e764 = phi_1172_;
-                            phi_1112_ = _e762;
-                            phi_1173_ = _e764;
+                            let _e762 = phi_1169_;
+                            let _e764 = phi_1170_;
+                            phi_1110_ = _e762;
+                            phi_1171_ = _e764;
                         } else {
-                            phi_1112_ = type_9();
-                            phi_1173_ = false;
+                            phi_1110_ = type_9();
+                            phi_1171_ = false;
                         }
-                        let _e766 = phi_1112_;
-                        let _e768 = phi_1173_;
+                        let _e766 = phi_1110_;
+                        let _e768 = phi_1171_;
                         continue;
                         continuing {
-                            phi_1111_ = _e766;
-                            phi_1114_ = _e730;
+                            phi_1109_ = _e766;
+                            phi_1112_ = _e730;
                             break if !(_e768);
                         }
                     }
@@ -633,90 +635,107 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e771 = n_hits[0u];
                     let _e772 = (_e771 - _e711);
                     if (512u < _e772) {
-                        phi_1181_ = 512u;
+                        phi_1179_ = 512u;
                     } else {
-                        phi_1181_ = _e772;
+                        phi_1179_ = _e772;
                     }
-                    let _e775 = phi_1181_;
+                    let _e775 = phi_1179_;
                     if (_e41 == 0u) {
-                        atomicStore((&counters[7u]), _e775);
+                        atomicStore((&counters[5u]), _e775);
                     }
                     workgroupBarrier();
                     if (_e41 == 0u) {
-                        let _e780 = atomicLoad((&counters[7u]));
+                        let _e780 = atomicLoad((&counters[5u]));
                         if (_e780 > 0u) {
-                            let _e783 = atomicAdd((&output.member[0u]), _e780);
-                            if ((_e783 + _e780) < _e783) {
-                                let _e787 = atomicAdd((&output.member[2u]), 1u);
+                            let _e784 = params.member.member.member_1;
+                            if ((_e784 & 1024u) != 0u) {
+                                let _e794 = atomicAdd((&output.member[0u]), _e780);
+                                let _e795 = (_e794 + _e780);
+                                if (_e795 < _e794) {
+                                    phi_1213_ = 4294967295u;
+                                } else {
+                                    phi_1213_ = _e795;
+                                }
+                                let _e798 = phi_1213_;
+                                let _e801 = params.member.member_1.member_3;
+                                if (_e798 > _e801) {
+                                    let _e804 = atomicMax((&output.member[2u]), _e798);
+                                }
+                                phi_1236_ = _e794;
+                            } else {
+                                let _e788 = atomicAdd((&output.member[0u]), _e780);
+                                if ((_e788 + _e780) < _e788) {
+                                    let _e792 = atomicAdd((&output.member[2u]), 1u);
+                                }
+                                phi_1236_ = _e788;
                             }
-                            atomicStore((&counters[8u]), _e783);
+                            let _e806 = phi_1236_;
+                            atomicStore((&counters[6u]), _e806);
                         }
                         atomicStore((&counters[5u]), 0u);
-                        atomicStore((&counters[6u]), 0u);
-                        atomicStore((&counters[7u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e793 = atomicLoad((&counters[8u]));
-                    phi_1218_ = type_9(0u, 4u);
+                    let _e810 = atomicLoad((&counters[6u]));
+                    phi_1243_ = type_9(0u, 4u);
                     loop {
-                        let _e795 = phi_1218_;
-                        if (_e795.member < _e795.member_1) {
-                            phi_1219_ = type_9((_e795.member + 1u), _e795.member_1);
-                            phi_1242_ = type_9(1u, _e795.member);
+                        let _e812 = phi_1243_;
+                        if (_e812.member < _e812.member_1) {
+                            phi_1244_ = type_9((_e812.member + 1u), _e812.member_1);
+                            phi_1267_ = type_9(1u, _e812.member);
                         } else {
-                            phi_1219_ = _e795;
-                            phi_1242_ = type_9(0u, type_9().member_1);
+                            phi_1244_ = _e812;
+                            phi_1267_ = type_9(0u, type_9().member_1);
                         }
-                        let _e807 = phi_1219_;
-                        let _e809 = phi_1242_;
-                        if (bitcast<i32>(_e809.member) != 0i) {
-                            let _e815 = (_e41 + (_e809.member_1 * 128u));
-                            if (_e815 >= _e775) {
-                                phi_1287_ = false;
+                        let _e824 = phi_1244_;
+                        let _e826 = phi_1267_;
+                        if (bitcast<i32>(_e826.member) != 0i) {
+                            let _e832 = (_e41 + (_e826.member_1 * 128u));
+                            if (_e832 >= _e775) {
+                                phi_1312_ = false;
                             } else {
-                                let _e818 = hits[_e815];
-                                let _e821 = ((_e818 >> bitcast<u32>(10i)) & 3u);
-                                let _e828 = firsts[(2u * _e821)];
-                                let _e833 = firsts[((2u * _e821) + 1u)];
-                                let _e837 = params.member.member_1.member_3;
-                                let _e838 = (_e793 + _e815);
-                                if (_e838 < _e837) {
-                                    let _e840 = (2u * _e838);
-                                    atomicStore((&output.member[(4u + _e840)]), (_e828 + ((_e818 >> bitcast<u32>(5i)) & 31u)));
-                                    atomicStore((&output.member[(_e840 + 5u)]), (_e833 + (_e818 & 31u)));
+                                let _e835 = hits[_e832];
+                                let _e838 = ((_e835 >> bitcast<u32>(10i)) & 3u);
+                                let _e845 = firsts[(2u * _e838)];
+                                let _e850 = firsts[((2u * _e838) + 1u)];
+                                let _e854 = params.member.member_1.member_3;
+                                let _e855 = (_e810 + _e832);
+                                if (_e855 < _e854) {
+                                    let _e857 = (2u * _e855);
+                                    atomicStore((&output.member[(4u + _e857)]), (_e845 + ((_e835 >> bitcast<u32>(5i)) & 31u)));
+                                    atomicStore((&output.member[(_e857 + 5u)]), (_e850 + (_e835 & 31u)));
                                 }
-                                phi_1287_ = true;
+                                phi_1312_ = true;
                             }
-                            let _e846 = phi_1287_;
-                            phi_1288_ = _e846;
+                            let _e863 = phi_1312_;
+                            phi_1313_ = _e863;
                         } else {
-                            phi_1288_ = false;
+                            phi_1313_ = false;
                         }
-                        let _e848 = phi_1288_;
+                        let _e865 = phi_1313_;
                         continue;
                         continuing {
-                            phi_1218_ = _e807;
-                            break if !(_e848);
+                            phi_1243_ = _e824;
+                            break if !(_e865);
                         }
                     }
                     workgroupBarrier();
-                    let _e931 = local_4;
-                    phi_1072_ = _e931;
+                    let _e950 = local_4;
+                    phi_1070_ = _e950;
                 } else {
-                    phi_1072_ = type_9();
+                    phi_1070_ = type_9();
                 }
-                let _e851 = phi_1072_;
+                let _e868 = phi_1070_;
                 continue;
                 continuing {
-                    phi_1068_ = _e702;
-                    phi_1071_ = _e851;
+                    phi_1066_ = _e702;
+                    phi_1069_ = _e868;
                     break if !(_e708);
                 }
             }
         }
         continue;
         continuing {
-            phi_247_ = _e123;
+            phi_245_ = _e123;
             break if !(_e129);
         }
     }

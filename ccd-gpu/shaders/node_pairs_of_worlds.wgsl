@@ -78,7 +78,7 @@ var<storage> params: type_18;
 var<storage> nodes: type_22;
 var<workgroup> columns: array<type_24, 128>;
 var<workgroup> names: array<u32, 128>;
-var<workgroup> counters: array<atomic<u32>, 10>;
+var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> n_hits: array<u32, 1>;
 var<workgroup> hits: array<u32, 512>;
 var<workgroup> firsts: array<u32, 8>;
@@ -92,103 +92,105 @@ var<workgroup> ranges: array<u32, 128>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
-    var phi_170_: u32;
-    var phi_207_: u32;
-    var phi_208_: u32;
-    var phi_216_: u32;
-    var phi_232_: u32;
-    var phi_255_: u32;
-    var phi_256_: u32;
-    var phi_259_: type_9;
-    var phi_260_: type_9;
-    var phi_283_: type_9;
-    var phi_330_: u32;
-    var phi_331_: u32;
-    var phi_339_: u32;
-    var phi_353_: u32;
-    var phi_410_: array<u32, 2>;
-    var phi_434_: type_9;
-    var phi_437_: u32;
-    var phi_435_: type_9;
-    var phi_460_: type_9;
-    var phi_438_: u32;
+    var phi_168_: u32;
+    var phi_205_: u32;
+    var phi_206_: u32;
+    var phi_214_: u32;
+    var phi_230_: u32;
+    var phi_253_: u32;
+    var phi_254_: u32;
+    var phi_257_: type_9;
+    var phi_258_: type_9;
+    var phi_281_: type_9;
+    var phi_328_: u32;
+    var phi_329_: u32;
+    var phi_337_: u32;
+    var phi_351_: u32;
+    var phi_408_: array<u32, 2>;
+    var phi_432_: type_9;
+    var phi_435_: u32;
+    var phi_433_: type_9;
+    var phi_458_: type_9;
+    var phi_436_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_478_: u32;
+    var phi_476_: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_487_: u32;
-    var phi_530_: type_9;
-    var phi_533_: u32;
-    var phi_531_: type_9;
-    var phi_556_: type_9;
-    var phi_534_: u32;
+    var phi_485_: u32;
+    var phi_528_: type_9;
+    var phi_531_: u32;
+    var phi_529_: type_9;
+    var phi_554_: type_9;
+    var phi_532_: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_574_: u32;
+    var phi_572_: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_583_: u32;
-    var phi_628_: array<u32, 2>;
-    var phi_789_: bool;
-    var phi_827_: type_24;
-    var phi_836_: bool;
-    var phi_859_: u32;
-    var phi_862_: type_9;
-    var phi_865_: u32;
-    var phi_863_: type_9;
-    var phi_888_: type_9;
-    var phi_866_: u32;
+    var phi_581_: u32;
+    var phi_626_: array<u32, 2>;
+    var phi_787_: bool;
+    var phi_825_: type_24;
+    var phi_834_: bool;
+    var phi_857_: u32;
+    var phi_860_: type_9;
+    var phi_863_: u32;
+    var phi_861_: type_9;
+    var phi_886_: type_9;
+    var phi_864_: u32;
     var local_9: u32;
-    var phi_1077_: u32;
-    var phi_1101_: bool;
-    var phi_1107_: type_9;
-    var phi_1110_: u32;
-    var phi_1108_: type_9;
-    var phi_1133_: type_9;
-    var phi_1166_: bool;
+    var phi_1075_: u32;
+    var phi_1099_: bool;
+    var phi_1105_: type_9;
+    var phi_1108_: u32;
+    var phi_1106_: type_9;
+    var phi_1131_: type_9;
+    var phi_1164_: bool;
+    var phi_1172_: u32;
+    var phi_1109_: u32;
+    var phi_1173_: u32;
     var phi_1174_: u32;
-    var phi_1111_: u32;
-    var phi_1175_: u32;
-    var phi_1176_: u32;
-    var phi_1180_: type_9;
-    var phi_1183_: u32;
-    var phi_1181_: type_9;
-    var phi_1206_: type_9;
-    var phi_1229_: bool;
+    var phi_1178_: type_9;
+    var phi_1181_: u32;
+    var phi_1179_: type_9;
+    var phi_1204_: type_9;
+    var phi_1227_: bool;
+    var phi_1240_: bool;
+    var phi_1241_: bool;
     var phi_1242_: bool;
     var phi_1243_: bool;
-    var phi_1244_: bool;
-    var phi_1245_: bool;
-    var phi_1249_: bool;
-    var phi_1256_: bool;
-    var phi_1257_: bool;
-    var phi_1265_: u32;
-    var phi_1184_: u32;
+    var phi_1247_: bool;
+    var phi_1254_: bool;
+    var phi_1255_: bool;
+    var phi_1263_: u32;
+    var phi_1182_: u32;
     var local_10: u32;
     var local_11: u32;
     var local_12: u32;
-    var phi_1275_: type_9;
-    var phi_1301_: u32;
-    var phi_1304_: type_9;
-    var phi_1307_: type_9;
+    var phi_1273_: type_9;
+    var phi_1299_: u32;
+    var phi_1302_: type_9;
     var phi_1305_: type_9;
-    var phi_1330_: type_9;
-    var phi_1347_: type_9;
-    var phi_1350_: type_9;
-    var phi_1351_: type_9;
-    var phi_1373_: type_9;
-    var phi_1407_: type_9;
-    var phi_1408_: bool;
+    var phi_1303_: type_9;
+    var phi_1328_: type_9;
+    var phi_1345_: type_9;
     var phi_1348_: type_9;
-    var phi_1409_: bool;
-    var phi_1417_: u32;
-    var phi_1454_: type_9;
-    var phi_1455_: type_9;
-    var phi_1478_: type_9;
-    var phi_1523_: bool;
-    var phi_1524_: bool;
-    var phi_1308_: type_9;
+    var phi_1349_: type_9;
+    var phi_1371_: type_9;
+    var phi_1405_: type_9;
+    var phi_1406_: bool;
+    var phi_1346_: type_9;
+    var phi_1407_: bool;
+    var phi_1415_: u32;
+    var phi_1449_: u32;
+    var phi_1472_: u32;
+    var phi_1479_: type_9;
+    var phi_1480_: type_9;
+    var phi_1503_: type_9;
+    var phi_1548_: bool;
+    var phi_1549_: bool;
+    var phi_1306_: type_9;
     var local_13: u32;
     var local_14: u32;
     var local_15: type_9;
@@ -207,11 +209,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e63 = params.member.member_1.member_2;
     let _e65 = input.member[0u];
     if (_e63 < _e65) {
-        phi_170_ = _e63;
+        phi_168_ = _e63;
     } else {
-        phi_170_ = _e65;
+        phi_168_ = _e65;
     }
-    let _e68 = phi_170_;
+    let _e68 = phi_168_;
     let _e69 = (_e46 / 32u);
     let _e70 = (_e46 % 32u);
     let _e73 = params.member.member_1.member_1;
@@ -227,30 +229,30 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e78 % _e81) > 0u) {
-            phi_207_ = (_e83 + 1u);
+            phi_205_ = (_e83 + 1u);
         } else {
-            phi_207_ = _e83;
+            phi_205_ = _e83;
         }
-        let _e89 = phi_207_;
-        phi_208_ = _e89;
+        let _e89 = phi_205_;
+        phi_206_ = _e89;
     } else {
-        phi_208_ = 0u;
+        phi_206_ = 0u;
     }
-    let _e91 = phi_208_;
+    let _e91 = phi_206_;
     let _e94 = params.member.member_2.member_4;
     if (_e94 < _e91) {
-        phi_216_ = _e94;
+        phi_214_ = _e94;
     } else {
-        phi_216_ = _e91;
+        phi_214_ = _e91;
     }
-    let _e97 = phi_216_;
+    let _e97 = phi_214_;
     let _e98 = (_e97 / 4u);
     if ((_e97 % 4u) > 0u) {
-        phi_232_ = (_e98 + 1u);
+        phi_230_ = (_e98 + 1u);
     } else {
-        phi_232_ = _e98;
+        phi_230_ = _e98;
     }
-    let _e103 = phi_232_;
+    let _e103 = phi_230_;
     if (_e103 > _e56) {
         let _e105 = (_e103 - _e56);
         if (_e59 == 0u) {
@@ -261,28 +263,28 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             return;
         }
         if ((_e105 % _e59) > 0u) {
-            phi_255_ = (_e107 + 1u);
+            phi_253_ = (_e107 + 1u);
         } else {
-            phi_255_ = _e107;
+            phi_253_ = _e107;
         }
-        let _e113 = phi_255_;
-        phi_256_ = _e113;
+        let _e113 = phi_253_;
+        phi_254_ = _e113;
     } else {
-        phi_256_ = 0u;
+        phi_254_ = 0u;
     }
-    let _e115 = phi_256_;
-    phi_259_ = type_9(0u, _e115);
+    let _e115 = phi_254_;
+    phi_257_ = type_9(0u, _e115);
     loop {
-        let _e118 = phi_259_;
+        let _e118 = phi_257_;
         if (_e118.member < _e118.member_1) {
-            phi_260_ = type_9((_e118.member + 1u), _e118.member_1);
-            phi_283_ = type_9(1u, _e118.member);
+            phi_258_ = type_9((_e118.member + 1u), _e118.member_1);
+            phi_281_ = type_9(1u, _e118.member);
         } else {
-            phi_260_ = _e118;
-            phi_283_ = type_9(0u, type_9().member_1);
+            phi_258_ = _e118;
+            phi_281_ = type_9(0u, type_9().member_1);
         }
-        let _e130 = phi_260_;
-        let _e132 = phi_283_;
+        let _e130 = phi_258_;
+        let _e132 = phi_281_;
         let _e136 = (bitcast<i32>(_e132.member) != 0i);
         if _e136 {
             let _e141 = (((_e56 + (_e132.member_1 * _e59)) * 4u) + (_e46 / 32u));
@@ -299,36 +301,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     return;
                 }
                 if ((_e149 % _e152) > 0u) {
-                    phi_330_ = (_e154 + 1u);
+                    phi_328_ = (_e154 + 1u);
                 } else {
-                    phi_330_ = _e154;
+                    phi_328_ = _e154;
                 }
-                let _e160 = phi_330_;
-                phi_331_ = _e160;
+                let _e160 = phi_328_;
+                phi_329_ = _e160;
             } else {
-                phi_331_ = 0u;
+                phi_329_ = 0u;
             }
-            let _e162 = phi_331_;
+            let _e162 = phi_329_;
             let _e165 = params.member.member_2.member_4;
             if (_e165 < _e162) {
-                phi_339_ = _e165;
+                phi_337_ = _e165;
             } else {
-                phi_339_ = _e162;
+                phi_337_ = _e162;
             }
-            let _e168 = phi_339_;
+            let _e168 = phi_337_;
             let _e169 = (_e141 < _e168);
             let _e172 = params.member.member_1.member_1;
             let _e175 = params.member.member_2.member_3;
             if _e169 {
-                phi_353_ = (_e141 * _e175);
+                phi_351_ = (_e141 * _e175);
             } else {
-                phi_353_ = 0u;
+                phi_351_ = 0u;
             }
-            let _e178 = phi_353_;
+            let _e178 = phi_351_;
             let _e180 = (2u * (_e172 + _e178));
             let _e183 = input.member[(4u + _e180)];
             let _e186 = input.member[(_e180 + 5u)];
-            if (_e46 <= 7u) {
+            if (_e46 <= 5u) {
                 atomicStore((&counters[_e46]), 0u);
             }
             workgroupBarrier();
@@ -338,46 +340,46 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e199 = params.member.member_2.member_1;
             if (_e199 == 0u) {
-                phi_410_ = array<u32, 2>(0u, 2u);
+                phi_408_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_410_ = array<u32, 2>(1u, 1u);
+                phi_408_ = array<u32, 2>(1u, 1u);
             }
-            let _e202 = phi_410_;
+            let _e202 = phi_408_;
             let _e205 = params.member.member_2.member_2;
             let _e206 = (_e205 - 1u);
             let _e209 = params.member.member.member;
             local = array<u32, 3>(_e209[0], _e209[1], _e209[2]);
             let _e217 = ((_e183 * 32u) + _e70);
             let _e219 = local[_e202[0]];
-            phi_434_ = type_9(0u, _e206);
-            phi_437_ = 1u;
+            phi_432_ = type_9(0u, _e206);
+            phi_435_ = 1u;
             loop {
-                let _e222 = phi_434_;
-                let _e224 = phi_437_;
+                let _e222 = phi_432_;
+                let _e224 = phi_435_;
                 local_1 = _e224;
                 local_2 = _e224;
                 local_3 = _e224;
                 local_4 = _e224;
                 if (_e222.member < _e222.member_1) {
-                    phi_435_ = type_9((_e222.member + 1u), _e222.member_1);
-                    phi_460_ = type_9(1u, _e222.member);
+                    phi_433_ = type_9((_e222.member + 1u), _e222.member_1);
+                    phi_458_ = type_9(1u, _e222.member);
                 } else {
-                    phi_435_ = _e222;
-                    phi_460_ = type_9(0u, type_9().member_1);
+                    phi_433_ = _e222;
+                    phi_458_ = type_9(0u, type_9().member_1);
                 }
-                let _e236 = phi_435_;
-                let _e238 = phi_460_;
+                let _e236 = phi_433_;
+                let _e238 = phi_458_;
                 let _e241 = (bitcast<i32>(_e238.member) != 0i);
                 if _e241 {
-                    phi_438_ = (_e224 * 32u);
+                    phi_436_ = (_e224 * 32u);
                 } else {
-                    phi_438_ = u32();
+                    phi_436_ = u32();
                 }
-                let _e244 = phi_438_;
+                let _e244 = phi_436_;
                 continue;
                 continuing {
-                    phi_434_ = _e236;
-                    phi_437_ = _e244;
+                    phi_432_ = _e236;
+                    phi_435_ = _e244;
                     break if !(_e241);
                 }
             }
@@ -388,57 +390,57 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e251 = local_2;
             let _e252 = ((_e219 - 1u) / _e251);
             if (_e252 < _e217) {
-                phi_478_ = _e252;
+                phi_476_ = _e252;
             } else {
-                phi_478_ = _e217;
+                phi_476_ = _e217;
             }
-            let _e255 = phi_478_;
+            let _e255 = phi_476_;
             let _e257 = local_3;
             let _e258 = (_e255 * _e257);
             let _e260 = local_4;
             let _e262 = (_e258 + (_e260 - 1u));
             let _e263 = (_e219 - 1u);
             if (_e263 < _e262) {
-                phi_487_ = _e263;
+                phi_485_ = _e263;
             } else {
-                phi_487_ = _e262;
+                phi_485_ = _e262;
             }
-            let _e266 = phi_487_;
+            let _e266 = phi_485_;
             let _e270 = params.member.member_2.member[0u][_e202[0]];
             let _e273 = worlds.member[(_e270 + _e258)];
             let _e278 = worlds.member[(_e270 + _e266)];
             let _e279 = ((_e273 << bitcast<u32>(16i)) | _e278);
             let _e281 = ((_e186 * 32u) + _e70);
             let _e283 = local[_e202[1]];
-            phi_530_ = type_9(0u, _e206);
-            phi_533_ = 1u;
+            phi_528_ = type_9(0u, _e206);
+            phi_531_ = 1u;
             loop {
-                let _e286 = phi_530_;
-                let _e288 = phi_533_;
+                let _e286 = phi_528_;
+                let _e288 = phi_531_;
                 local_5 = _e288;
                 local_6 = _e288;
                 local_7 = _e288;
                 local_8 = _e288;
                 if (_e286.member < _e286.member_1) {
-                    phi_531_ = type_9((_e286.member + 1u), _e286.member_1);
-                    phi_556_ = type_9(1u, _e286.member);
+                    phi_529_ = type_9((_e286.member + 1u), _e286.member_1);
+                    phi_554_ = type_9(1u, _e286.member);
                 } else {
-                    phi_531_ = _e286;
-                    phi_556_ = type_9(0u, type_9().member_1);
+                    phi_529_ = _e286;
+                    phi_554_ = type_9(0u, type_9().member_1);
                 }
-                let _e300 = phi_531_;
-                let _e302 = phi_556_;
+                let _e300 = phi_529_;
+                let _e302 = phi_554_;
                 let _e305 = (bitcast<i32>(_e302.member) != 0i);
                 if _e305 {
-                    phi_534_ = (_e288 * 32u);
+                    phi_532_ = (_e288 * 32u);
                 } else {
-                    phi_534_ = u32();
+                    phi_532_ = u32();
                 }
-                let _e308 = phi_534_;
+                let _e308 = phi_532_;
                 continue;
                 continuing {
-                    phi_530_ = _e300;
-                    phi_533_ = _e308;
+                    phi_528_ = _e300;
+                    phi_531_ = _e308;
                     break if !(_e305);
                 }
             }
@@ -449,33 +451,33 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e315 = local_6;
             let _e316 = ((_e283 - 1u) / _e315);
             if (_e316 < _e281) {
-                phi_574_ = _e316;
+                phi_572_ = _e316;
             } else {
-                phi_574_ = _e281;
+                phi_572_ = _e281;
             }
-            let _e319 = phi_574_;
+            let _e319 = phi_572_;
             let _e321 = local_7;
             let _e322 = (_e319 * _e321);
             let _e324 = local_8;
             let _e326 = (_e322 + (_e324 - 1u));
             let _e327 = (_e283 - 1u);
             if (_e327 < _e326) {
-                phi_583_ = _e327;
+                phi_581_ = _e327;
             } else {
-                phi_583_ = _e326;
+                phi_581_ = _e326;
             }
-            let _e330 = phi_583_;
+            let _e330 = phi_581_;
             let _e334 = params.member.member_2.member[0u][_e202[1]];
             let _e337 = worlds.member[(_e334 + _e322)];
             let _e342 = worlds.member[(_e334 + _e330)];
             ranges[_e46] = ((_e337 << bitcast<u32>(16i)) | _e342);
             let _e347 = params.member.member_2.member_1;
             if (_e347 == 0u) {
-                phi_628_ = array<u32, 2>(0u, 2u);
+                phi_626_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_628_ = array<u32, 2>(1u, 1u);
+                phi_626_ = array<u32, 2>(1u, 1u);
             }
-            let _e350 = phi_628_;
+            let _e350 = phi_626_;
             let _e353 = (_e46 / 32u);
             let _e354 = (_e46 % 32u);
             let _e356 = params.member.member_2.member_2;
@@ -491,11 +493,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e432 = params.member.member_2.member[(_e425 - 1u)][_e350[1]];
             let _e435 = nodes.member[(_e432 + ((_e186 * 32u) + _e354))];
             if _e169 {
-                phi_789_ = ((((((_e408.member.x <= _e384.member_1.y) && (_e384.member.x <= _e408.member_1.y)) && (_e408.member.y <= _e384.member_2.x)) && (_e384.member.y <= _e408.member_2.x)) && (_e408.member_1.x <= _e384.member_2.y)) && (_e384.member_1.x <= _e408.member_2.y));
+                phi_787_ = ((((((_e408.member.x <= _e384.member_1.y) && (_e384.member.x <= _e408.member_1.y)) && (_e408.member.y <= _e384.member_2.x)) && (_e384.member.y <= _e408.member_2.x)) && (_e408.member_1.x <= _e384.member_2.y)) && (_e384.member_1.x <= _e408.member_2.y));
             } else {
-                phi_789_ = false;
+                phi_787_ = false;
             }
-            let _e460 = phi_789_;
+            let _e460 = phi_787_;
             if _e169 {
                 if ((((((_e435.member.x <= _e363.member_1.y) && (_e363.member.x <= _e435.member_1.y)) && (_e435.member.y <= _e363.member_2.x)) && (_e363.member.y <= _e435.member_2.x)) && (_e435.member_1.x <= _e363.member_2.y)) && (_e363.member_1.x <= _e435.member_2.y)) {
                     let _e474 = atomicAdd((&counters[_e353]), 1u);
@@ -505,46 +507,46 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             if _e460 {
-                phi_827_ = type_24(array<f32, 3>(_e408.member.x, _e408.member.y, _e408.member_1.x), array<f32, 3>(_e408.member_1.y, _e408.member_2.x, _e408.member_2.y));
+                phi_825_ = type_24(array<f32, 3>(_e408.member.x, _e408.member.y, _e408.member_1.x), array<f32, 3>(_e408.member_1.y, _e408.member_2.x, _e408.member_2.y));
             } else {
-                phi_827_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_825_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e482 = phi_827_;
+            let _e482 = phi_825_;
             workgroupBarrier();
             let _e485 = params.member.member_2.member_1;
             if (_e485 == 1u) {
-                phi_836_ = (_e183 == _e186);
+                phi_834_ = (_e183 == _e186);
             } else {
-                phi_836_ = false;
+                phi_834_ = false;
             }
-            let _e489 = phi_836_;
+            let _e489 = phi_834_;
             let _e490 = (_e46 / 32u);
             let _e491 = (_e46 % 32u);
             let _e492 = (_e490 * 32u);
             let _e494 = atomicLoad((&counters[_e490]));
             let _e495 = (_e494 / 4u);
             if ((_e494 % 4u) > 0u) {
-                phi_859_ = (_e495 + 1u);
+                phi_857_ = (_e495 + 1u);
             } else {
-                phi_859_ = _e495;
+                phi_857_ = _e495;
             }
-            let _e500 = phi_859_;
-            phi_862_ = type_9(0u, _e500);
-            phi_865_ = 0u;
+            let _e500 = phi_857_;
+            phi_860_ = type_9(0u, _e500);
+            phi_863_ = 0u;
             loop {
-                let _e503 = phi_862_;
-                let _e505 = phi_865_;
+                let _e503 = phi_860_;
+                let _e505 = phi_863_;
                 local_9 = _e505;
                 local_13 = _e505;
                 if (_e503.member < _e503.member_1) {
-                    phi_863_ = type_9((_e503.member + 1u), _e503.member_1);
-                    phi_888_ = type_9(1u, _e503.member);
+                    phi_861_ = type_9((_e503.member + 1u), _e503.member_1);
+                    phi_886_ = type_9(1u, _e503.member);
                 } else {
-                    phi_863_ = _e503;
-                    phi_888_ = type_9(0u, type_9().member_1);
+                    phi_861_ = _e503;
+                    phi_886_ = type_9(0u, type_9().member_1);
                 }
-                let _e517 = phi_863_;
-                let _e519 = phi_888_;
+                let _e517 = phi_861_;
+                let _e519 = phi_886_;
                 let _e523 = (bitcast<i32>(_e519.member) != 0i);
                 if _e523 {
                     let _e524 = (4u * _e519.member_1);
@@ -552,170 +554,170 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e566 = columns[((_e492 + _e524) + 1u)];
                     let _e607 = columns[((_e492 + _e524) + 2u)];
                     let _e648 = columns[((_e492 + _e524) + 3u)];
-                    phi_866_ = (_e505 | ((((select(0u, 1u, ((((((_e482.member[0] <= _e527.member_1[0]) && (_e527.member[0] <= _e482.member_1[0])) && (_e482.member[1] <= _e527.member_1[1])) && (_e527.member[1] <= _e482.member_1[1])) && (_e482.member[2] <= _e527.member_1[2])) && (_e527.member[2] <= _e482.member_1[2]))) << bitcast<u32>((_e524 & 31u))) | (select(0u, 1u, ((((((_e482.member[0] <= _e566.member_1[0]) && (_e566.member[0] <= _e482.member_1[0])) && (_e482.member[1] <= _e566.member_1[1])) && (_e566.member[1] <= _e482.member_1[1])) && (_e482.member[2] <= _e566.member_1[2])) && (_e566.member[2] <= _e482.member_1[2]))) << bitcast<u32>(((_e524 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e482.member[0] <= _e607.member_1[0]) && (_e607.member[0] <= _e482.member_1[0])) && (_e482.member[1] <= _e607.member_1[1])) && (_e607.member[1] <= _e482.member_1[1])) && (_e482.member[2] <= _e607.member_1[2])) && (_e607.member[2] <= _e482.member_1[2]))) << bitcast<u32>(((_e524 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e482.member[0] <= _e648.member_1[0]) && (_e648.member[0] <= _e482.member_1[0])) && (_e482.member[1] <= _e648.member_1[1])) && (_e648.member[1] <= _e482.member_1[1])) && (_e482.member[2] <= _e648.member_1[2])) && (_e648.member[2] <= _e482.member_1[2]))) << bitcast<u32>(((_e524 + 3u) & 31u)))));
+                    phi_864_ = (_e505 | ((((select(0u, 1u, ((((((_e482.member[0] <= _e527.member_1[0]) && (_e527.member[0] <= _e482.member_1[0])) && (_e482.member[1] <= _e527.member_1[1])) && (_e527.member[1] <= _e482.member_1[1])) && (_e482.member[2] <= _e527.member_1[2])) && (_e527.member[2] <= _e482.member_1[2]))) << bitcast<u32>((_e524 & 31u))) | (select(0u, 1u, ((((((_e482.member[0] <= _e566.member_1[0]) && (_e566.member[0] <= _e482.member_1[0])) && (_e482.member[1] <= _e566.member_1[1])) && (_e566.member[1] <= _e482.member_1[1])) && (_e482.member[2] <= _e566.member_1[2])) && (_e566.member[2] <= _e482.member_1[2]))) << bitcast<u32>(((_e524 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e482.member[0] <= _e607.member_1[0]) && (_e607.member[0] <= _e482.member_1[0])) && (_e482.member[1] <= _e607.member_1[1])) && (_e607.member[1] <= _e482.member_1[1])) && (_e482.member[2] <= _e607.member_1[2])) && (_e607.member[2] <= _e482.member_1[2]))) << bitcast<u32>(((_e524 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e482.member[0] <= _e648.member_1[0]) && (_e648.member[0] <= _e482.member_1[0])) && (_e482.member[1] <= _e648.member_1[1])) && (_e648.member[1] <= _e482.member_1[1])) && (_e482.member[2] <= _e648.member_1[2])) && (_e648.member[2] <= _e482.member_1[2]))) << bitcast<u32>(((_e524 + 3u) & 31u)))));
                 } else {
-                    phi_866_ = u32();
+                    phi_864_ = u32();
                 }
-                let _e688 = phi_866_;
+                let _e688 = phi_864_;
                 continue;
                 continuing {
-                    phi_862_ = _e517;
-                    phi_865_ = _e688;
+                    phi_860_ = _e517;
+                    phi_863_ = _e688;
                     break if !(_e523);
                 }
             }
             if (_e494 < 32u) {
                 let _e696 = local_9;
-                phi_1077_ = (_e696 & ((1u << bitcast<u32>((_e494 & 31u))) - 1u));
+                phi_1075_ = (_e696 & ((1u << bitcast<u32>((_e494 & 31u))) - 1u));
             } else {
-                let _e1078 = local_13;
-                phi_1077_ = _e1078;
+                let _e1095 = local_13;
+                phi_1075_ = _e1095;
             }
-            let _e699 = phi_1077_;
+            let _e699 = phi_1075_;
             let _e702 = params.member.member.member_1;
             if ((_e702 & 256u) != 0u) {
                 if ((bitcast<u32>(_e482.member_1[0]) & 1u) == 1u) {
-                    phi_1101_ = true;
+                    phi_1099_ = true;
                 } else {
-                    phi_1101_ = !((_e482.member[0] <= _e482.member_1[0]));
+                    phi_1099_ = !((_e482.member[0] <= _e482.member_1[0]));
                 }
-                let _e717 = phi_1101_;
+                let _e717 = phi_1099_;
                 if _e717 {
-                    phi_1107_ = type_9(0u, _e494);
-                    phi_1110_ = _e699;
+                    phi_1105_ = type_9(0u, _e494);
+                    phi_1108_ = _e699;
                     loop {
-                        let _e720 = phi_1107_;
-                        let _e722 = phi_1110_;
+                        let _e720 = phi_1105_;
+                        let _e722 = phi_1108_;
                         local_14 = _e722;
                         if (_e720.member < _e720.member_1) {
-                            phi_1108_ = type_9((_e720.member + 1u), _e720.member_1);
-                            phi_1133_ = type_9(1u, _e720.member);
+                            phi_1106_ = type_9((_e720.member + 1u), _e720.member_1);
+                            phi_1131_ = type_9(1u, _e720.member);
                         } else {
-                            phi_1108_ = _e720;
-                            phi_1133_ = type_9(0u, type_9().member_1);
+                            phi_1106_ = _e720;
+                            phi_1131_ = type_9(0u, type_9().member_1);
                         }
-                        let _e734 = phi_1108_;
-                        let _e736 = phi_1133_;
+                        let _e734 = phi_1106_;
+                        let _e736 = phi_1131_;
                         let _e740 = (bitcast<i32>(_e736.member) != 0i);
                         if _e740 {
                             let _e743 = columns[(_e492 + _e736.member_1)];
                             if ((bitcast<u32>(_e743.member_1[0]) & 1u) == 1u) {
-                                phi_1166_ = true;
+                                phi_1164_ = true;
                             } else {
-                                phi_1166_ = !((_e743.member[0] <= _e743.member_1[0]));
+                                phi_1164_ = !((_e743.member[0] <= _e743.member_1[0]));
                             }
-                            let _e754 = phi_1166_;
+                            let _e754 = phi_1164_;
                             if _e754 {
-                                phi_1174_ = (_e722 & ~((1u << bitcast<u32>((_e736.member_1 & 31u)))));
+                                phi_1172_ = (_e722 & ~((1u << bitcast<u32>((_e736.member_1 & 31u)))));
                             } else {
-                                phi_1174_ = _e722;
+                                phi_1172_ = _e722;
                             }
-                            let _e761 = phi_1174_;
-                            phi_1111_ = _e761;
+                            let _e761 = phi_1172_;
+                            phi_1109_ = _e761;
                         } else {
-                            phi_1111_ = u32();
+                            phi_1109_ = u32();
                         }
-                        let _e763 = phi_1111_;
+                        let _e763 = phi_1109_;
                         continue;
                         continuing {
-                            phi_1107_ = _e734;
-                            phi_1110_ = _e763;
+                            phi_1105_ = _e734;
+                            phi_1108_ = _e763;
                             break if !(_e740);
                         }
                     }
-                    let _e1089 = local_14;
-                    phi_1175_ = _e1089;
+                    let _e1106 = local_14;
+                    phi_1173_ = _e1106;
                 } else {
-                    phi_1175_ = _e699;
+                    phi_1173_ = _e699;
                 }
-                let _e766 = phi_1175_;
-                phi_1176_ = _e766;
+                let _e766 = phi_1173_;
+                phi_1174_ = _e766;
             } else {
-                phi_1176_ = _e699;
+                phi_1174_ = _e699;
             }
-            let _e768 = phi_1176_;
-            phi_1180_ = type_9(0u, _e494);
-            phi_1183_ = _e768;
+            let _e768 = phi_1174_;
+            phi_1178_ = type_9(0u, _e494);
+            phi_1181_ = _e768;
             loop {
-                let _e771 = phi_1180_;
-                let _e773 = phi_1183_;
+                let _e771 = phi_1178_;
+                let _e773 = phi_1181_;
                 local_10 = _e773;
                 local_11 = _e773;
                 local_12 = _e773;
                 if (_e771.member < _e771.member_1) {
-                    phi_1181_ = type_9((_e771.member + 1u), _e771.member_1);
-                    phi_1206_ = type_9(1u, _e771.member);
+                    phi_1179_ = type_9((_e771.member + 1u), _e771.member_1);
+                    phi_1204_ = type_9(1u, _e771.member);
                 } else {
-                    phi_1181_ = _e771;
-                    phi_1206_ = type_9(0u, type_9().member_1);
+                    phi_1179_ = _e771;
+                    phi_1204_ = type_9(0u, type_9().member_1);
                 }
-                let _e785 = phi_1181_;
-                let _e787 = phi_1206_;
+                let _e785 = phi_1179_;
+                let _e787 = phi_1204_;
                 let _e791 = (bitcast<i32>(_e787.member) != 0i);
                 if _e791 {
                     let _e794 = names[(_e492 + _e787.member_1)];
                     let _e797 = ranges[(_e492 + _e794)];
                     if ((_e279 >> bitcast<u32>(16i)) <= (_e797 & 65535u)) {
-                        phi_1229_ = ((_e797 >> bitcast<u32>(16i)) <= (_e279 & 65535u));
+                        phi_1227_ = ((_e797 >> bitcast<u32>(16i)) <= (_e279 & 65535u));
                     } else {
-                        phi_1229_ = false;
+                        phi_1227_ = false;
                     }
-                    let _e807 = phi_1229_;
+                    let _e807 = phi_1227_;
                     if _e489 {
                         let _e808 = (_e491 < _e794);
                         if _e808 {
-                            phi_1243_ = bool();
+                            phi_1241_ = bool();
                         } else {
                             if (_e491 == _e794) {
-                                phi_1242_ = true;
+                                phi_1240_ = true;
                             } else {
-                                phi_1242_ = false;
+                                phi_1240_ = false;
                             }
-                            let _e811 = phi_1242_;
-                            phi_1243_ = _e811;
+                            let _e811 = phi_1240_;
+                            phi_1241_ = _e811;
                         }
-                        let _e813 = phi_1243_;
-                        phi_1244_ = _e813;
-                        phi_1245_ = _e808;
+                        let _e813 = phi_1241_;
+                        phi_1242_ = _e813;
+                        phi_1243_ = _e808;
                     } else {
-                        phi_1244_ = bool();
-                        phi_1245_ = true;
+                        phi_1242_ = bool();
+                        phi_1243_ = true;
                     }
-                    let _e815 = phi_1244_;
-                    let _e817 = phi_1245_;
+                    let _e815 = phi_1242_;
+                    let _e817 = phi_1243_;
                     if _e817 {
-                        phi_1249_ = true;
+                        phi_1247_ = true;
                     } else {
-                        phi_1249_ = _e815;
+                        phi_1247_ = _e815;
                     }
-                    let _e819 = phi_1249_;
+                    let _e819 = phi_1247_;
                     if _e819 {
                         if _e807 {
-                            phi_1256_ = false;
+                            phi_1254_ = false;
                         } else {
-                            phi_1256_ = true;
+                            phi_1254_ = true;
                         }
-                        let _e821 = phi_1256_;
-                        phi_1257_ = _e821;
+                        let _e821 = phi_1254_;
+                        phi_1255_ = _e821;
                     } else {
-                        phi_1257_ = true;
+                        phi_1255_ = true;
                     }
-                    let _e823 = phi_1257_;
+                    let _e823 = phi_1255_;
                     if _e823 {
-                        phi_1265_ = (_e773 & ~((1u << bitcast<u32>((_e787.member_1 & 31u)))));
+                        phi_1263_ = (_e773 & ~((1u << bitcast<u32>((_e787.member_1 & 31u)))));
                     } else {
-                        phi_1265_ = _e773;
+                        phi_1263_ = _e773;
                     }
-                    let _e830 = phi_1265_;
-                    phi_1184_ = _e830;
+                    let _e830 = phi_1263_;
+                    phi_1182_ = _e830;
                 } else {
-                    phi_1184_ = u32();
+                    phi_1182_ = u32();
                 }
-                let _e832 = phi_1184_;
+                let _e832 = phi_1182_;
                 continue;
                 continuing {
-                    phi_1180_ = _e785;
-                    phi_1183_ = _e832;
+                    phi_1178_ = _e785;
+                    phi_1181_ = _e832;
                     break if !(_e791);
                 }
             }
@@ -725,11 +727,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             if (_e839 > 0u) {
                 let _e842 = atomicAdd((&counters[4u]), _e839);
                 let _e844 = local_12;
-                phi_1275_ = type_9(_e844, _e842);
+                phi_1273_ = type_9(_e844, _e842);
             } else {
-                phi_1275_ = type_9(_e835, 0u);
+                phi_1273_ = type_9(_e835, 0u);
             }
-            let _e847 = phi_1275_;
+            let _e847 = phi_1273_;
             workgroupBarrier();
             if (_e46 == 0u) {
                 let _e850 = atomicLoad((&counters[4u]));
@@ -738,69 +740,69 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e853 = workgroupUniformLoad((&n_hits[0u]));
             let _e854 = (_e853 / 512u);
             if ((_e853 % 512u) > 0u) {
-                phi_1301_ = (_e854 + 1u);
+                phi_1299_ = (_e854 + 1u);
             } else {
-                phi_1301_ = _e854;
+                phi_1299_ = _e854;
             }
-            let _e859 = phi_1301_;
-            phi_1304_ = type_9(0u, _e859);
-            phi_1307_ = _e847;
+            let _e859 = phi_1299_;
+            phi_1302_ = type_9(0u, _e859);
+            phi_1305_ = _e847;
             loop {
-                let _e862 = phi_1304_;
-                let _e864 = phi_1307_;
+                let _e862 = phi_1302_;
+                let _e864 = phi_1305_;
                 if (_e862.member < _e862.member_1) {
-                    phi_1305_ = type_9((_e862.member + 1u), _e862.member_1);
-                    phi_1330_ = type_9(1u, _e862.member);
+                    phi_1303_ = type_9((_e862.member + 1u), _e862.member_1);
+                    phi_1328_ = type_9(1u, _e862.member);
                 } else {
-                    phi_1305_ = _e862;
-                    phi_1330_ = type_9(0u, type_9().member_1);
+                    phi_1303_ = _e862;
+                    phi_1328_ = type_9(0u, type_9().member_1);
                 }
-                let _e876 = phi_1305_;
-                let _e878 = phi_1330_;
+                let _e876 = phi_1303_;
+                let _e878 = phi_1328_;
                 let _e882 = (bitcast<i32>(_e878.member) != 0i);
                 if _e882 {
                     let _e883 = (_e46 / 32u);
                     let _e885 = (_e878.member_1 * 512u);
-                    phi_1347_ = _e864;
-                    phi_1350_ = type_9(0u, countOneBits(_e864.member));
+                    phi_1345_ = _e864;
+                    phi_1348_ = type_9(0u, countOneBits(_e864.member));
                     loop {
-                        let _e890 = phi_1347_;
-                        let _e892 = phi_1350_;
+                        let _e890 = phi_1345_;
+                        let _e892 = phi_1348_;
                         local_15 = _e890;
                         if (_e892.member < _e892.member_1) {
-                            phi_1351_ = type_9((_e892.member + 1u), _e892.member_1);
-                            phi_1373_ = type_9(1u, _e892.member);
+                            phi_1349_ = type_9((_e892.member + 1u), _e892.member_1);
+                            phi_1371_ = type_9(1u, _e892.member);
                         } else {
-                            phi_1351_ = _e892;
-                            phi_1373_ = type_9(0u, type_9().member_1);
+                            phi_1349_ = _e892;
+                            phi_1371_ = type_9(0u, type_9().member_1);
                         }
-                        let _e904 = phi_1351_;
-                        let _e906 = phi_1373_;
+                        let _e904 = phi_1349_;
+                        let _e906 = phi_1371_;
                         if (bitcast<i32>(_e906.member) != 0i) {
                             let _e911 = (_e890.member_1 - _e885);
                             if (_e911 >= 512u) {
-                                phi_1407_ = type_9();
-                                phi_1408_ = false;
+                                phi_1405_ = type_9();
+                                phi_1406_ = false;
                             } else {
                                 let _e920 = names[((_e883 * 32u) + select(firstTrailingBit(_e890.member), 32u, (_e890.member == 0u)))];
                                 hits[_e911] = (((_e883 << bitcast<u32>(10i)) | ((_e46 % 32u) << bitcast<u32>(5i))) | _e920);
-                                phi_1407_ = type_9((_e890.member & (_e890.member - 1u)), (_e890.member_1 + 1u));
-                                phi_1408_ = true;
+                                phi_1405_ = type_9((_e890.member & (_e890.member - 1u)), (_e890.member_1 + 1u));
+                                phi_1406_ = true;
                             }
-                            let _e936 = phi_1407_;
-                            let _e938 = phi_1408_;
-                            phi_1348_ = _e936;
-                            phi_1409_ = _e938;
+                            let _e936 = phi_1405_;
+                            let _e938 = phi_1406_;
+                            phi_1346_ = _e936;
+                            phi_1407_ = _e938;
                         } else {
-                            phi_1348_ = type_9();
-                            phi_1409_ = false;
+                            phi_1346_ = type_9();
+                            phi_1407_ = false;
                         }
-                        let _e940 = phi_1348_;
-                        let _e942 = phi_1409_;
+                        let _e940 = phi_1346_;
+                        let _e942 = phi_1407_;
                         continue;
                         continuing {
-                            phi_1347_ = _e940;
-                            phi_1350_ = _e904;
+                            phi_1345_ = _e940;
+                            phi_1348_ = _e904;
                             break if !(_e942);
                         }
                     }
@@ -808,90 +810,107 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e945 = n_hits[0u];
                     let _e946 = (_e945 - _e885);
                     if (512u < _e946) {
-                        phi_1417_ = 512u;
+                        phi_1415_ = 512u;
                     } else {
-                        phi_1417_ = _e946;
+                        phi_1415_ = _e946;
                     }
-                    let _e949 = phi_1417_;
+                    let _e949 = phi_1415_;
                     if (_e46 == 0u) {
-                        atomicStore((&counters[7u]), _e949);
+                        atomicStore((&counters[5u]), _e949);
                     }
                     workgroupBarrier();
                     if (_e46 == 0u) {
-                        let _e954 = atomicLoad((&counters[7u]));
+                        let _e954 = atomicLoad((&counters[5u]));
                         if (_e954 > 0u) {
-                            let _e957 = atomicAdd((&output.member[0u]), _e954);
-                            if ((_e957 + _e954) < _e957) {
-                                let _e961 = atomicAdd((&output.member[2u]), 1u);
+                            let _e958 = params.member.member.member_1;
+                            if ((_e958 & 1024u) != 0u) {
+                                let _e968 = atomicAdd((&output.member[0u]), _e954);
+                                let _e969 = (_e968 + _e954);
+                                if (_e969 < _e968) {
+                                    phi_1449_ = 4294967295u;
+                                } else {
+                                    phi_1449_ = _e969;
+                                }
+                                let _e972 = phi_1449_;
+                                let _e975 = params.member.member_1.member_3;
+                                if (_e972 > _e975) {
+                                    let _e978 = atomicMax((&output.member[2u]), _e972);
+                                }
+                                phi_1472_ = _e968;
+                            } else {
+                                let _e962 = atomicAdd((&output.member[0u]), _e954);
+                                if ((_e962 + _e954) < _e962) {
+                                    let _e966 = atomicAdd((&output.member[2u]), 1u);
+                                }
+                                phi_1472_ = _e962;
                             }
-                            atomicStore((&counters[8u]), _e957);
+                            let _e980 = phi_1472_;
+                            atomicStore((&counters[6u]), _e980);
                         }
                         atomicStore((&counters[5u]), 0u);
-                        atomicStore((&counters[6u]), 0u);
-                        atomicStore((&counters[7u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e967 = atomicLoad((&counters[8u]));
-                    phi_1454_ = type_9(0u, 4u);
+                    let _e984 = atomicLoad((&counters[6u]));
+                    phi_1479_ = type_9(0u, 4u);
                     loop {
-                        let _e969 = phi_1454_;
-                        if (_e969.member < _e969.member_1) {
-                            phi_1455_ = type_9((_e969.member + 1u), _e969.member_1);
-                            phi_1478_ = type_9(1u, _e969.member);
+                        let _e986 = phi_1479_;
+                        if (_e986.member < _e986.member_1) {
+                            phi_1480_ = type_9((_e986.member + 1u), _e986.member_1);
+                            phi_1503_ = type_9(1u, _e986.member);
                         } else {
-                            phi_1455_ = _e969;
-                            phi_1478_ = type_9(0u, type_9().member_1);
+                            phi_1480_ = _e986;
+                            phi_1503_ = type_9(0u, type_9().member_1);
                         }
-                        let _e981 = phi_1455_;
-                        let _e983 = phi_1478_;
-                        if (bitcast<i32>(_e983.member) != 0i) {
-                            let _e989 = (_e46 + (_e983.member_1 * 128u));
-                            if (_e989 >= _e949) {
-                                phi_1523_ = false;
+                        let _e998 = phi_1480_;
+                        let _e1000 = phi_1503_;
+                        if (bitcast<i32>(_e1000.member) != 0i) {
+                            let _e1006 = (_e46 + (_e1000.member_1 * 128u));
+                            if (_e1006 >= _e949) {
+                                phi_1548_ = false;
                             } else {
-                                let _e992 = hits[_e989];
-                                let _e995 = ((_e992 >> bitcast<u32>(10i)) & 3u);
-                                let _e1002 = firsts[(2u * _e995)];
-                                let _e1007 = firsts[((2u * _e995) + 1u)];
-                                let _e1011 = params.member.member_1.member_3;
-                                let _e1012 = (_e967 + _e989);
-                                if (_e1012 < _e1011) {
-                                    let _e1014 = (2u * _e1012);
-                                    atomicStore((&output.member[(4u + _e1014)]), (_e1002 + ((_e992 >> bitcast<u32>(5i)) & 31u)));
-                                    atomicStore((&output.member[(_e1014 + 5u)]), (_e1007 + (_e992 & 31u)));
+                                let _e1009 = hits[_e1006];
+                                let _e1012 = ((_e1009 >> bitcast<u32>(10i)) & 3u);
+                                let _e1019 = firsts[(2u * _e1012)];
+                                let _e1024 = firsts[((2u * _e1012) + 1u)];
+                                let _e1028 = params.member.member_1.member_3;
+                                let _e1029 = (_e984 + _e1006);
+                                if (_e1029 < _e1028) {
+                                    let _e1031 = (2u * _e1029);
+                                    atomicStore((&output.member[(4u + _e1031)]), (_e1019 + ((_e1009 >> bitcast<u32>(5i)) & 31u)));
+                                    atomicStore((&output.member[(_e1031 + 5u)]), (_e1024 + (_e1009 & 31u)));
                                 }
-                                phi_1523_ = true;
+                                phi_1548_ = true;
                             }
-                            let _e1020 = phi_1523_;
-                            phi_1524_ = _e1020;
+                            let _e1037 = phi_1548_;
+                            phi_1549_ = _e1037;
                         } else {
-                            phi_1524_ = false;
+                            phi_1549_ = false;
                         }
-                        let _e1022 = phi_1524_;
+                        let _e1039 = phi_1549_;
                         continue;
                         continuing {
-                            phi_1454_ = _e981;
-                            break if !(_e1022);
+                            phi_1479_ = _e998;
+                            break if !(_e1039);
                         }
                     }
                     workgroupBarrier();
-                    let _e1130 = local_15;
-                    phi_1308_ = _e1130;
+                    let _e1149 = local_15;
+                    phi_1306_ = _e1149;
                 } else {
-                    phi_1308_ = type_9();
+                    phi_1306_ = type_9();
                 }
-                let _e1025 = phi_1308_;
+                let _e1042 = phi_1306_;
                 continue;
                 continuing {
-                    phi_1304_ = _e876;
-                    phi_1307_ = _e1025;
+                    phi_1302_ = _e876;
+                    phi_1305_ = _e1042;
                     break if !(_e882);
                 }
             }
         }
         continue;
         continuing {
-            phi_259_ = _e130;
+            phi_257_ = _e130;
             break if !(_e136);
         }
     }

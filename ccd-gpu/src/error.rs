@@ -140,6 +140,8 @@ pub struct Faults {
     /// Of sessions that are made from now on, a search begins with two workers that take one turn
     /// in one round, so that pairs are left.
     pub short_rounds: bool,
+    /// How many candidates a part of a step has at most; 0: as many as a list may have.
+    pub most_candidates: u32,
 }
 
 impl Faults {

@@ -35,6 +35,14 @@ pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
     Ok(Header { wanted: word(bytes, 0), looked_at: word(bytes, 1) })
 }
 
+/// The same of candidates that were listed a part at a time: the most that a part wanted, if that
+/// is more than fits; else of the last.
+pub fn read_header_of_parts(bytes: &[u8]) -> Result<Header, Error> {
+    let most = word(bytes, 2).max(word(bytes, 0));
+    let words = [0, word(bytes, 1), 0, word(bytes, 3)];
+    Ok(Header { wanted: most, ..read_header(bytemuck::bytes_of(&words))? })
+}
+
 /// The pairs of a list that was read.
 pub fn read_pairs(bytes: &[u8]) -> Vec<Pair> {
     bytemuck::pod_collect_to_vec(&bytes[HEADER_BYTES as usize..])

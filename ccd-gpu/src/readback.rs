@@ -32,7 +32,7 @@ pub struct Plan {
 }
 
 /// A part of what is read.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Part {
     pub at: u64,
     pub bytes: u64,

@@ -2,6 +2,7 @@
 //! fields are those of `ccd_core::backend::layout`, in their order.
 
 use ccd_core::Aabb;
+use ccd_core::backend::broad_phase::block_bvh::end_slot;
 use ccd_core::backend::broad_phase::node_numbering;
 use ccd_core::backend::kernel::memory::{Stored, at, put};
 use ccd_core::backend::layout::{Branch, Cluster, Leaf, Path, WideNode};
@@ -41,6 +42,24 @@ impl Stored<Aabb> for BoxWords {
 #[inline(always)]
 pub fn box_at(boxes: &[BoxWords], i: usize) -> Aabb {
     <BoxWords as Stored<Aabb>>::load(boxes, i)
+}
+
+/// Boxes of leaf `i` at the start and at the end of a step.
+#[inline(always)]
+pub fn ends_at(ends: &[Vec4], i: usize) -> (Aabb, Aabb) {
+    let (p, q) = (at(ends, end_slot(i, 0)), at(ends, end_slot(i, 1)));
+    let r = at(ends, end_slot(i, 2));
+    let start = Aabb { min: [p.x, p.y, p.z], max: [p.w, q.x, q.y] };
+    (start, Aabb { min: [q.z, q.w, r.x], max: [r.y, r.z, r.w] })
+}
+
+/// Puts them there.
+#[inline(always)]
+pub fn put_ends(ends: &mut [Vec4], i: usize, start: &Aabb, end: &Aabb) {
+    let (a, b, c, d) = (start.min, start.max, end.min, end.max);
+    put(ends, end_slot(i, 0), Vec4::new(a[0], a[1], a[2], b[0]));
+    put(ends, end_slot(i, 1), Vec4::new(b[1], b[2], c[0], c[1]));
+    put(ends, end_slot(i, 2), Vec4::new(c[2], d[0], d[1], d[2]));
 }
 
 /// The words of a [`Leaf`].

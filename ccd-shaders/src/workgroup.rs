@@ -6,7 +6,7 @@
 
 use ccd_core::backend::kernel::Words;
 use ccd_core::backend::kernel::memory::{at, put};
-use ccd_core::backend::layout::{Dispatch, LIST_HEADER, Pair};
+use ccd_core::backend::layout::{Dispatch, Frame, LIST_HEADER, Pair, Params};
 use core::marker::PhantomData;
 use spirv_std::arch::{
     IndexUnchecked, atomic_compare_exchange, atomic_i_add, atomic_load, atomic_or, atomic_store,
@@ -44,6 +44,23 @@ pub fn count(list: &mut [u32], i: usize, value: u32) -> u32 {
         add(list, i + 2, 1);
     }
     old
+}
+
+/// Reserves `n` entries of a list of candidates, and returns the first. With
+/// [`Frame::FLAG_IN_PARTS`] the third word of its header is the most that was wanted, if that is
+/// more than fits.
+#[inline(always)]
+pub fn reserve<A>(list: &mut [u32], n: u32, params: &Params<A>) -> u32 {
+    if !params.frame.has(Frame::FLAG_IN_PARTS) {
+        return count(list, 0, n);
+    }
+    let first = add(list, 0, n);
+    let end = first.wrapping_add(n);
+    let wanted = if end < first { u32::MAX } else { end };
+    if wanted > params.dispatch.capacity_out {
+        raise(list, 2, wanted);
+    }
+    first
 }
 
 /// Raises a word of a buffer.

@@ -46,7 +46,7 @@ fn fail_driver(
     }
     let call = [0, 0, 0, 1, 2][random.below(5)];
     let provoked = Some(error.clone());
-    set_faults(device, Faults { skip, n, error: provoked, late: false, short_rounds });
+    set_faults(device, Faults { skip, n, error: provoked, short_rounds, ..Faults::default() });
     let done = match call {
         0 => session.step(x0, x1).map(|_| ()),
         1 => session.earliest_toi(x0, x1).map(|_| ()),

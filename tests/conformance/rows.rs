@@ -97,7 +97,7 @@ pub fn pipelines(source: Source, backend: &'static str) -> Vec<(Pipeline, Schedu
 }
 
 /// Generated scenes that an emulated GPU runs by every scheduler; through WGSL the first.
-const FEW: [&str; 4] = ["crowded", "equal", "one", "sheet"];
+const FEW: [&str; 3] = ["equal", "one", "sheet"];
 
 /// Ways to share out pairs of nodes, of generated scenes, with the methods that have some.
 pub fn schedulings(

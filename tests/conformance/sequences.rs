@@ -18,7 +18,7 @@ fn generated(scene: &Sequence, n: usize) -> Frames {
     Frames { mesh: scene.mesh.clone(), x: (0..n).map(|i| scene.frame(i)).collect() }
 }
 
-/// Debris that falls against a wall.
+/// Debris that falls against a wall, every second frame.
 fn debris() -> Frames {
     let dir = data::data_dir().expect("the row is ignored without the data");
     let frame = |i: usize| {
@@ -26,7 +26,7 @@ fn debris() -> Frames {
         ccd::io::read_frame(&path).expect("a frame")
     };
     let mesh = frame(40).mesh().expect("a mesh");
-    Frames { mesh, x: (40..100).map(|i| frame(i).positions).collect() }
+    Frames { mesh, x: (40..100).step_by(2).map(|i| frame(i).positions).collect() }
 }
 
 /// A name, whether it needs the data, and frames.

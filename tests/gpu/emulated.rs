@@ -16,21 +16,28 @@ const OF_KERNELS: [crate::Tests; 4] =
     [crate::kernels::TESTS, crate::scalars::TESTS, crate::poison::TESTS, crate::geometry::TESTS];
 
 /// The most portable is not run by tests over many boxes or steps whose kernels other tests compare
-/// there: `rules` has all methods.
-const LONG: [&str; 15] = [
+/// there, `rules` by all methods, nor by those of what the host does with a frame.
+const LONG: [&str; 22] = [
+    "a_thousand_times_the_pairs",
     "boxes_after_failures",
     "builders_and_hard_boxes",
+    "candidates_in_parts",
     "changes_between_steps",
+    "dropped_in_flight",
+    "groups_of_devices",
     "limit_of_memory",
     "lists_grow",
     "many_contacts",
+    "many_positions",
     "moving_bodies",
     "order_is_kept",
     "order_of_small_meshes",
     "oriented_traversals",
+    "replaced_in_flight",
     "schedulers_over_sequences",
     "steps_after_failures",
     "triangles_by_every_method",
+    "triangles_in_several_dispatches",
     "two_threads",
     "uniform_boxes",
 ];

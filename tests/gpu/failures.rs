@@ -5,6 +5,7 @@ use crate::emulated::{is_thin, methods};
 use crate::scenes::check_pairs;
 use crate::support::{bytes, capacity, list, not_run, read, read_back, run};
 use ccd::gpu::bind::Decide;
+use ccd::gpu::harness::{Faults, set_faults};
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
 use ccd::method::{BroadPhaseMethod, Pipeline, TriangleOptions};
 use ccd::{Options, Pair};
@@ -17,6 +18,7 @@ use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
 
 pub const TESTS: crate::Tests = &[
     ("lists_grow", check_growth),
+    ("candidates_in_parts", check_parts),
     ("capacities", check_capacities),
     ("bad_input", check_input),
     ("too_large", check_too_large),
@@ -55,6 +57,39 @@ fn check_growth(device: &Device) {
         let found = session.candidates(&step.x0, &step.x1).unwrap();
         let [n_vf, n_ee] = [found.vf.len() as u64, found.ee.len() as u64];
         assert_eq!([n_vf, n_ee], [want.candidates.vf, want.candidates.ee], "{what}");
+    }
+}
+
+/// More candidates than a list may have are listed and filtered in parts: the answers are those of
+/// one, and the next step makes no part smaller.
+fn check_parts(device: &Device) {
+    let step = crumpled_sheet(20, 7);
+    let want = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
+    for method in [BroadPhaseMethod::Blocks, BroadPhaseMethod::TREE] {
+        let options = Options::default().with_broad_phase(method);
+        let new = || Session::new(device, step.mesh.clone(), options.clone()).unwrap();
+        let one = new().step(&step.x0, &step.x1).unwrap().clone();
+        let toi = new().earliest_toi(&step.x0, &step.x1).unwrap();
+        assert_eq!(one.candidates, want.candidates);
+        for part in [3, 9] {
+            let most_candidates = (want.candidates.ee / part) as u32;
+            let old = set_faults(device, Faults { most_candidates, ..Faults::default() });
+            let mut session = new();
+            session.reserve(8).unwrap();
+            let got = session.step(&step.x0, &step.x1).unwrap().clone();
+            let grown = session.grown();
+            assert!(grown > 1, "{method}: a part was not made smaller");
+            assert_eq!((got.candidates, got.filtered), (one.candidates, one.filtered), "{method}");
+            assert!(got.contacts == one.contacts && !got.contacts.is_empty(), "{method}");
+            assert_eq!(session.earliest_toi(&step.x0, &step.x1).unwrap(), toi, "{method}");
+            let again = session.step(&step.x0, &step.x1).unwrap();
+            assert!(again.contacts == one.contacts && again.candidates == one.candidates);
+            assert_eq!(session.grown(), grown, "{method}: parts are made smaller again");
+            // The list of all is not in parts.
+            let found = session.candidates(&step.x0, &step.x1).unwrap();
+            assert_eq!(found.ee.len() as u64, want.candidates.ee);
+            set_faults(device, old);
+        }
     }
 }
 

@@ -5,8 +5,8 @@ use crate::support::{bytes, check_boxes, not_run, paths, read, run, same, swept,
 use crate::twin::union;
 use ccd::Aabb;
 use ccd::gpu::bind::{
-    FitLeaves, FitLevel, Morton, PlaceVertices, SceneBounds, Shorten, SweepEdges, SweepFaces,
-    SweepVertices,
+    FitEnds, FitLeaves, FitLevel, Morton, PlaceVertices, SceneBounds, Shorten, SweepEdges,
+    SweepFaces, SweepVertices,
 };
 use ccd::gpu::{Device, harness};
 use ccd_core::backend::broad_phase::{candidate, morton_key};
@@ -229,7 +229,7 @@ fn check_bounds(device: &Device) {
 fn check_fit(device: &Device) {
     let (twin, step) = twin(40, 2);
     let p = Params { frame: twin.frame, dispatch: Dispatch::default(), args: twin.tree };
-    let slots = &twin.tree.slots;
+    let slots = twin.tree.slots;
     let kernel = FitLeaves {
         boxes: bytes(&twin.boxes),
         order: bytes(&twin.order),
@@ -248,6 +248,12 @@ fn check_fit(device: &Device) {
         run(device, FitLevel { nodes: done.nodes }, &p, (slots[1][3] - slots[1][0]).div_ceil(256));
     let third = slots[3][0] as usize;
     check_boxes("node", &twin.nodes[..third], &read::<Aabb>(&done.nodes)[..third]);
+    let paths = paths(&step, false);
+    let twin = twin.with_ends(&paths);
+    let (leaves, paths) = (bytes(&twin.leaves), bytes(&paths));
+    let kernel = FitEnds { leaves, paths, ends: zeros::<[f32; 4]>(twin.ends.len()) };
+    let done = run(device, kernel, &p, slots[0][3].div_ceil(256));
+    assert!(read::<[f32; 4]>(&done.ends) == twin.ends, "boxes of leaves at both ends");
 }
 
 /// A grid that is folded into rows gives what one row gives, also where the last row is not full.

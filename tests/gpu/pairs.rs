@@ -5,12 +5,12 @@ use crate::emulated::methods;
 use crate::scenes::check_pairs;
 use crate::support::{bytes, capacity, entries, list, paths, read, run, twin};
 use crate::twin::Twin;
-use ccd::gpu::bind::{FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs};
+use ccd::gpu::bind::{FilterPairs, ListCandidates, NodePairs};
 use ccd::gpu::{BroadPhase, Device};
 use ccd::method::BroadPhaseMethod;
 use ccd::{Aabb, Pair, Verdict};
 use ccd_core::backend::broad_phase::block_bvh::{self, marked, sets, slot};
-use ccd_core::backend::layout::{Frame, LIST_HEADER, Path};
+use ccd_core::backend::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Step, uniform_boxes};
 
@@ -71,6 +71,7 @@ fn lister(twin: &Twin, blocks: &[Pair], output: Vec<u8>) -> ListCandidates<Vec<u
     ListCandidates {
         nodes,
         leaves,
+        ends: if twin.ends.is_empty() { vec![0; 16] } else { bytes(&twin.ends) },
         bodies: vec![0; 16],
         keys: vec![0; 48],
         input: list(blocks),
@@ -138,11 +139,8 @@ fn check_filters(device: &Device) {
     for kind in [0, 1] {
         let all = candidates(&twin, &step, kind);
         let blocks = twin.node_pairs(1, kind);
-        let output = filtered(device, &twin, &paths, kind, &blocks, 9);
-        let words: Vec<u32> = read(&output);
-        assert_eq!(words[1] as usize, all.len(), "candidates that were counted");
-        let mut left = entries(&output);
-        left.sort_unstable();
+        let (counted, left) = filtered(device, &twin, &paths, kind, &blocks, 9);
+        assert_eq!(counted as usize, all.len(), "candidates that were counted");
         assert!(
             left.windows(2).all(|w| w[0] != w[1]) && left.len() < all.len() / 2,
             "{} of {} are left",
@@ -160,9 +158,51 @@ fn check_filters(device: &Device) {
         }
         assert!(n_touching > 100, "{n_touching} contacts show nothing");
     }
+    // By boxes at both ends what an axis keeps apart is not even listed.
+    let at_ends = twin.clone().with_ends(&paths);
+    for kind in [0, 1] {
+        let blocks = twin.node_pairs(1, kind);
+        let left = |twin: &Twin| filtered(device, twin, &paths, kind, &blocks, 9);
+        let want = left(&twin);
+        assert_eq!(left(&at_ends), want);
+        let listed = |twin: &Twin| {
+            let kernel = lister(twin, &blocks, capacity(100_000));
+            read::<u32>(&run(device, kernel, &twin.pass(kind, 1, blocks.len(), 100_000), 9).output)
+        };
+        let (all, near) = (listed(&twin), listed(&at_ends));
+        assert_eq!([all[0], near[1]], [all[1]; 2]);
+        assert!(near[0] < all[0] && near[0] as usize > want.1.len());
+        let mut gone = at_ends.clone();
+        gone.ends.iter_mut().step_by(2).for_each(|four| *four = [9e9; 4]);
+        let other = left(&gone);
+        assert!(other.0 > want.0 && other.1.len() < want.1.len(), "ends are not read");
+        // A part that wants more than fits says how much; one that does not, nothing.
+        let mut p = twin.pass(kind, 1, blocks.len(), 20);
+        p.frame.flags |= Frame::FLAG_IN_PARTS;
+        let short = run(device, lister(&twin, &blocks, capacity(20)), &p, 9).output;
+        assert_eq!(read::<u32>(&short)[..4], [all[0], all[0], all[0], 0]);
+        assert!(read::<u32>(&short)[LIST_HEADER + 40..].iter().all(|&w| w == 0));
+        // Also where the count itself ran over, whatever it says then.
+        let full = bytes(&[u32::MAX, 0, 0, 0]);
+        p.dispatch.capacity_out = 0;
+        let over = run(device, lister(&twin, &blocks, full), &p, 9).output;
+        assert_eq!(read::<u32>(&over)[..4], [all[0] - 1, all[0], u32::MAX, 0]);
+        p.dispatch.capacity_out = 100_000;
+        let long = run(device, lister(&twin, &blocks, capacity(100_000)), &p, 9).output;
+        assert_eq!(read::<u32>(&long)[..4], [all[0], all[0], 0, 0]);
+        // Filtered in two parts, into a list that is too short.
+        let mut n_left = 0;
+        for (first, n) in [(0, 1000), (1000, u32::MAX - 1000)] {
+            let dispatch = Dispatch { n, first, capacity_in: 100_000, capacity_out: 20 };
+            let output = survivors(device, &twin, &paths, kind, long.clone(), dispatch, 3);
+            assert!(output[LIST_HEADER + 40..].iter().all(|&w| w == 0), "beyond the capacity");
+            n_left += output[0] as usize;
+        }
+        assert_eq!(n_left, want.1.len());
+    }
 }
 
-/// The list that the filter of a kind makes of pairs of blocks.
+/// The candidates of pairs of blocks that are counted, and those that the filters leave, sorted.
 pub fn filtered(
     device: &Device,
     twin: &Twin,
@@ -170,27 +210,32 @@ pub fn filtered(
     kind: u32,
     blocks: &[Pair],
     groups: u32,
-) -> Vec<u8> {
-    let (nodes, leaves, paths) = (bytes(&twin.nodes), bytes(&twin.leaves), bytes(paths));
-    let (bodies, keys, input, output) = (vec![0; 16], vec![0; 48], list(blocks), capacity(100_000));
-    let p = twin.pass(kind, 1, blocks.len(), 100_000);
-    if kind == 0 {
-        run(
-            device,
-            FilterVertexFace { nodes, leaves, bodies, keys, paths, input, output },
-            &p,
-            groups,
-        )
-        .output
-    } else {
-        run(
-            device,
-            FilterEdgeEdge { nodes, leaves, bodies, keys, paths, input, output },
-            &p,
-            groups,
-        )
-        .output
-    }
+) -> (u32, Vec<Pair>) {
+    let kernel = lister(twin, blocks, capacity(100_000));
+    let listed = run(device, kernel, &twin.pass(kind, 1, blocks.len(), 100_000), groups).output;
+    let counted = read::<u32>(&listed)[1];
+    let n = 100_000;
+    let dispatch = Dispatch { n, first: 0, capacity_in: n, capacity_out: n };
+    let words = survivors(device, twin, paths, kind, listed, dispatch, groups);
+    let mut left = entries(&bytes(&words));
+    left.sort_unstable();
+    (counted, left)
+}
+
+/// The list that the filters make of one of candidates.
+fn survivors(
+    device: &Device,
+    twin: &Twin,
+    paths: &[Path],
+    kind: u32,
+    input: Vec<u8>,
+    dispatch: Dispatch,
+    groups: u32,
+) -> Vec<u32> {
+    let (elements, paths) = (bytes(&twin.elements(kind)), bytes(paths));
+    let kernel = FilterPairs { elements, paths, input, output: capacity(dispatch.capacity_out) };
+    let args = Decision { kind, capacity_open: 0 };
+    read(&run(device, kernel, &Params { frame: twin.frame, dispatch, args }, groups).output)
 }
 
 fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {

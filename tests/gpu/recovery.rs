@@ -34,7 +34,7 @@ fn failing<T>(
     call: impl FnOnce() -> Result<T, Error>,
 ) -> (Option<T>, bool) {
     let error = Some(error.clone());
-    let faults = Faults { skip, n, error: error.clone(), late: false, short_rounds: true };
+    let faults = Faults { skip, n, error: error.clone(), short_rounds: true, ..Faults::default() };
     let old = set_faults(device, faults);
     let got = call();
     let left = set_faults(device, old);

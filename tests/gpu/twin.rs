@@ -3,9 +3,10 @@
 
 use ccd::{Aabb, Mesh, Pair};
 use ccd_core::backend::broad_phase::block_bvh::{PADDING, WIDTH};
-use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, MAX_LEVELS, Params, Plain};
+use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, MAX_LEVELS, Params, Path, Plain};
 
 /// Boxes of up to three sets and the block trees over them.
+#[derive(Clone)]
 pub struct Twin {
     pub frame: Frame,
     pub tree: Blocks,
@@ -14,6 +15,8 @@ pub struct Twin {
     pub order: Vec<u32>,
     pub nodes: Vec<Aabb>,
     pub leaves: Vec<Leaf>,
+    /// Boxes of leaves at both ends of a step, in fours, if there are some.
+    pub ends: Vec<[f32; 4]>,
 }
 
 /// Smallest box that holds all.
@@ -81,7 +84,7 @@ impl Twin {
             }
         }
         let nodes = vec![Aabb::EMPTY; next as usize];
-        let mut twin = Self { frame, tree, boxes, keys, order, nodes, leaves };
+        let mut twin = Self { frame, tree, boxes, keys, order, nodes, leaves, ends: Vec::new() };
         twin.fit();
         twin
     }
@@ -91,10 +94,52 @@ impl Twin {
         let boxes = self.boxes.iter().map(&mut to).collect();
         let (keys, order) = (self.keys.clone(), self.order.clone());
         let (nodes, leaves) = (self.nodes.clone(), self.leaves.clone());
-        let mut twin =
-            Self { frame: self.frame, tree: self.tree, boxes, keys, order, nodes, leaves };
+        let mut twin = Self {
+            frame: self.frame,
+            tree: self.tree,
+            boxes,
+            keys,
+            order,
+            nodes,
+            leaves,
+            ends: Vec::new(),
+        };
         twin.fit();
         twin
+    }
+
+    /// The same, with the boxes of leaves at both ends of the paths.
+    pub fn with_ends(mut self, paths: &[Path]) -> Self {
+        let of = |leaf: &Leaf, end: fn(&Path) -> [f32; 4]| {
+            let points = leaf.vertices.map(|v| {
+                let p = end(&paths[v as usize]);
+                let p = [p[0], p[1], p[2]];
+                Aabb { min: p, max: p }
+            });
+            let b = union(points.iter());
+            [b.min, b.max].concat()
+        };
+        self.ends = vec![[0.0; 4]; 3 * self.leaves.len()];
+        for (i, leaf) in self.leaves.iter().enumerate().filter(|(_, leaf)| leaf.id != Leaf::NONE) {
+            let words = [of(leaf, |p| p.t0), of(leaf, |p| p.t1)].concat();
+            for (k, four) in words.chunks(4).enumerate() {
+                let width = WIDTH as usize;
+                self.ends[i / width * 3 * width + k * width + i % width].copy_from_slice(four);
+            }
+        }
+        self.frame.flags |= Frame::FLAG_ENDS;
+        self
+    }
+
+    /// Vertices of the faces, or of the edges, as kernels have them for a kind of pairs.
+    pub fn elements(&self, kind: u32) -> Vec<u32> {
+        let (set, n) = if kind == 0 { (2, 3) } else { (1, 2) };
+        let mut out = vec![0; n * self.frame.count[set] as usize];
+        let first = self.tree.slots[0][set] as usize;
+        for leaf in &self.leaves[first..][..self.frame.count[set] as usize] {
+            out[n * leaf.id as usize..][..n].copy_from_slice(&leaf.vertices[..n]);
+        }
+        out
     }
 
     /// Boxes of all nodes, in the order that there is.

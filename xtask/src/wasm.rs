@@ -1,6 +1,6 @@
 //! `cargo xtask wasm`: the CPU's path built for WebAssembly, where there is no clock and no second
-//! thread, gives under Node what it gives on this machine, bit for bit (tests/wasm); and the GPU's
-//! compiles for browsers.
+//! thread, gives under Node what it gives on this machine, bit for bit (tests/wasm). That the GPU's
+//! compiles for browsers, `web.rs` shows.
 
 use crate::programs::{command_with, has_target, output, skipped, target_folder, test};
 use std::path::Path;
@@ -19,8 +19,6 @@ pub fn run(root: &Path, env: &[(&str, &str)]) -> Result<(), String> {
         skipped(&format!("nothing was built for WebAssembly: no target {TARGET} here"));
         return Ok(());
     }
-    // wgpu through the browser: nobody may wait there, and what blocks must still compile.
-    command_with(root, &["cargo", "check", "--release", "-p", "ccd-gpu", "--target", TARGET], env)?;
     let build = ["cargo", "build", "--release", "-p", PACKAGE];
     command_with(root, &[&build[..], &["--lib", "--target", TARGET]].concat(), env)?;
     if let Err(why) = output(Command::new("node").arg("--version")) {

@@ -3,10 +3,14 @@
 
 use crate::kernel::memory::Stored;
 use crate::layout::Path;
+use crate::math::aabb::Aabb;
 use crate::math::real::{Mask, Num};
 use crate::narrow_phase::coplanarity::Coplanarity;
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 use crate::narrow_phase::separating_direction::{axis_separated, beside};
+
+/// Pairs that a thread of a device looks at before what the cheap filters leave is gathered.
+pub const PAIRS_A_THREAD: u32 = 4;
 
 /// Whether the features of a query over `patch` may come within `min_distance`; `false` is certain.
 /// Of two edges, the lesser id is the first.
@@ -35,11 +39,42 @@ pub fn near_on_axes<P: Stored<Path>>(
     min_distance: f32,
 ) -> bool {
     let (x0, x1) = ends(ids, paths);
-    // 1.0001 covers the rounding of this line and of the gap; of either operand of a gap less than
-    // the smallest normal number is flushed.
-    let needed = (min_distance + 2.0 * error) * 1.0001 + 8.0 * f32::MIN_POSITIVE;
     let ((a0, b0), (a1, b1)) = (boxes(patch, &x0), boxes(patch, &x1));
-    !axis_separated(&a0, &a1, &b0, &b1, needed)
+    !axis_separated(&a0, &a1, &b0, &b1, needed_gap(error, min_distance))
+}
+
+/// The same of features `a` and `b` by their boxes at the start and at the end of the step.
+#[inline(always)]
+pub fn near_at_ends(
+    (a0, a1): (Aabb, Aabb),
+    (b0, b1): (Aabb, Aabb),
+    error: f32,
+    min_distance: f32,
+) -> bool {
+    let (a0, a1) = ([a0.min, a0.max], [a1.min, a1.max]);
+    let (b0, b1) = ([b0.min, b0.max], [b1.min, b1.max]);
+    !axis_separated(&a0, &a1, &b0, &b1, needed_gap(error, min_distance))
+}
+
+/// The gap that keeps features apart. 1.0001 covers the rounding of this line and of the gap; of
+/// either operand of a gap less than the smallest normal number is flushed.
+#[inline(always)]
+fn needed_gap(error: f32, min_distance: f32) -> f32 {
+    (min_distance + 2.0 * error) * 1.0001 + 8.0 * f32::MIN_POSITIVE
+}
+
+/// The boxes of a feature with these vertices, some of which may be the same, at the start and at
+/// the end of the step.
+#[inline(always)]
+pub fn boxes_at_ends<P: Stored<Path>>(vertices: [u32; 3], paths: &[P]) -> (Aabb, Aabb) {
+    let p = P::load(paths, vertices[0] as usize);
+    let q = P::load(paths, vertices[1] as usize);
+    let r = P::load(paths, vertices[2] as usize);
+    let of = |p: [f32; 4], q: [f32; 4], r: [f32; 4]| {
+        let [min, max] = hull(three(p), three(q));
+        Aabb { min: hull(min, three(r))[0], max: hull(max, three(r))[1] }
+    };
+    (of(p.t0, q.t0, r.t0), of(p.t1, q.t1, r.t1))
 }
 
 /// The motion that the filters behind it look at.
@@ -130,6 +165,12 @@ mod tests {
         };
         let paths = far.map(|far| Path { t0: at(far, gaps[0]), t1: at(far, gaps[1]) });
         let left = near_on_axes(patch, [0, 1, 2, 3], &paths, e, d);
+        let [a, b] = match patch {
+            Patch::Triangle => [[0; 3], [1, 2, 3]],
+            Patch::Parallelogram => [[0, 1, 1], [2, 3, 3]],
+        };
+        let [a, b] = [a, b].map(|of| boxes_at_ends(of, &paths));
+        assert_eq!(near_at_ends(a, b, e, d), left);
         // It is one of the filters of the cascade.
         assert!(left || !may_touch(patch, [0, 1, 2, 3], &paths, e, d));
         left

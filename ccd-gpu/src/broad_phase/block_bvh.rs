@@ -6,7 +6,9 @@ use super::pair_source::boxes;
 use super::scheduled::Scheduled;
 use super::scheduler;
 use super::worlds::Worlds;
-use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, NodePairsOfWorlds, SceneBounds};
+use crate::bind::{
+    FitEnds, FitLeaves, FitLevel, Morton, NodePairs, NodePairsOfWorlds, SceneBounds,
+};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -17,6 +19,7 @@ use ccd_core::backend::broad_phase::morton_key;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain, VERTEX_FACE};
 use ccd_core::model::scheduling::Scheduling;
+use std::ops::Range;
 use wgpu::BufferUsages as U;
 
 /// Pairs of nodes that one dispatch takes at most: some milliseconds of a small device, so that no
@@ -52,7 +55,7 @@ impl<'a> Features<'a> {
 }
 
 /// A pass over a list of pairs of nodes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Pass {
     /// 0: vertices against faces, 1: edges against edges.
     pub kind: u32,
@@ -60,7 +63,12 @@ pub struct Pass {
     pub level: u32,
     /// Every so many-th pair is looked at.
     pub step: u32,
+    /// Of those that are looked at, which.
+    pub range: Range<u32>,
 }
+
+/// All of them.
+pub const ALL: Range<u32> = 0..u32::MAX;
 
 /// Trees over up to three sets of boxes, which one sort orders.
 pub struct Tree {
@@ -79,20 +87,24 @@ pub struct Tree {
     pub pairs: [Vec<List>; 2],
     /// If boxes are of several worlds.
     pub worlds: Option<Worlds>,
+    /// Boxes of leaves at both ends of a step.
+    ends: Option<wgpu::Buffer>,
     /// The workers that descend, if a scheduler was chosen that has some.
     pub(super) descent: Option<Scheduled>,
 }
 
 impl Tree {
     /// For these numbers of boxes, with the buffers of another tree as far as they are large
-    /// enough. That one may be used again, if this fails.
+    /// enough. That one may be used again, if this fails. `of_paths`: boxes are those of paths, and
+    /// [`Tree::fit_ends`] is called.
     pub fn new(
         device: &Device,
         scheduling: Scheduling,
         count: [u32; 3],
+        of_paths: bool,
         old: Option<&Self>,
     ) -> Result<Self, Error> {
-        let mut tree = Self::sorted_only(device, count, old)?;
+        let mut tree = Self::sorted_only(device, count, of_paths, old)?;
         if !scheduler::is_by_levels(scheduling) {
             tree.descent = Some(block_descent::scheduled(device, scheduling, count)?);
         }
@@ -124,6 +136,7 @@ impl Tree {
     pub fn sorted_only(
         device: &Device,
         count: [u32; 3],
+        of_paths: bool,
         old: Option<&Self>,
     ) -> Result<Self, Error> {
         let n: u64 = count.iter().map(|&c| c as u64).sum();
@@ -134,18 +147,25 @@ impl Tree {
             limit,
         };
         let levels = Levels::new(count).ok_or(too_large)?;
+        let all = levels.total() as u64;
+        let bytes = |boxes: u64| boxes * size_of::<Aabb>() as u64;
         let nodes = device.buffer_or(
             old.map(|old| &old.nodes),
             "nodes of the tree",
-            levels.total() as u64 * size_of::<Aabb>() as u64,
+            bytes(all),
             U::STORAGE | U::COPY_DST | U::COPY_SRC,
         )?;
+        // Where a device binds less, the filters read paths.
+        let of_ends = bytes(2 * levels.padded(0) as u64);
+        let ends = (of_paths && of_ends <= limit).then(|| {
+            let old = old.and_then(|old| old.ends.as_ref());
+            device.buffer_or(old, "boxes of leaves", of_ends, U::STORAGE)
+        });
         // Nodes that only fill up a block stay as they are now.
         let empty = vec![Aabb::EMPTY; 1 << 16];
-        let all = nodes.size() / size_of::<Aabb>() as u64;
         for first in (0..all).step_by(empty.len()) {
             let n = (all - first).min(empty.len() as u64) as usize;
-            let at = first * size_of::<Aabb>() as u64;
+            let at = bytes(first);
             device.write("nodes of the tree", &nodes, at, bytemuck::cast_slice(&empty[..n]))?;
         }
         let start =
@@ -167,6 +187,7 @@ impl Tree {
             levels,
             nodes,
             worlds: None,
+            ends: ends.transpose()?,
         })
     }
 
@@ -244,6 +265,24 @@ impl Tree {
         }
     }
 
+    /// Boxes of leaves at both ends of a step, after [`Tree::fit`]. Returns what a frame then says.
+    ///
+    /// Not where a level stands still, of which few leaves are read at all.
+    pub fn fit_ends(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer) -> Frame {
+        let Some(ends) = self.ends.as_ref().filter(|_| !frame.has(Frame::FLAG_STILL)) else {
+            return *frame;
+        };
+        let leaves = &self.leaves;
+        let p = Params { frame: *frame, dispatch: Dispatch::default(), args: self.record() };
+        recorder.each(&FitEnds { leaves, paths, ends }, &p, self.levels.padded(0));
+        Frame { flags: frame.flags | Frame::FLAG_ENDS, ..*frame }
+    }
+
+    /// Boxes of leaves at both ends; where a frame has none, any buffer.
+    pub fn ends(&self) -> &wgpu::Buffer {
+        self.ends.as_ref().unwrap_or(&self.leaves)
+    }
+
     /// Pairs of blocks of these kinds that overlap; the result is in [`Tree::block_pairs`]. By
     /// workers, or level by level for all kinds, so that a device works on both at once.
     /// `keeps_order`: the order is that of the search before, whose results the host has seen.
@@ -268,8 +307,8 @@ impl Tree {
                 let input = lists.get(level as usize - 1).unwrap_or(&self.start[kind as usize]);
                 let output = &lists[level as usize - 2];
                 let (nodes, groups) = (&self.nodes, self.groups.min(input.capacity()));
-                let pass = Pass { kind, level, step: 1 };
-                self.each_part(frame, pass, input, output, |p| {
+                let pass = Pass { kind, level, step: 1, range: ALL };
+                self.each_part(frame, &pass, input, output, |p| {
                     let (input, output) = (input.buffer(), output.buffer());
                     match &self.worlds {
                         Some(Worlds { of_leaves: worlds, .. }) => recorder.dispatch(
@@ -289,25 +328,28 @@ impl Tree {
         self.pairs[kind].first().unwrap_or(&self.start[kind])
     }
 
-    /// Calls `run` with the parameters of each dispatch over the pairs of `input`.
+    /// Calls `run` with the parameters of each dispatch over the pairs of `input` that a pass looks
+    /// at.
     pub fn each_part(
         &self,
         frame: &Frame,
-        pass: Pass,
+        pass: &Pass,
         input: &List,
         output: &List,
         mut run: impl FnMut(&Params<Blocks>),
     ) {
-        let Pass { kind, level, step } = pass;
-        let limit = if level == 1 {
+        let &Pass { kind, level, step, ref range } = pass;
+        let most = if level == 1 {
             BLOCK_LIMIT.min(self.groups * BLOCK_PAIRS_A_GROUP)
         } else {
             DISPATCH_LIMIT.min(self.groups * PAIRS_A_GROUP)
         };
-        let args = Blocks { kind, level, step, limit, ..self.record() };
         let (capacity_in, capacity_out) = (input.capacity(), output.capacity());
-        for part in 0..capacity_in.div_ceil(step).div_ceil(limit) {
-            let dispatch = Dispatch { n: 0, first: part * limit * step, capacity_in, capacity_out };
+        let end = range.end.min(capacity_in.div_ceil(step));
+        for first in (range.start..end).step_by(most as usize) {
+            let limit = most.min(end - first);
+            let args = Blocks { kind, level, step, limit, ..self.record() };
+            let dispatch = Dispatch { n: 0, first: first * step, capacity_in, capacity_out };
             run(&Params { frame: *frame, dispatch, args });
         }
     }

@@ -1,6 +1,6 @@
 //! Blocks as a source that lists pairs: sort, fit, descent, and the boxes of each pair of blocks.
 
-use super::block_bvh::{Features, Pass, Tree};
+use super::block_bvh::{ALL, Features, Pass, Tree};
 use super::pair_source::{PairSource, Search};
 use super::scheduled::Scheduled;
 use crate::bind::ListCandidates;
@@ -34,10 +34,17 @@ impl PairSource for Tree {
             let (pairs, list) = (self.block_pairs(kind as usize), search.pairs[kind as usize]);
             let (nodes, leaves) = (&self.nodes, &self.leaves);
             let (input, output) = (pairs.buffer(), list.buffer());
-            let kernel = ListCandidates { nodes, leaves, bodies: none, keys: none, input, output };
-            self.each_part(frame, Pass { kind, level: 1, step: 1 }, pairs, list, |p| {
-                recorder.dispatch(&kernel, p, self.groups.min(pairs.capacity()));
-            });
+            let (ends, bodies, keys) = (self.ends(), none, none);
+            let kernel = ListCandidates { nodes, leaves, ends, bodies, keys, input, output };
+            self.each_part(
+                frame,
+                &Pass { kind, level: 1, step: 1, range: ALL },
+                pairs,
+                list,
+                |p| {
+                    recorder.dispatch(&kernel, p, self.groups.min(pairs.capacity()));
+                },
+            );
         }
     }
 

@@ -71,7 +71,7 @@ pub fn source(
         BroadPhaseMethod::SweepAndPrune => Box::new(by_keys(SWEEP_AND_PRUNE)?),
         BroadPhaseMethod::UniformGrid => Box::new(by_keys(UNIFORM_GRID)?),
         BroadPhaseMethod::SweepByEndPoints => Box::new(EndPointSource::new(device, count)?),
-        BroadPhaseMethod::Blocks => Box::new(Tree::new(device, scheduling, count, None)?),
+        BroadPhaseMethod::Blocks => Box::new(Tree::new(device, scheduling, count, false, None)?),
         BroadPhaseMethod::Tree(options) => {
             Box::new(TreeSource::new(device, options, scheduling, count)?)
         }

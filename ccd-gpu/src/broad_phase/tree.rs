@@ -70,7 +70,7 @@ impl TreeSource {
             _ => None,
         };
         Ok(Self {
-            blocks: Tree::sorted_only(device, count, None)?,
+            blocks: Tree::sorted_only(device, count, false, None)?,
             trees,
             traversal,
             descent,

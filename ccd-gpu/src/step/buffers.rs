@@ -3,6 +3,7 @@
 use super::Goal;
 use super::contact_order::ContactOrder;
 use super::lists::Lists;
+use super::part_limits::{PartLimits, of_part};
 use super::source::Source;
 use super::upload::Positions;
 use crate::broad_phase::pair_source::frame_of;
@@ -39,8 +40,10 @@ pub struct Buffers {
     /// Pairs that `f32` leaves open, by kind.
     pub undecided: [List; 2],
     pub contacts: List,
-    /// Candidates, by kind; as small as possible until they are asked for.
+    /// Candidates, by kind: of a part of a step, or all that were asked for.
     pub candidates: [List; 2],
+    /// How large the parts of a step are.
+    pub part_limits: PartLimits,
     /// Contacts in order, where there are enough of them, and for how many the next frame does
     /// that.
     pub order: Option<ContactOrder>,
@@ -102,9 +105,10 @@ impl Buffers {
             ],
             contacts: list(|old| &old.contacts, "contacts", TOUCH_WORDS, features / 2)?,
             candidates: [
-                list(|old| &old.candidates[0], "vertex-face candidates", 2, 0)?,
-                list(|old| &old.candidates[1], "edge-edge candidates", 2, 0)?,
+                list(|old| &old.candidates[0], "vertex-face candidates", 2, of_part(8, count[2]))?,
+                list(|old| &old.candidates[1], "edge-edge candidates", 2, of_part(12, count[1]))?,
             ],
+            part_limits: PartLimits::default(),
             order: old.and_then(|old| old.order.clone()),
             to_order: 0,
             keeps_order: false,
@@ -180,7 +184,7 @@ impl Buffers {
     pub fn used(&self, goal: Goal, wide: bool) -> Lists<bool> {
         let filters = goal != Goal::Candidates;
         Lists {
-            candidates: [!filters; 2],
+            candidates: [true; 2],
             survivors: [filters; 2],
             undecided: [filters && !wide || goal.is_earliest(); 2],
             contacts: goal == Goal::Contacts,

@@ -1,24 +1,105 @@
-//! Overlapping pairs to candidates, which are listed, or filtered as they are found.
+//! Overlapping pairs to candidates, and these to the pairs that the filters leave.
+//!
+//! Where a step has too many candidates for a list, they are listed and filtered a part at a time,
+//! and the list of each part takes the place of the last.
 
 use super::buffers::Buffers;
+use super::part_limits::MOST;
 use super::source::Source;
-use crate::bind::{FilterEdgeEdge, FilterListed, FilterVertexFace, ListCandidates, ListListed};
-use crate::broad_phase::block_bvh::Pass;
+use crate::bind::{FilterPairs, ListCandidates, ListListed};
+use crate::broad_phase::block_bvh::{ALL, Pass};
+use crate::device::Device;
+use crate::growable_list::{Header, List, parts};
 use crate::recorder::Recorder;
-use ccd_core::backend::layout::Frame;
+use ccd_core::backend::kernel::Id;
+use ccd_core::backend::layout::{Decision, Frame, Params};
+use ccd_core::narrow_phase::cascade::PAIRS_A_THREAD;
+use std::ops::Range;
+
+/// Stages by kind.
+const LIST: [&str; 2] = ["list vertex-face", "list edge-edge"];
+const FILTER: [&str; 2] = ["filter vertex-face", "filter edge-edge"];
+
+/// Candidates that one dispatch filters at most: some milliseconds of a small device, so that no
+/// driver thinks that it hangs.
+const DISPATCH_LIMIT: u32 = 1 << 22;
 
 impl Buffers {
-    /// Lists candidates of a kind.
-    pub fn list(&self, recorder: &mut Recorder, frame: &Frame, kind: usize) {
+    /// Lists all candidates of both kinds.
+    pub fn list(&self, recorder: &mut Recorder, frame: &Frame) {
+        for kind in [0, 1] {
+            recorder.stage(LIST[kind]);
+            self.list_part(recorder, frame, (kind, 1), ALL);
+        }
+    }
+
+    /// Filters candidates of both kinds. `step`: of every so many-th pair of blocks.
+    pub fn filter(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer, step: u32) {
+        let frame = &Frame { flags: frame.flags | Frame::FLAG_IN_PARTS, ..*frame };
+        let n_parts = [0, 1]
+            .map(|kind| self.n_pairs(kind).div_ceil(step).div_ceil(self.part_limits.of(kind)));
+        for part in 0..n_parts[0].max(n_parts[1]) {
+            let kinds = || [0, 1].into_iter().filter(|&kind| part < n_parts[kind]);
+            for kind in kinds() {
+                recorder.stage(LIST[kind]);
+                if part > 0 {
+                    recorder.clear(self.candidates[kind].buffer(), 4);
+                }
+                let limit = self.part_limits.of(kind);
+                let range = part * limit..(part * limit).saturating_add(limit);
+                self.list_part(recorder, frame, (kind, step), range);
+            }
+            for kind in kinds() {
+                recorder.stage(FILTER[kind]);
+                self.filter_part(recorder, frame, paths, kind);
+            }
+        }
+    }
+
+    /// Makes parts smaller of which one wanted more candidates than a list may have, by what their
+    /// headers say. Returns whether there were some.
+    pub fn settle_parts(&mut self, device: &Device, headers: &mut [Header; 2]) -> bool {
+        let most = match device.faults().most_candidates {
+            0 => MOST,
+            most => most,
+        };
+        let mut any = false;
+        for (kind, header) in headers.iter_mut().enumerate() {
+            if header.wanted > self.candidates[kind].capacity() {
+                let n_pairs = self.n_pairs(kind);
+                any |= self.part_limits.settle(kind, header, n_pairs, most);
+            }
+        }
+        any
+    }
+
+    /// Pairs that may be looked at.
+    fn n_pairs(&self, kind: usize) -> u32 {
+        match &self.source {
+            Source::Blocks(tree) => tree.block_pairs(kind).capacity(),
+            Source::Features(_, listed) | Source::Triangles(_, listed) => {
+                listed.pairs[kind].capacity()
+            }
+        }
+    }
+
+    /// Lists candidates of a kind in a range of the pairs, of which every `step`-th is looked at.
+    fn list_part(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        (kind, step): (usize, u32),
+        range: Range<u32>,
+    ) {
         let (bodies, keys, list) = (&self.bodies, &self.positions.keys, &self.candidates[kind]);
         let output = list.buffer();
         match &self.source {
             Source::Blocks(tree) => {
                 let (nodes, leaves, pairs) = (&tree.nodes, &tree.leaves, tree.block_pairs(kind));
-                let input = pairs.buffer();
-                let kernel = ListCandidates { nodes, leaves, bodies, keys, input, output };
-                let pass = Pass { kind: kind as u32, level: 1, step: 1 };
-                tree.each_part(frame, pass, pairs, list, |p| {
+                let (ends, input) = (tree.ends(), pairs.buffer());
+                let kernel = ListCandidates { nodes, leaves, ends, bodies, keys, input, output };
+                let pass = Pass { kind: kind as u32, level: 1, step, range };
+                tree.each_part(frame, &pass, pairs, list, |p| {
                     recorder.dispatch(&kernel, p, tree.groups.min(pairs.capacity()));
                 });
             }
@@ -26,50 +107,30 @@ impl Buffers {
                 let (boxes, input) = (self.source.finder().boxes(), listed.pairs[kind].buffer());
                 let elements = self.elements(kind);
                 let kernel = ListListed { boxes, elements, bodies, keys, input, output };
-                listed.each_part(frame, kind, list, |p, groups| {
+                listed.each_part(frame, kind, range, list, |p, groups| {
                     recorder.dispatch(&kernel, p, groups);
                 });
             }
         }
     }
 
-    /// Filters candidates of a kind. `step`: of every so many-th pair of blocks.
-    pub fn filter(
+    /// Filters the candidates that were listed of a kind.
+    fn filter_part(
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
         paths: &wgpu::Buffer,
         kind: usize,
-        step: u32,
     ) {
-        let (bodies, keys, list) = (&self.bodies, &self.positions.keys, &self.survivors[kind]);
-        let output = list.buffer();
-        match &self.source {
-            Source::Blocks(tree) => {
-                let (nodes, leaves, pairs) = (&tree.nodes, &tree.leaves, tree.block_pairs(kind));
-                let (input, groups) = (pairs.buffer(), tree.groups.min(pairs.capacity()));
-                let pass = Pass { kind: kind as u32, level: 1, step };
-                tree.each_part(frame, pass, pairs, list, |p| match kind {
-                    0 => recorder.dispatch(
-                        &FilterVertexFace { nodes, leaves, bodies, keys, paths, input, output },
-                        p,
-                        groups,
-                    ),
-                    _ => recorder.dispatch(
-                        &FilterEdgeEdge { nodes, leaves, bodies, keys, paths, input, output },
-                        p,
-                        groups,
-                    ),
-                });
-            }
-            Source::Features(_, listed) | Source::Triangles(_, listed) => {
-                let (boxes, input) = (self.source.finder().boxes(), listed.pairs[kind].buffer());
-                let elements = self.elements(kind);
-                let kernel = FilterListed { boxes, elements, bodies, keys, paths, input, output };
-                listed.each_part(frame, kind, list, |p, groups| {
-                    recorder.dispatch(&kernel, p, groups);
-                });
-            }
+        let (input, output): (&List, &List) = (&self.candidates[kind], &self.survivors[kind]);
+        let elements = self.elements(kind);
+        let args = Decision { kind: kind as u32, capacity_open: 0 };
+        for dispatch in parts(input.capacity(), DISPATCH_LIMIT, output.capacity()) {
+            let groups =
+                dispatch.n.div_ceil(PAIRS_A_THREAD * Id::FilterPairs.threads()).min(self.groups);
+            let (input, output) = (input.buffer(), output.buffer());
+            let kernel = FilterPairs { elements, paths, input, output };
+            recorder.dispatch(&kernel, &Params { frame: *frame, dispatch, args }, groups);
         }
     }
 }

@@ -10,6 +10,7 @@ pub mod cpu_fallback;
 pub mod frame;
 mod kept_order;
 pub mod lists;
+mod part_limits;
 mod passes;
 pub mod source;
 pub mod triangle_pairs;

@@ -16,8 +16,6 @@ use ccd_core::narrow_phase::decide;
 use ccd_core::narrow_phase::integer_search::Window;
 
 /// Stages by kind.
-const LIST: [&str; 2] = ["list vertex-face", "list edge-edge"];
-const FILTER: [&str; 2] = ["filter vertex-face", "filter edge-edge"];
 const DECIDE: [&str; 2] = ["decide vertex-face", "decide edge-edge"];
 
 impl Buffers {
@@ -46,10 +44,7 @@ impl Buffers {
         match goal {
             Goal::Candidates => {
                 self.source.find(recorder, frame, self.keeps_order);
-                for kind in [0, 1] {
-                    recorder.stage(LIST[kind]);
-                    self.list(recorder, frame, kind);
-                }
+                self.list(recorder, frame);
             }
             Goal::Contacts => {
                 let keep = Frame { flags: frame.flags | Frame::FLAG_KEEP, ..*frame };
@@ -87,8 +82,8 @@ impl Buffers {
     /// paths have smaller boxes.
     fn earliest(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer, wide: bool) {
         self.contacts(recorder, frame, paths, SAMPLE, wide);
-        recorder.copy(self.survivors[0].buffer(), 4, &self.sample, 0, 4);
-        recorder.copy(self.survivors[1].buffer(), 4, &self.sample, 4, 4);
+        recorder.copy(self.candidates[0].buffer(), 4, &self.sample, 0, 4);
+        recorder.copy(self.candidates[1].buffer(), 4, &self.sample, 4, 4);
         // Shorter paths say nothing about the order.
         for (to, list) in [8, 12].into_iter().zip(self.source.sampled()) {
             recorder.copy(list.buffer(), 0, &self.sample, to, 4);
@@ -135,11 +130,11 @@ impl Buffers {
         step: u32,
         wide: bool,
     ) {
+        // A sample reads few leaves.
+        let with_ends =
+            if step == 1 { self.source.fit_ends(recorder, frame, paths) } else { *frame };
         self.source.find(recorder, frame, self.keeps_order);
-        for kind in [0, 1] {
-            recorder.stage(FILTER[kind]);
-            self.filter(recorder, frame, paths, kind, step);
-        }
+        self.filter(recorder, &with_ends, paths, step);
         [0, 1].into_iter().for_each(|kind| self.decide(recorder, frame, kind, wide));
     }
 

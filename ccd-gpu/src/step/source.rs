@@ -8,15 +8,16 @@ use crate::broad_phase::pair_source::{PairSource, Search};
 use crate::broad_phase::worlds::Worlds;
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{List, parts};
+use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::backend::kernel::Id;
-use ccd_core::backend::layout::{Decision, Frame, Params};
+use ccd_core::backend::layout::{Decision, Dispatch, Frame, Params};
 use ccd_core::backend::rules::Rules;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
+use std::ops::Range;
 
 /// The source of a session.
 pub enum Source {
@@ -68,7 +69,7 @@ impl Source {
                 Self::Triangles(Box::new(pairs), listed()?)
             }
             _ if choice == BroadPhaseMethod::Blocks => {
-                let mut tree = Tree::new(device, scheduling, count, old_tree)?;
+                let mut tree = Tree::new(device, scheduling, count, true, old_tree)?;
                 tree.worlds = Worlds::new(device, mesh, rules, &tree.levels)?;
                 return Ok(Self::Blocks(Box::new(tree)));
             }
@@ -194,6 +195,14 @@ impl Source {
         }
     }
 
+    /// What filters read instead of paths. Returns what a frame then says.
+    pub fn fit_ends(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer) -> Frame {
+        match self {
+            Self::Blocks(tree) => tree.fit_ends(recorder, frame, paths),
+            _ => *frame,
+        }
+    }
+
     /// Pairs of blocks, or of boxes, of both kinds.
     pub fn find(&self, recorder: &mut Recorder, frame: &Frame, keeps_order: bool) {
         match self {
@@ -218,16 +227,22 @@ impl Source {
 }
 
 impl Listed {
-    /// Calls `run` with the parameters of each dispatch over listed pairs, and its workgroups.
+    /// Calls `run` with the parameters of each dispatch over a range of the listed pairs, and its
+    /// workgroups.
     pub(super) fn each_part(
         &self,
         frame: &Frame,
         kind: usize,
+        range: Range<u32>,
         output: &List,
         mut run: impl FnMut(&Params<Decision>, u32),
     ) {
-        for dispatch in parts(self.pairs[kind].capacity(), DISPATCH_LIMIT, output.capacity()) {
-            let groups = dispatch.n.div_ceil(Id::FilterListed.threads()).min(self.groups);
+        let (capacity_in, capacity_out) = (self.pairs[kind].capacity(), output.capacity());
+        let end = range.end.min(capacity_in);
+        for first in (range.start..end).step_by(DISPATCH_LIMIT as usize) {
+            let n = DISPATCH_LIMIT.min(end - first);
+            let groups = n.div_ceil(Id::ListListed.threads()).min(self.groups);
+            let dispatch = Dispatch { n, first, capacity_in, capacity_out };
             let args = Decision { kind: kind as u32, capacity_open: 0 };
             run(&Params { frame: *frame, dispatch, args }, groups);
         }

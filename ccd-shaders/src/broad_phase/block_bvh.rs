@@ -1,13 +1,14 @@
 //! Boxes of the block tree: a workgroup fits eight nodes, 32 children each.
 
 use crate::entry::kernel;
-use crate::records::{BoxWords, box_at, leaf_words};
+use crate::records::{BoxWords, PathWords, box_at, leaf_at, leaf_words, put_ends};
 use crate::workgroup::{barrier, get, set};
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{marked, set_of, slot, united};
 use ccd_core::backend::kernel::memory::{at, put};
 use ccd_core::backend::layout::{Frame, Leaf};
-use spirv_std::glam::UVec4;
+use ccd_core::narrow_phase::cascade;
+use spirv_std::glam::{UVec4, Vec4};
 
 /// Unites the boxes of 32 threads each, which are marked if `marks`; thread 0 of each 32 gets the
 /// result.
@@ -67,6 +68,20 @@ kernel! {
             put(leaves, i as usize, leaf_words(&leaf));
             if t.lane % 32 == 0 {
                 put(nodes, slot(&params.args, 1, set, k / 32), BoxWords::of(&node));
+            }
+        }
+    }
+}
+
+kernel! {
+    /// Thread `i` makes the boxes of leaf `i` of all sets at both ends of the step.
+    fit_ends[256](t; params: Blocks;; leaves: [UVec4], paths: [PathWords], mut ends: [Vec4]) {
+        let i = t.i as usize;
+        if t.i < params.args.slots[0][3] {
+            let leaf = leaf_at(leaves, i);
+            if leaf.id != Leaf::NONE {
+                let (start, end) = cascade::boxes_at_ends(leaf.vertices, paths);
+                put_ends(ends, i, &start, &end);
             }
         }
     }

@@ -1,24 +1,23 @@
-//! From pairs of blocks to candidates, or to candidates that pass the filters: pairs of boxes as in
-//! `block_pairs`, then one hit a thread.
+//! From pairs of blocks to candidates: pairs of boxes as in `block_pairs`, then one hit a thread.
 //!
-//! The cheapest filter rejects a third to three quarters of the candidates of real scenes. So what
-//! one leaves is gathered before the next, lest a thread that is done wait for its neighbours.
+//! Where a step has boxes at both ends, what an axis keeps apart there is counted and not listed: a
+//! third to three quarters of the candidates of real scenes. Neither their leaves nor their paths
+//! are read.
 //!
 //! Twin: on a CPU `block_pairs.rs`, whose sink looks at candidates.
 
-use super::block_pairs::{FIRST, Hits, KEPT, SECOND, Teams, WANTED, each};
+use super::block_pairs::{Hits, KEPT, Teams, WANTED, each};
 use crate::entry::kernel;
-use crate::records::{BoxWords, PathWords, box_at, leaf_at};
+use crate::records::{BoxWords, box_at, ends_at, leaf_at};
 use crate::workgroup::{add_shared, barrier, count, get, length, set, write_pair};
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{
     NOT_KEPT, POOL, THREADS, WIDTH, keep, kept, sets, slot, unpack,
 };
-use ccd_core::backend::broad_phase::candidate::wanted;
-use ccd_core::backend::layout::{EDGE_EDGE, Frame, Leaf, Pair, VERTEX_FACE};
+use ccd_core::backend::broad_phase::candidate::{overlap_surely, wanted};
+use ccd_core::backend::layout::{EDGE_EDGE, Frame, Leaf, Pair};
 use ccd_core::narrow_phase::cascade;
-use ccd_core::narrow_phase::relative_motion::Patch;
-use spirv_std::glam::UVec4;
+use spirv_std::glam::{UVec4, Vec4};
 
 impl<const N: usize> Teams<'_, N> {
     /// Boxes of the teams' pairs of blocks that overlap.
@@ -51,7 +50,7 @@ impl<const N: usize> Teams<'_, N> {
         [leaf_at(leaves, p), leaf_at(leaves, q)]
     }
 
-    /// Whether a hit is a candidate; counts it.
+    /// Whether a hit, which was counted, is a candidate; if not, it is no longer counted.
     #[inline(always)]
     fn is_candidate(
         &mut self,
@@ -63,10 +62,28 @@ impl<const N: usize> Teams<'_, N> {
         let [p, q] = self.places(hit);
         let both = [&box_at(self.nodes, p), &box_at(self.nodes, q)];
         let is_wanted = wanted(frame, kind, a, b, both, bodies, keys);
-        if is_wanted {
-            add_shared(self.counters, WANTED, 1);
+        if !is_wanted {
+            add_shared(self.counters, WANTED, u32::MAX);
         }
         is_wanted
+    }
+
+    /// Whether the boxes of a hit's leaves at both ends leave it.
+    #[inline(always)]
+    fn is_near(&self, hit: u32, frame: &Frame, ends: &[Vec4]) -> bool {
+        let [p, q] = self.places(hit);
+        let (a, b) = (ends_at(ends, p), ends_at(ends, q));
+        cascade::near_at_ends(a, b, frame.path_error, frame.min_distance)
+    }
+
+    /// Whether a hit whose leaves are apart at both ends is a candidate for certain, without a look
+    /// at the leaves: two that are apart share no vertex.
+    #[inline(always)]
+    fn counts_apart(&self, hit: u32, frame: &Frame) -> bool {
+        let [p, q] = self.places(hit);
+        !frame.has(Frame::FLAG_BODIES)
+            && (!frame.has(Frame::FLAG_CONFIRM)
+                || overlap_surely(&box_at(self.nodes, p), &box_at(self.nodes, q), frame.slack))
     }
 
     /// Keeps hit `h` of the pool.
@@ -106,26 +123,37 @@ impl<const N: usize> Teams<'_, N> {
 }
 
 kernel! {
-    /// From pairs of nodes of level 1 to candidates, as pairs of ids.
+    /// From pairs of nodes of level 1 to candidates, as pairs of ids; with `FLAG_ENDS` those that
+    /// are near at an end.
     list_candidates[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
-        ranges: [u32; 1], counters: [u32; 10], n_hits: [u32; 1], hits: [u32; 512],
-        firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4], bodies: [u32],
+        ranges: [u32; 1], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512],
+        firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4], ends: [Vec4], bodies: [u32],
         keys: [[[u32; 2]; 6]], input: [u32], mut output: [u32]) {
         // A copy: what is read of the record in a loop would be read again and again.
         let (frame, kind) = (&{ params.frame }, params.args.kind);
+        let has_ends = frame.has(Frame::FLAG_ENDS);
         let len = length(input, params.dispatch.capacity_in);
         let mut teams =
             Teams { t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts };
         teams.begin();
         for round in 0..teams.rounds(len) {
             let mut found = teams.hits_of_leaves(kind, input, len, round);
-            for pass in 0..teams.number(&mut found) {
+            let passes = teams.number(&mut found);
+            if t.lane == 0 {
+                let n = get(teams.counters, WANTED) + get(teams.n_hits, 0);
+                set(teams.counters, WANTED, n);
+            }
+            for pass in 0..passes {
                 let n = teams.fill(&mut found, pass);
                 each!(h < n, t.lane, {
                     let hit = get(teams.hits, h);
-                    let [a, b] = teams.leaves(hit, leaves);
-                    if teams.is_candidate(hit, [&a, &b], (frame, kind), (bodies, keys)) {
-                        teams.keep(h, hit);
+                    let is_near = !has_ends || teams.is_near(hit, frame, ends);
+                    if is_near || !teams.counts_apart(hit, frame) {
+                        let [a, b] = teams.leaves(hit, leaves);
+                        let both = [&a, &b];
+                        if teams.is_candidate(hit, both, (frame, kind), (bodies, keys)) && is_near {
+                            teams.keep(h, hit);
+                        }
                     }
                 });
                 teams.write_kept(kind, n, leaves, output);
@@ -135,92 +163,8 @@ kernel! {
     }
 }
 
-macro_rules! filter {
-    ($(#[$doc:meta])* $name:ident, $kind:ident) => {
-        kernel! {
-            $(#[$doc])*
-            $name[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
-                ranges: [u32; 1], counters: [u32; 10], n_hits: [u32; 1], hits: [u32; 512],
-                left: [u32; 512], firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4],
-                bodies: [u32], keys: [[[u32; 2]; 6]], paths: [PathWords], input: [u32],
-                mut output: [u32]) {
-                let frame = &{ params.frame };
-                let (error, min_distance) = (frame.path_error, frame.min_distance);
-                let len = length(input, params.dispatch.capacity_in);
-                let mut teams = Teams {
-                    t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts,
-                };
-                teams.begin();
-                for round in 0..teams.rounds(len) {
-                    let mut found = teams.hits_of_leaves($kind, input, len, round);
-                    for pass in 0..teams.number(&mut found) {
-                        let n = teams.fill(&mut found, pass);
-                        each!(h < n, t.lane, {
-                            let hit = get(teams.hits, h);
-                            let [a, b] = teams.leaves(hit, leaves);
-                            if teams.is_candidate(hit, [&a, &b], (frame, $kind), (bodies, keys)) {
-                                let (patch, ids) = query($kind, &a, &b);
-                                if cascade::near_on_axes(patch, ids, paths, error, min_distance) {
-                                    set(left, add_shared(teams.counters, FIRST, 1), hit);
-                                }
-                            }
-                        });
-                        barrier();
-                        let n = get(teams.counters, FIRST);
-                        each!(h < n, t.lane, {
-                            let hit = get(left, h);
-                            let [a, b] = teams.leaves(hit, leaves);
-                            let (patch, ids) = query($kind, &a, &b);
-                            let motion = cascade::motion(patch, ids, paths, error);
-                            if !cascade::apart_throughout(&motion, patch, min_distance) {
-                                set(teams.hits, add_shared(teams.counters, SECOND, 1), hit);
-                            }
-                        });
-                        barrier();
-                        let n = get(teams.counters, SECOND);
-                        each!(h < n, t.lane, {
-                            let hit = get(teams.hits, h);
-                            let [a, b] = teams.leaves(hit, leaves);
-                            let (patch, ids) = query($kind, &a, &b);
-                            let motion = cascade::motion(patch, ids, paths, error);
-                            if !cascade::apart_in_halves(&motion, patch, min_distance) {
-                                teams.keep(h, hit);
-                            }
-                        });
-                        teams.write_kept($kind, n, leaves, output);
-                    }
-                }
-                teams.count_candidates(output);
-            }
-        }
-    };
-}
-
-filter!(
-    /// From pairs of nodes of level 1 to the vertex-face candidates that may touch.
-    filter_vertex_face, VERTEX_FACE
-);
-filter!(
-    /// From pairs of nodes of level 1 to the edge-edge candidates that may touch.
-    filter_edge_edge, EDGE_EDGE
-);
-
 /// Ids of a pair; within one set the lesser first.
 #[inline(always)]
 fn ids(one_set: bool, a: u32, b: u32) -> Pair {
     if one_set { Pair::ordered(a, b) } else { Pair { a, b } }
-}
-
-/// The query of two leaves. The lesser edge enters the arithmetic first, so no result depends on
-/// the order of leaves.
-#[inline(always)]
-fn query(kind: u32, a: &Leaf, b: &Leaf) -> (Patch, [u32; 4]) {
-    let (p, q) = (a.vertices, b.vertices);
-    if kind == VERTEX_FACE {
-        (Patch::Triangle, [p[0], q[0], q[1], q[2]])
-    } else if a.id < b.id {
-        (Patch::Parallelogram, [p[0], p[1], q[0], q[1]])
-    } else {
-        (Patch::Parallelogram, [q[0], q[1], p[0], p[1]])
-    }
 }

@@ -10,7 +10,7 @@
 use crate::entry::{Thread, kernel};
 use crate::records::{BoxWords, box_at};
 use crate::workgroup::{
-    add_shared, barrier, count, get, get_uniform, length, read_pair, set, write_pair,
+    add_shared, barrier, get, get_uniform, length, read_pair, reserve, set, write_pair,
 };
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{
@@ -19,14 +19,12 @@ use ccd_core::backend::broad_phase::block_bvh::{
 use ccd_core::backend::broad_phase::worlds::{meet, range};
 use ccd_core::backend::layout::{Blocks, EDGE_EDGE, Frame, Pair, Params};
 
-/// Words of `counters`: columns of each team, hits, hits that a first and a second filter leave,
-/// hits that are kept, where they go in the list, candidates.
+/// Words of `counters`: columns of each team, hits, hits that are kept, where they go in the list,
+/// candidates.
 const HITS: u32 = 4;
-pub(super) const FIRST: u32 = 5;
-pub(super) const SECOND: u32 = 6;
-pub(super) const KEPT: u32 = 7;
-const BASE: u32 = 8;
-pub(super) const WANTED: u32 = 9;
+pub(super) const KEPT: u32 = 5;
+const BASE: u32 = 6;
+pub(super) const WANTED: u32 = 7;
 /// Does for each hit `h` below `n`, a number of the pool, what `$body` says: one a thread.
 macro_rules! each {
     ($h:ident < $n:expr, $lane:expr, $body:block) => {
@@ -52,7 +50,7 @@ pub(super) struct Teams<'a, const N: usize> {
     pub names: &'a mut [u32; 128],
     /// Worlds of each team's second node's children.
     pub ranges: &'a mut [u32; N],
-    pub counters: &'a mut [u32; 10],
+    pub counters: &'a mut [u32; 8],
     /// Hits of all teams.
     pub n_hits: &'a mut [u32; 1],
     /// Those that are worked on.
@@ -207,10 +205,8 @@ impl<const N: usize> Teams<'_, N> {
         if self.t.lane == 0 {
             let n = get(self.counters, KEPT);
             if n > 0 {
-                set(self.counters, BASE, count(list, 0, n));
+                set(self.counters, BASE, reserve(list, n, self.params));
             }
-            set(self.counters, FIRST, 0);
-            set(self.counters, SECOND, 0);
             set(self.counters, KEPT, 0);
         }
         barrier();
@@ -275,7 +271,7 @@ fn counts(same: bool, leaves: bool, i: u32, j: u32) -> bool {
 kernel! {
     /// From pairs of nodes of level `args.level` to those of their children that overlap.
     node_pairs[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128], ranges: [u32; 1],
-        counters: [u32; 10], n_hits: [u32; 1], hits: [u32; 512], firsts: [u32; 8];
+        counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512], firsts: [u32; 8];
         nodes: [BoxWords], input: [u32], mut output: [u32]) {
         Teams { t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
             .children(input, input, output);
@@ -285,7 +281,7 @@ kernel! {
 kernel! {
     /// As `node_pairs`, of nodes that have a world in common. `worlds`: of the leaves of level 0.
     node_pairs_of_worlds[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
-        ranges: [u32; 128], counters: [u32; 10], n_hits: [u32; 1], hits: [u32; 512],
+        ranges: [u32; 128], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512],
         firsts: [u32; 8]; nodes: [BoxWords], worlds: [u32], input: [u32], mut output: [u32]) {
         Teams { t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
             .children(worlds, input, output);

@@ -4,5 +4,6 @@
 pub mod contact_geometry;
 pub mod contact_order;
 pub mod decide;
+pub mod filter;
 pub mod sweep;
 pub mod triangle_pairs;

@@ -38,6 +38,18 @@ pub fn slot(tree: &Blocks, level: u32, set: usize, i: u32) -> usize {
     (tree.slots[level as usize][set] + i) as usize
 }
 
+/// Words of the boxes of a leaf at both ends of a step: three times four.
+pub const END_WORDS: usize = 3;
+
+/// Where the `k`-th four words of leaf `i` are among those of all leaves: the first of the 32
+/// leaves of a block, the second of them, the third, so that threads with leaves of one block read
+/// what is side by side.
+#[inline(always)]
+pub fn end_slot(i: usize, k: usize) -> usize {
+    let width = WIDTH as usize;
+    (i / width * END_WORDS + k) * width + i % width
+}
+
 /// A box, not of leaves but of nodes above them, that says whether all below it stands still: by
 /// the lowest bit of a bound, which is raised by one step where that is not it.
 ///

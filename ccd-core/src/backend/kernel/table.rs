@@ -45,6 +45,9 @@ macro_rules! kernels {
             FitLeaves = fit_leaves(256 threads, 1 barriers, f32, Params<Blocks>)
                 { boxes: Read, order: Read, edges: Read, faces: Read, bodies: Read,
                   nodes: Write, leaves: Write }
+            /// Boxes of leaves at both ends of the step.
+            FitEnds = fit_ends(256 threads, 0 barriers, f32, Params<Blocks>)
+                { leaves: Read, paths: Read, ends: Write }
             /// Nodes of the next level.
             FitLevel = fit_level(256 threads, 1 barriers, f32, Params<Blocks>)
                 { nodes: Write }
@@ -78,15 +81,11 @@ macro_rules! kernels {
                 { nodes: Read, worlds: Read, input: Read, output: Write }
             /// Pairs of blocks to candidates.
             ListCandidates = list_candidates(128 threads, 9 barriers, f32, Params<Blocks>)
-                { nodes: Read, leaves: Read, bodies: Read, keys: Read, input: Read, output: Write }
-            /// Pairs of blocks to filtered vertex-face candidates.
-            FilterVertexFace = filter_vertex_face(128 threads, 11 barriers, f32, Params<Blocks>)
-                { nodes: Read, leaves: Read, bodies: Read, keys: Read, paths: Read,
-                  input: Read, output: Write }
-            /// Pairs of blocks to filtered edge-edge candidates.
-            FilterEdgeEdge = filter_edge_edge(128 threads, 11 barriers, f32, Params<Blocks>)
-                { nodes: Read, leaves: Read, bodies: Read, keys: Read, paths: Read,
-                  input: Read, output: Write }
+                { nodes: Read, leaves: Read, ends: Read, bodies: Read, keys: Read, input: Read,
+                  output: Write }
+            /// Candidates to those that may touch.
+            FilterPairs = filter_pairs(128 threads, 5 barriers, f32, Params<Decision>)
+                { elements: Read, paths: Read, input: Read, output: Write }
             /// Boxes of triangles.
             SweepTriangles = sweep_triangles(256 threads, 0 barriers, f32, Params<Plain>)
                 { triangles: Read, boxes: Read, swept: Write }
@@ -102,10 +101,6 @@ macro_rules! kernels {
             ListListed = list_listed(128 threads, 3 barriers, f32, Params<Decision>)
                 { boxes: Read, elements: Read, bodies: Read, keys: Read, input: Read,
                   output: Write }
-            /// Listed pairs of a kind to filtered candidates.
-            FilterListed = filter_listed(128 threads, 3 barriers, f32, Params<Decision>)
-                { boxes: Read, elements: Read, bodies: Read, keys: Read, paths: Read,
-                  input: Read, output: Write }
             /// Verdicts of pairs of a kind without `f64`.
             Decide = decide(64 threads, 7 barriers, f32, Params<IntegerDecision>)
                 { paths: Read, positions: Read, elements: Read, input: Read,

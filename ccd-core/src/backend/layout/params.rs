@@ -100,6 +100,12 @@ impl Frame {
     /// Some bodies stand still: nodes of blocks say whether all below them does, see
     /// [`marked`](crate::broad_phase::block_bvh::marked).
     pub const FLAG_STILL: u32 = 256;
+    /// There are boxes of leaves at both ends of the step, see
+    /// [`end_slot`](crate::broad_phase::block_bvh::end_slot).
+    pub const FLAG_ENDS: u32 = 512;
+    /// Candidates are listed a part at a time. The third word of their list, which otherwise counts
+    /// beyond 32 bits, is the most that a part wanted, if one wanted more than fit.
+    pub const FLAG_IN_PARTS: u32 = 1024;
 
     /// With what its kernels look for besides the distance.
     pub fn searching(mut self, search: &Search<f64>) -> Self {

@@ -5,7 +5,9 @@ use super::attempt::Attempt;
 use super::{Found, Frames};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{HEADER_BYTES, Header, List, Runs, read_header, read_pairs};
+use crate::growable_list::{
+    HEADER_BYTES, Header, List, Runs, read_header, read_header_of_parts, read_pairs,
+};
 use crate::readback::{Mapping, Part, Plan, word};
 use crate::recorder::submit;
 use crate::step::buffers::Buffers;
@@ -151,7 +153,7 @@ impl Frames {
         let Self { buffers, bench, spare, .. } = self;
         let mut found = Found { sorted: !kept, ..Found::default() };
         let mut sampled_of = 0;
-        let (headers, counted) = mapping.read(|bytes| {
+        let (mut headers, counted) = mapping.read(|bytes| {
             if goal.is_earliest() {
                 let [vf, ee] = parts.earliest.map(|part| word(part.of(bytes), 0));
                 found.earliest = vf.min(ee);
@@ -160,10 +162,18 @@ impl Frames {
                 let at = |i| word(parts.sample.of(bytes), i) as u64;
                 (found.sampled, sampled_of) = (at(0) + at(1), at(2) + at(3));
             }
-            let headers = parts.lists.try_map(|part| match part.bytes {
+            let mut lists = parts.lists;
+            let of_candidates = match goal {
+                Goal::Candidates => None,
+                _ => Some(std::mem::take(&mut lists.candidates)),
+            };
+            let mut headers = lists.try_map(|part| match part.bytes {
                 0 => Ok(Header::default()),
                 _ => read_header(part.of(bytes)),
             })?;
+            if let Some([vf, ee]) = of_candidates.map(|of| of.map(|part| part.of(bytes))) {
+                headers.candidates = [read_header_of_parts(vf)?, read_header_of_parts(ee)?];
+            }
             let n = headers.contacts.wanted.min(guess) as usize;
             let touches = parts.contacts.of(bytes);
             (*contacts, found.summary) = match parts.order.bytes {
@@ -178,9 +188,11 @@ impl Frames {
             Ok::<_, Error>((headers, counted))
         })??;
         self.stages = times.take()?;
+        let smaller =
+            goal != Goal::Candidates && buffers.settle_parts(device, &mut headers.candidates);
         let lists = buffers.lists_mut().zip(headers.clone()).into_vec();
         let lists = lists.into_iter().map(|(list, header)| (list, header.wanted));
-        let grown = List::grow_all(device, lists);
+        let grown = List::grow_all(device, lists).map(|grown| grown || smaller);
         let complete = matches!(grown, Ok(false));
         // Also where a list cannot grow: the source learns that the search was not complete.
         let settled = buffers.source.finder_mut().settle(device, &counted, complete);
@@ -203,12 +215,8 @@ impl Frames {
         self.order = order;
         let [vf, ee] = &headers.survivors;
         found.filtered = PerKind::new(vf.wanted as u64, ee.wanted as u64);
-        found.candidates = if goal == Goal::Candidates {
-            let [vf, ee] = &headers.candidates;
-            PerKind::new(vf.wanted as u64, ee.wanted as u64)
-        } else {
-            PerKind::new(vf.looked_at as u64, ee.looked_at as u64)
-        };
+        let [vf, ee] = &headers.candidates;
+        found.candidates = PerKind::new(vf.looked_at as u64, ee.looked_at as u64);
         if goal == Goal::Earliest && found.candidates.total() > found.sampled * SAMPLE as u64 / 4 {
             self.at_once = AT_ONCE;
         }
