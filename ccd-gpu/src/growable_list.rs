@@ -49,7 +49,8 @@ pub fn read_pairs(bytes: &[u8]) -> Vec<Pair> {
 }
 
 /// Runs of one search, at most. A run that was not complete makes a list longer by a quarter at
-/// least, or rounds or turns of workers twice as many: dozens are more than any scene asks for.
+/// least, or parts half as large, or rounds or turns of workers twice as many: dozens are more than
+/// any scene asks for.
 const MOST_RUNS: u32 = 100;
 
 /// The runs of one search so far.
@@ -140,7 +141,8 @@ impl List {
     }
 
     /// The buffer: a header of four words, of which the first is the number of entries wanted and
-    /// the third is 0 unless that exceeds 32 bits, then the entries.
+    /// the third is 0 unless that exceeds 32 bits, or, of the candidates of a step, a part of it
+    /// wanted more than fit; then the entries.
     pub fn buffer(&self) -> &wgpu::Buffer {
         &self.buffer
     }

@@ -89,6 +89,11 @@ fn check_parts(device: &Device) {
             let found = session.candidates(&step.x0, &step.x1).unwrap();
             assert_eq!(found.ee.len() as u64, want.candidates.ee);
             set_faults(device, old);
+            // There is room for all now, and two steps are one part again.
+            for _ in 0..2 {
+                let again = session.step(&step.x0, &step.x1).unwrap();
+                assert!(again.contacts == one.contacts && again.candidates == one.candidates);
+            }
         }
     }
 }

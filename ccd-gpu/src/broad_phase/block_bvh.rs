@@ -26,17 +26,18 @@ use wgpu::BufferUsages as U;
 /// driver thinks that it hangs.
 pub const DISPATCH_LIMIT: u32 = 1 << 20;
 
-/// Pairs of blocks that one dispatch takes at most: if all boxes of all of them overlap, it filters
-/// 2^28 candidates, some tenths of a second of a small device; on real scenes a thirtieth of that.
+/// Pairs of blocks that one dispatch takes at most: if all boxes of all of them overlap, it looks
+/// at 2^28 pairs, some tenths of a second of a small device; on real scenes a thirtieth of that.
 const BLOCK_LIMIT: u32 = 1 << 18;
 
 /// Pairs of nodes that a workgroup takes at most: each takes a thread up to a hundred rounds of its
 /// loops, see [`Device::groups`].
 const PAIRS_A_GROUP: u32 = 512;
 
-/// Pairs of blocks that a workgroup takes at most. Four at a time take a thread up to 2,100 rounds:
-/// if all boxes overlap it has 32 candidates of them, each of which is looked for among excluded
-/// features in up to 32 rounds, in eight passes of four shares with rounds of their own.
+/// Pairs of blocks that a workgroup takes at most. Four at a time take a thread some 1,300 rounds,
+/// and took 2,100 when this was chosen: if all boxes overlap it has 32 candidates of them, each of
+/// which is looked for among excluded features in up to 32 rounds, in eight passes of four shares
+/// with rounds of their own.
 const BLOCK_PAIRS_A_GROUP: u32 = 96;
 
 /// Buffers that say which vertices and which body a leaf has.
@@ -155,12 +156,16 @@ impl Tree {
             bytes(all),
             U::STORAGE | U::COPY_DST | U::COPY_SRC,
         )?;
-        // Where a device binds less, the filters read paths.
+        // Where a device binds less or has no memory for them, the filters read paths.
         let of_ends = bytes(2 * levels.padded(0) as u64);
         let ends = (of_paths && of_ends <= limit).then(|| {
             let old = old.and_then(|old| old.ends.as_ref());
             device.buffer_or(old, "boxes of leaves", of_ends, U::STORAGE)
         });
+        let ends = match ends.transpose() {
+            Err(e) if e.is_of_memory() => None,
+            other => other?,
+        };
         // Nodes that only fill up a block stay as they are now.
         let empty = vec![Aabb::EMPTY; 1 << 16];
         for first in (0..all).step_by(empty.len()) {
@@ -187,7 +192,7 @@ impl Tree {
             levels,
             nodes,
             worlds: None,
-            ends: ends.transpose()?,
+            ends,
         })
     }
 

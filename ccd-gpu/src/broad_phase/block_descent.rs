@@ -6,7 +6,7 @@
 //!              |  those that meet
 //!         tasks of workers   each pair by 32 threads
 //!              |
-//!     pairs of blocks of 32 boxes, as every descent leaves them: filtered as they are
+//!     pairs of blocks of 32 boxes, as every descent leaves them
 //! ```
 
 use super::block_levels::Levels;

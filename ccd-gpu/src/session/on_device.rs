@@ -13,9 +13,9 @@ use ccd_core::model::session;
 /// call.
 ///
 /// A list is a header of four words, of which the first is the number of entries, then the entries.
-/// That number may exceed the capacity of a list in [`OnDevice::lists`]: then results are
-/// incomplete, and [`Session::step`](session::Session::step) must be called instead, which makes
-/// the list longer.
+/// That number may exceed the capacity of a list in [`OnDevice::lists`], or the third word not be
+/// 0: then results are incomplete, and [`Session::step`](session::Session::step) must be called
+/// instead, which makes the list longer.
 ///
 /// ```no_run
 /// use ccd::gpu::{Error, Session, wgpu};
@@ -41,7 +41,7 @@ pub struct OnDevice<'a> {
     /// contacts; empty where `f64` is used on the device.
     pub undecided: [&'a List; 2],
     /// Every list of the frame, also those between stages: if the first word of any of them exceeds
-    /// its capacity, results are incomplete.
+    /// its capacity, or the third is not 0, results are incomplete.
     pub lists: Vec<&'a List>,
     /// By kind, one word: the bits of the earliest time of impact as `f32`, rounded down; greater
     /// than those of 1 if there is none. Without the undecided pairs.

@@ -3,12 +3,14 @@
 //! Where a step has too many candidates for a list, they are listed and filtered a part at a time,
 //! and the list of each part takes the place of the last.
 
+use super::Goal;
 use super::buffers::Buffers;
 use super::part_limits::MOST;
 use super::source::Source;
 use crate::bind::{FilterPairs, ListCandidates, ListListed};
 use crate::broad_phase::block_bvh::{ALL, Pass};
 use crate::device::Device;
+use crate::error::Error;
 use crate::growable_list::{Header, List, parts};
 use crate::recorder::Recorder;
 use ccd_core::backend::kernel::Id;
@@ -20,9 +22,9 @@ use std::ops::Range;
 const LIST: [&str; 2] = ["list vertex-face", "list edge-edge"];
 const FILTER: [&str; 2] = ["filter vertex-face", "filter edge-edge"];
 
-/// Candidates that one dispatch filters at most: some milliseconds of a small device, so that no
-/// driver thinks that it hangs.
-const DISPATCH_LIMIT: u32 = 1 << 22;
+/// Candidates that one dispatch filters at most: some hundredths of a second of a small device, so
+/// that no driver thinks that it hangs, and one dispatch a part.
+const DISPATCH_LIMIT: u32 = 1 << 25;
 
 impl Buffers {
     /// Lists all candidates of both kinds.
@@ -56,21 +58,45 @@ impl Buffers {
         }
     }
 
-    /// Makes parts smaller of which one wanted more candidates than a list may have, by what their
-    /// headers say. Returns whether there were some.
-    pub fn settle_parts(&mut self, device: &Device, headers: &mut [Header; 2]) -> bool {
+    /// Makes lists of candidates longer that were too short in a step, by what their headers say,
+    /// or its parts smaller where a list would be larger than [`MOST`] or than there is memory for.
+    /// Then the headers want no more than there is. Returns whether there were some.
+    pub fn grow_candidates(
+        &mut self,
+        device: &Device,
+        goal: Goal,
+        headers: &mut [Header; 2],
+    ) -> Result<bool, Error> {
         let most = match device.faults().most_candidates {
             0 => MOST,
             most => most,
         };
-        let mut any = false;
+        let mut grown = Ok(false);
         for (kind, header) in headers.iter_mut().enumerate() {
-            if header.wanted > self.candidates[kind].capacity() {
-                let n_pairs = self.n_pairs(kind);
-                any |= self.part_limits.settle(kind, header, n_pairs, most);
+            let n_pairs = self.n_pairs(kind);
+            let Self { candidates, part_limits, .. } = self;
+            let list = &mut candidates[kind];
+            if header.wanted > list.capacity() {
+                let mut wanted = header.wanted;
+                if wanted > most && part_limits.shrink(kind, wanted, n_pairs, most) {
+                    wanted = most;
+                }
+                let longer = match list.grow(device, wanted) {
+                    Err(e) if e.is_of_memory() => {
+                        let capacity = list.capacity();
+                        let shrinks = part_limits.shrink(kind, header.wanted, n_pairs, capacity);
+                        if shrinks { Ok(true) } else { Err(e) }
+                    }
+                    other => other.map(|_| true),
+                };
+                grown = grown.and_then(|any| Ok(any | longer?));
+                header.wanted = 0;
+            } else if goal != Goal::Earliest && header.looked_at <= list.capacity() {
+                // All of them fit into the list; of paths that were cut there are fewer.
+                part_limits.reset(kind);
             }
         }
-        any
+        grown
     }
 
     /// Pairs that may be looked at.

@@ -1,7 +1,6 @@
 //! How large the parts of a step are: so that the candidates of each fit into a list that every
 //! device can bind. Mostly there is one part.
 
-use crate::growable_list::Header;
 use ccd_core::backend::broad_phase::block_bvh::WIDTH;
 
 /// Candidates that a part of a step has at most, lest the list be larger than what every device
@@ -30,21 +29,30 @@ impl PartLimits {
         self.0[kind]
     }
 
-    /// Makes parts of a kind smaller, of `n_pairs` at most in all, if one had more than `most`
-    /// candidates, and takes as wanted what a list may have. Returns whether that was so.
-    pub fn settle(&mut self, kind: usize, header: &mut Header, n_pairs: u32, most: u32) -> bool {
-        let is_over = header.wanted > most;
-        if is_over {
-            let limit = self.0[kind].min(n_pairs);
-            // Half of what would fit if all parts were alike; not less than what always fits, of
-            // pairs of blocks.
-            let fits = limit as u64 * most as u64 / header.wanted as u64 / 2;
-            self.0[kind] = (fits as u32).max(most / (WIDTH * WIDTH)).max(1);
-            header.wanted = most;
+    /// Makes the parts of a kind smaller, of `n_pairs` at most in all, because one wanted more
+    /// candidates than the `most` that a list is to have. Returns whether they can be.
+    pub fn shrink(&mut self, kind: usize, wanted: u32, n_pairs: u32, most: u32) -> bool {
+        let limit = self.0[kind].min(n_pairs);
+        // Pairs of blocks of which no more can be candidates; and so many parts that a frame has
+        // few dispatches.
+        let least = (most / (WIDTH * WIDTH)).max(n_pairs.div_ceil(MOST_PARTS)).max(1);
+        // Half of what would fit if all parts were alike.
+        let fits = limit as u64 * most as u64 / (wanted as u64).max(1) / 2;
+        let shrinks = limit > least;
+        if shrinks {
+            self.0[kind] = (fits as u32).max(least);
         }
-        is_over
+        shrinks
+    }
+
+    /// All pairs of a kind are one part again.
+    pub fn reset(&mut self, kind: usize) {
+        self.0[kind] = u32::MAX;
     }
 }
+
+/// Parts of a frame, at most: each is two dispatches at least, of the 2,048 that a frame can have.
+const MOST_PARTS: u32 = 256;
 
 #[cfg(test)]
 mod tests {
@@ -53,14 +61,15 @@ mod tests {
     #[test]
     fn parts_become_smaller_until_their_candidates_fit() {
         let mut limits = PartLimits::default();
-        let mut settle = |kind, wanted, n_pairs| {
-            let mut header = Header { wanted, looked_at: 0 };
-            let smaller = limits.settle(kind, &mut header, n_pairs, MOST);
-            (smaller, header.wanted, limits.of(kind))
-        };
-        assert_eq!(settle(0, MOST, 1 << 18), (false, MOST, u32::MAX));
-        assert_eq!(settle(1, 4 * MOST, 1 << 18), (true, MOST, 1 << 15));
-        // Never to less than what always fits.
-        assert_eq!(settle(1, u32::MAX, 1 << 18), (true, MOST, MOST / 1024));
+        let mut shrink =
+            |kind, wanted, n_pairs| (limits.shrink(kind, wanted, n_pairs, MOST), limits.of(kind));
+        assert_eq!(shrink(1, 4 * MOST, 1 << 18), (true, 1 << 15));
+        assert_eq!(shrink(1, 2 * MOST, 1 << 18), (true, MOST / 1024));
+        // Not to less than what always fits, nor to more parts than a frame can have.
+        assert_eq!(shrink(1, u32::MAX, 1 << 18), (false, MOST / 1024));
+        assert_eq!(shrink(0, u32::MAX, 1 << 26), (true, 1 << 18));
+        assert_eq!(shrink(0, u32::MAX, 1 << 26), (false, 1 << 18));
+        limits.reset(0);
+        assert_eq!([0, 1].map(|kind| limits.of(kind)), [u32::MAX, MOST / 1024]);
     }
 }

@@ -1,5 +1,5 @@
-//! Where the candidates of a step come from: blocks, whose pairs are filtered as they are found, or
-//! any other source, which lists pairs first, of features or of triangles.
+//! Where the candidates of a step come from: blocks, whose pairs are told as they are found, or any
+//! other source, which lists pairs first, of features or of triangles.
 
 use super::triangle_pairs::TrianglePairs;
 use crate::broad_phase::block_bvh::{Features, Tree};
@@ -21,7 +21,7 @@ use std::ops::Range;
 
 /// The source of a session.
 pub enum Source {
-    /// The default, whose pairs are never listed.
+    /// The default, whose overlapping pairs are never listed.
     Blocks(Box<Tree>),
     /// Any other.
     Features(Box<dyn PairSource>, Listed),
@@ -195,7 +195,7 @@ impl Source {
         }
     }
 
-    /// What filters read instead of paths. Returns what a frame then says.
+    /// What tells candidates that an axis keeps apart. Returns what a frame then says.
     pub fn fit_ends(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer) -> Frame {
         match self {
             Self::Blocks(tree) => tree.fit_ends(recorder, frame, paths),

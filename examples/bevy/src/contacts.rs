@@ -70,8 +70,8 @@ impl Found {
         if headers.iter().all(|[wanted, ..]| *wanted == 0) {
             return None;
         }
-        for [wanted, _, beyond_32_bits, _] in headers {
-            let fits = wanted <= CAPACITY && beyond_32_bits == 0;
+        for [wanted, _, beyond, _] in headers {
+            let fits = wanted <= CAPACITY && beyond == 0;
             assert!(fits, "a list of the session wants {wanted} entries: reserve more");
         }
         let at = (CONTACTS + HEADER) as usize;

@@ -188,11 +188,14 @@ impl Frames {
             Ok::<_, Error>((headers, counted))
         })??;
         self.stages = times.take()?;
-        let smaller =
-            goal != Goal::Candidates && buffers.settle_parts(device, &mut headers.candidates);
+        let of_candidates = match goal {
+            Goal::Candidates => Ok(false),
+            _ => buffers.grow_candidates(device, goal, &mut headers.candidates),
+        };
         let lists = buffers.lists_mut().zip(headers.clone()).into_vec();
         let lists = lists.into_iter().map(|(list, header)| (list, header.wanted));
-        let grown = List::grow_all(device, lists).map(|grown| grown || smaller);
+        let grown = List::grow_all(device, lists);
+        let grown = of_candidates.and_then(|longer| Ok(longer | grown?));
         let complete = matches!(grown, Ok(false));
         // Also where a list cannot grow: the source learns that the search was not complete.
         let settled = buffers.source.finder_mut().settle(device, &counted, complete);
