@@ -38,8 +38,8 @@ impl Buffers {
     /// Filters candidates of both kinds. `step`: of every so many-th pair of blocks.
     pub fn filter(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer, step: u32) {
         let frame = &Frame { flags: frame.flags | Frame::FLAG_IN_PARTS, ..*frame };
-        let n_parts = [0, 1]
-            .map(|kind| self.n_pairs(kind).div_ceil(step).div_ceil(self.part_limits.of(kind)));
+        let limits = [0, 1].map(|kind| self.part_limits.of(kind, self.n_pairs(kind)));
+        let n_parts = [0, 1].map(|kind| self.n_pairs(kind).div_ceil(step).div_ceil(limits[kind]));
         for part in 0..n_parts[0].max(n_parts[1]) {
             let kinds = || [0, 1].into_iter().filter(|&kind| part < n_parts[kind]);
             for kind in kinds() {
@@ -47,8 +47,8 @@ impl Buffers {
                 if part > 0 {
                     recorder.clear(self.candidates[kind].buffer(), 4);
                 }
-                let limit = self.part_limits.of(kind);
-                let range = part * limit..(part * limit).saturating_add(limit);
+                let first = part * limits[kind];
+                let range = first..first.saturating_add(limits[kind]);
                 self.list_part(recorder, frame, (kind, step), range);
             }
             for kind in kinds() {

@@ -24,15 +24,16 @@ impl Default for PartLimits {
 }
 
 impl PartLimits {
-    /// Of a kind.
-    pub fn of(&self, kind: usize) -> u32 {
-        self.0[kind]
+    /// Of a kind with `n_pairs` at most in all: not so few that there are more parts than
+    /// [`MOST_PARTS`].
+    pub fn of(&self, kind: usize, n_pairs: u32) -> u32 {
+        self.0[kind].max(n_pairs.div_ceil(MOST_PARTS)).max(1)
     }
 
     /// Makes the parts of a kind smaller, of `n_pairs` at most in all, because one wanted more
     /// candidates than the `most` that a list is to have. Returns whether they can be.
     pub fn shrink(&mut self, kind: usize, wanted: u32, n_pairs: u32, most: u32) -> bool {
-        let limit = self.0[kind].min(n_pairs);
+        let limit = self.of(kind, n_pairs).min(n_pairs);
         // Pairs of blocks of which no more can be candidates; and so many parts that a frame has
         // few dispatches.
         let least = (most / (WIDTH * WIDTH)).max(n_pairs.div_ceil(MOST_PARTS)).max(1);
@@ -61,8 +62,9 @@ mod tests {
     #[test]
     fn parts_become_smaller_until_their_candidates_fit() {
         let mut limits = PartLimits::default();
-        let mut shrink =
-            |kind, wanted, n_pairs| (limits.shrink(kind, wanted, n_pairs, MOST), limits.of(kind));
+        let mut shrink = |kind, wanted, n_pairs| {
+            (limits.shrink(kind, wanted, n_pairs, MOST), limits.of(kind, n_pairs))
+        };
         assert_eq!(shrink(1, 4 * MOST, 1 << 18), (true, 1 << 15));
         assert_eq!(shrink(1, 2 * MOST, 1 << 18), (true, MOST / 1024));
         // Not to less than what always fits, nor to more parts than a frame can have.
@@ -70,6 +72,8 @@ mod tests {
         assert_eq!(shrink(0, u32::MAX, 1 << 26), (true, 1 << 18));
         assert_eq!(shrink(0, u32::MAX, 1 << 26), (false, 1 << 18));
         limits.reset(0);
-        assert_eq!([0, 1].map(|kind| limits.of(kind)), [u32::MAX, MOST / 1024]);
+        assert_eq!([0, 1].map(|kind| limits.of(kind, 1 << 18)), [u32::MAX, MOST / 1024]);
+        // Nor when a list of pairs has become longer since.
+        assert_eq!(limits.of(1, 1 << 30), 1 << 22);
     }
 }
