@@ -36,15 +36,10 @@ impl PairSource for Tree {
             let (input, output) = (pairs.buffer(), list.buffer());
             let (ends, bodies, keys) = (self.ends(), none, none);
             let kernel = ListCandidates { nodes, leaves, ends, bodies, keys, input, output };
-            self.each_part(
-                frame,
-                &Pass { kind, level: 1, step: 1, range: ALL },
-                pairs,
-                list,
-                |p| {
-                    recorder.dispatch(&kernel, p, self.groups.min(pairs.capacity()));
-                },
-            );
+            let pass = Pass { kind, level: 1, step: 1, range: ALL };
+            self.each_part(frame, &pass, pairs, list, |p| {
+                recorder.dispatch(&kernel, p, self.groups.min(pairs.capacity()));
+            });
         }
     }
 

@@ -27,7 +27,7 @@ impl PartLimits {
     /// Of a kind with `n_pairs` at most in all: not so few that there are more parts than
     /// [`MOST_PARTS`].
     pub fn of(&self, kind: usize, n_pairs: u32) -> u32 {
-        self.0[kind].max(n_pairs.div_ceil(MOST_PARTS)).max(1)
+        self.0[kind].max(fewest(n_pairs))
     }
 
     /// Makes the parts of a kind smaller, of `n_pairs` at most in all, because one wanted more
@@ -36,7 +36,7 @@ impl PartLimits {
         let limit = self.of(kind, n_pairs).min(n_pairs);
         // Pairs of blocks of which no more can be candidates; and so many parts that a frame has
         // few dispatches.
-        let least = (most / (WIDTH * WIDTH)).max(n_pairs.div_ceil(MOST_PARTS)).max(1);
+        let least = (most / (WIDTH * WIDTH)).max(fewest(n_pairs));
         // Half of what would fit if all parts were alike.
         let fits = limit as u64 * most as u64 / (wanted as u64).max(1) / 2;
         let shrinks = limit > least;
@@ -54,6 +54,11 @@ impl PartLimits {
 
 /// Parts of a frame, at most: each is two dispatches at least, of the 2,048 that a frame can have.
 const MOST_PARTS: u32 = 256;
+
+/// Of `n_pairs`, as many as a part has at least, lest there be more parts than that.
+fn fewest(n_pairs: u32) -> u32 {
+    n_pairs.div_ceil(MOST_PARTS).max(1)
+}
 
 #[cfg(test)]
 mod tests {
