@@ -45,7 +45,12 @@ struct type_15 {
     member_1: i32,
 }
 
-struct type_17 {
+struct type_16 {
+    member: f32,
+    member_1: f32,
+}
+
+struct type_18 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -54,20 +59,15 @@ struct type_17 {
     member_5: u32,
 }
 
-struct type_20 {
+struct type_21 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
 }
 
-struct type_21 {
+struct type_22 {
     member: u32,
     member_1: array<u32, 4>,
-}
-
-struct type_22 {
-    member: f32,
-    member_1: f32,
 }
 
 struct type_23 {
@@ -812,10 +812,10 @@ fn function_13(param_35: array<u32, 2>, param_36: i32) -> type_9 {
 fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_30;
     var local_1: type_30;
-    var local_2: type_20;
-    var local_3: type_20;
-    var local_4: type_20;
-    var local_5: array<type_22, 4>;
+    var local_2: type_21;
+    var local_3: type_21;
+    var local_4: type_21;
+    var local_5: array<type_16, 4>;
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
     var local_8: type_30;
@@ -881,7 +881,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_438_: type_9;
     var phi_439_: type_9;
     var phi_462_: type_9;
-    var phi_598_: type_21;
+    var phi_598_: type_22;
     var phi_1012_: type_28;
     var phi_1020_: f32;
     var phi_1027_: f32;
@@ -1822,7 +1822,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_19395_: f32;
     var phi_19401_: f32;
     var phi_19408_: f32;
-    var phi_19443_: array<type_22, 4>;
+    var phi_19443_: array<type_16, 4>;
     var phi_19463_: type_9;
     var phi_19466_: bool;
     var phi_19464_: type_9;
@@ -2965,7 +2965,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_22461_: type_29;
     var phi_22468_: bool;
     var phi_22493_: u32;
-    var phi_22497_: type_17;
+    var phi_22497_: type_18;
     var phi_22498_: bool;
     var phi_22499_: bool;
     var phi_22518_: u32;
@@ -3102,7 +3102,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e306 = elements.member[_e304];
                     let _e309 = elements.member[(_e304 + 1u)];
                     let _e312 = elements.member[(_e304 + 2u)];
-                    phi_598_ = type_21(0u, array<u32, 4>(_e280, _e306, _e309, _e312));
+                    phi_598_ = type_22(0u, array<u32, 4>(_e280, _e306, _e309, _e312));
                 } else {
                     let _e290 = (2u * _e280);
                     let _e291 = (2u * _e283);
@@ -3110,7 +3110,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e295 = elements.member[_e291];
                     let _e298 = elements.member[(_e290 + 1u)];
                     let _e301 = elements.member[(_e291 + 1u)];
-                    phi_598_ = type_21(1u, array<u32, 4>(_e293, _e298, _e295, _e301));
+                    phi_598_ = type_22(1u, array<u32, 4>(_e293, _e298, _e295, _e301));
                 }
                 let _e316 = phi_598_;
                 local_58 = array<u32, 4>(_e316.member_1[0], _e316.member_1[1], _e316.member_1[2], _e316.member_1[3]);
@@ -13360,7 +13360,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     phi_18671_ = _e8472;
                                                 }
                                                 let _e8475 = phi_18671_;
-                                                local_2 = type_20(array<f32, 3>(_e8418, _e8419, _e8420), _e8457, (_e8475 + _e8457));
+                                                local_2 = type_21(array<f32, 3>(_e8418, _e8419, _e8420), _e8457, (_e8475 + _e8457));
                                                 let _e8481 = local_18.member_3;
                                                 let _e8483 = local_18.member_1[0u];
                                                 if (_e8483[0] < 0f) {
@@ -13501,7 +13501,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     phi_18878_ = _e8602;
                                                 }
                                                 let _e8605 = phi_18878_;
-                                                local_3 = type_20(array<f32, 3>(_e8548, _e8549, _e8550), _e8587, (_e8605 + _e8587));
+                                                local_3 = type_21(array<f32, 3>(_e8548, _e8549, _e8550), _e8587, (_e8605 + _e8587));
                                                 let _e8611 = local_18.member_3;
                                                 let _e8613 = local_18.member_2[0u];
                                                 if (_e8613[0] < 0f) {
@@ -13642,7 +13642,7 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     phi_19085_ = _e8732;
                                                 }
                                                 let _e8735 = phi_19085_;
-                                                local_4 = type_20(array<f32, 3>(_e8678, _e8679, _e8680), _e8717, (_e8735 + _e8717));
+                                                local_4 = type_21(array<f32, 3>(_e8678, _e8679, _e8680), _e8717, (_e8735 + _e8717));
                                                 let _e8740 = local_3.member;
                                                 let _e8745 = local_4.member;
                                                 let _e8751 = ((_e8740[1] * _e8745[2]) - (_e8740[2] * _e8745[1]));
@@ -13787,14 +13787,14 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     let _e8961 = phi_19408_;
                                                     let _e8964 = (((_e8952 + _e8956) + _e8961) * (0.000000059604645f * 4f));
                                                     if (_e316.member != 0u) {
-                                                        phi_19443_ = array<type_22, 4>(type_22(_e8947, _e8898), type_22(_e8948, _e8945), type_22((_e8946 - _e8947), ((_e8843 + _e8898) + _e8964)), type_22((_e8946 - _e8948), ((_e8843 + _e8945) + _e8964)));
+                                                        phi_19443_ = array<type_16, 4>(type_16(_e8947, _e8898), type_16(_e8948, _e8945), type_16((_e8946 - _e8947), ((_e8843 + _e8898) + _e8964)), type_16((_e8946 - _e8948), ((_e8843 + _e8945) + _e8964)));
                                                     } else {
                                                         let _e8967 = ((_e8946 - _e8947) - _e8948);
                                                         let _e8970 = (((_e8843 + _e8898) + _e8945) + _e8964);
-                                                        phi_19443_ = array<type_22, 4>(type_22(_e8947, _e8898), type_22(_e8948, _e8945), type_22(_e8967, _e8970), type_22(_e8967, _e8970));
+                                                        phi_19443_ = array<type_16, 4>(type_16(_e8947, _e8898), type_16(_e8948, _e8945), type_16(_e8967, _e8970), type_16(_e8967, _e8970));
                                                     }
                                                     let _e8988 = phi_19443_;
-                                                    local_5 = array<type_22, 4>(type_22(_e8988[0].member, _e8988[0].member_1), type_22(_e8988[1].member, _e8988[1].member_1), type_22(_e8988[2].member, _e8988[2].member_1), type_22(_e8988[3].member, _e8988[3].member_1));
+                                                    local_5 = array<type_16, 4>(type_16(_e8988[0].member, _e8988[0].member_1), type_16(_e8988[1].member, _e8988[1].member_1), type_16(_e8988[2].member, _e8988[2].member_1), type_16(_e8988[3].member, _e8988[3].member_1));
                                                     phi_19463_ = type_9(0u, 4u);
                                                     phi_19466_ = true;
                                                     loop {
@@ -15617,11 +15617,11 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e15300 = phi_22493_;
                     let _e15302 = atomicMin((&earliest.member[0u]), _e15300);
                 }
-                phi_22497_ = type_17(_e270, 0u, _e280, _e283, _e15271.member_2, _e15271.member_1);
+                phi_22497_ = type_18(_e270, 0u, _e280, _e283, _e15271.member_2, _e15271.member_1);
                 phi_22498_ = _e15276;
                 phi_22499_ = (_e15271.member != 0u);
             } else {
-                phi_22497_ = type_17(_e270, 0u, 0u, 0u, array<u32, 2>(0u, 0u), 0u);
+                phi_22497_ = type_18(_e270, 0u, 0u, 0u, array<u32, 2>(0u, 0u), 0u);
                 phi_22498_ = false;
                 phi_22499_ = false;
             }

@@ -45,7 +45,12 @@ struct type_15 {
     member_1: i32,
 }
 
-struct type_17 {
+struct type_16 {
+    member: f32,
+    member_1: f32,
+}
+
+struct type_18 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -53,50 +58,45 @@ struct type_17 {
     member_4: u32,
 }
 
-struct type_18 {
+struct type_19 {
     member: type_7,
     member_1: type_8,
-    member_2: type_17,
+    member_2: type_18,
 }
 
-struct type_19 {
-    member: type_18,
+struct type_20 {
+    member: type_19,
 }
 
-struct type_22 {
+struct type_23 {
     member: array<vec4<u32>>,
 }
 
-struct type_24 {
+struct type_25 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_27 {
+    member: array<type_25>,
 }
 
-struct type_29 {
+struct type_30 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
     member_3: vec4<f32>,
 }
 
-struct type_31 {
-    member: array<type_29>,
-}
-
-struct type_33 {
-    member: array<f32, 3>,
-    member_1: array<array<f32, 3>, 3>,
-    member_2: array<f32, 3>,
+struct type_32 {
+    member: array<type_30>,
 }
 
 struct type_34 {
-    member: f32,
-    member_1: f32,
+    member: array<f32, 3>,
+    member_1: array<array<f32, 3>, 3>,
+    member_2: array<f32, 3>,
 }
 
 struct type_36 {
@@ -115,15 +115,15 @@ struct type_40 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_19;
+var<storage> params: type_20;
 @group(0) @binding(1) 
-var<storage> branches: type_22;
+var<storage> branches: type_23;
 @group(0) @binding(2) 
-var<storage> block_nodes: type_26;
+var<storage> block_nodes: type_27;
 @group(0) @binding(3) 
 var<storage> far: type_11;
 @group(0) @binding(4) 
-var<storage, read_write> oriented: type_31;
+var<storage, read_write> oriented: type_32;
 @group(0) @binding(5) 
 var<storage, read_write> stamps: type_40;
 
@@ -145,7 +145,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_455_: f32;
     var phi_460_: f32;
     var phi_465_: f32;
-    var phi_522_: type_33;
+    var phi_522_: type_34;
     var phi_594_: f32;
     var phi_599_: f32;
     var phi_604_: f32;
@@ -155,7 +155,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_631_: f32;
     var phi_636_: f32;
     var phi_641_: f32;
-    var phi_698_: type_33;
+    var phi_698_: type_34;
     var phi_715_: f32;
     var phi_721_: f32;
     var phi_726_: f32;
@@ -201,7 +201,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: f32;
     var phi_1227_: f32;
     var phi_1291_: f32;
-    var phi_1303_: type_34;
+    var phi_1303_: type_16;
     var phi_1342_: type_9;
     var phi_1345_: type_36;
     var phi_1343_: type_9;
@@ -229,7 +229,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_2: f32;
     var phi_1519_: f32;
     var phi_1583_: f32;
-    var phi_1595_: type_34;
+    var phi_1595_: type_16;
     var phi_1691_: type_14;
     var phi_1694_: f32;
     var phi_1715_: bool;
@@ -240,7 +240,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_3: f32;
     var phi_1684_: f32;
     var phi_1748_: f32;
-    var phi_1760_: type_34;
+    var phi_1760_: type_16;
     var phi_1827_: type_36;
     var phi_1828_: bool;
     var phi_1829_: type_36;
@@ -266,7 +266,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_5: f32;
     var phi_2210_: f32;
     var phi_2274_: f32;
-    var phi_2286_: type_34;
+    var phi_2286_: type_16;
     var phi_2348_: type_36;
     var phi_1862_: type_14;
     var phi_1865_: f32;
@@ -289,7 +289,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_7: f32;
     var phi_1953_: f32;
     var phi_2017_: f32;
-    var phi_2029_: type_34;
+    var phi_2029_: type_16;
     var phi_2349_: type_36;
     var phi_2350_: type_36;
     var phi_2354_: bool;
@@ -448,12 +448,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4312_: f32;
     var phi_4317_: f32;
     var phi_4322_: f32;
-    var phi_4325_: type_33;
+    var phi_4325_: type_34;
     var phi_4326_: bool;
-    var phi_4327_: type_33;
+    var phi_4327_: type_34;
     var phi_4328_: bool;
     var phi_4342_: u32;
-    var phi_4352_: type_33;
+    var phi_4352_: type_34;
     var phi_4384_: bool;
     var phi_4385_: bool;
     var local_9: type_36;
@@ -616,11 +616,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e300 = phi_465_;
                                 let _e302 = (1f + (0.000000059604645f * 4f));
                                 let _e306 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                phi_522_ = type_33(array<f32, 3>(_e278, _e281, _e284), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e294 * _e302) + _e306), ((_e297 * _e302) + _e306), ((_e300 * _e302) + _e306)));
+                                phi_522_ = type_34(array<f32, 3>(_e278, _e281, _e284), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e294 * _e302) + _e306), ((_e297 * _e302) + _e306), ((_e300 * _e302) + _e306)));
                             } else {
                                 let _e188 = params.member.member.member_2[_e178];
                                 let _e191 = oriented.member[(_e188 + _e123.x)];
-                                phi_522_ = type_33(array<f32, 3>(_e191.member.x, _e191.member.y, _e191.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e191.member.w, _e191.member_1.x, _e191.member_1.y), array<f32, 3>(_e191.member_1.z, _e191.member_1.w, _e191.member_2.x), array<f32, 3>(_e191.member_2.y, _e191.member_2.z, _e191.member_2.w)), array<f32, 3>(_e191.member_3.x, _e191.member_3.y, _e191.member_3.z));
+                                phi_522_ = type_34(array<f32, 3>(_e191.member.x, _e191.member.y, _e191.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e191.member.w, _e191.member_1.x, _e191.member_1.y), array<f32, 3>(_e191.member_1.z, _e191.member_1.w, _e191.member_2.x), array<f32, 3>(_e191.member_2.y, _e191.member_2.z, _e191.member_2.w)), array<f32, 3>(_e191.member_3.x, _e191.member_3.y, _e191.member_3.z));
                             }
                             let _e313 = phi_522_;
                             let _e316 = params.member.member_2.member_1;
@@ -695,11 +695,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e438 = phi_641_;
                                 let _e440 = (1f + (0.000000059604645f * 4f));
                                 let _e444 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                phi_698_ = type_33(array<f32, 3>(_e416, _e419, _e422), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e432 * _e440) + _e444), ((_e435 * _e440) + _e444), ((_e438 * _e440) + _e444)));
+                                phi_698_ = type_34(array<f32, 3>(_e416, _e419, _e422), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e432 * _e440) + _e444), ((_e435 * _e440) + _e444), ((_e438 * _e440) + _e444)));
                             } else {
                                 let _e326 = params.member.member.member_2[_e316];
                                 let _e329 = oriented.member[(_e326 + _e123.y)];
-                                phi_698_ = type_33(array<f32, 3>(_e329.member.x, _e329.member.y, _e329.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e329.member.w, _e329.member_1.x, _e329.member_1.y), array<f32, 3>(_e329.member_1.z, _e329.member_1.w, _e329.member_2.x), array<f32, 3>(_e329.member_2.y, _e329.member_2.z, _e329.member_2.w)), array<f32, 3>(_e329.member_3.x, _e329.member_3.y, _e329.member_3.z));
+                                phi_698_ = type_34(array<f32, 3>(_e329.member.x, _e329.member.y, _e329.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e329.member.w, _e329.member_1.x, _e329.member_1.y), array<f32, 3>(_e329.member_1.z, _e329.member_1.w, _e329.member_2.x), array<f32, 3>(_e329.member_2.y, _e329.member_2.z, _e329.member_2.w)), array<f32, 3>(_e329.member_3.x, _e329.member_3.y, _e329.member_3.z));
                             }
                             let _e451 = phi_698_;
                             let _e456 = (_e451.member[0] - _e313.member[0]);
@@ -1026,9 +1026,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e844 = (_e777 / _e843);
                                         let _e845 = (_e778 / _e843);
                                         let _e850 = (1.5f - (((_e844 * _e844) + (_e845 * _e845)) * 0.5f));
-                                        phi_1303_ = type_34((_e844 * _e850), (_e845 * _e850));
+                                        phi_1303_ = type_16((_e844 * _e850), (_e845 * _e850));
                                     } else {
-                                        phi_1303_ = type_34(1f, 0f);
+                                        phi_1303_ = type_16(1f, 0f);
                                     }
                                     let _e855 = phi_1303_;
                                     let _e860 = (((_e855.member * _e855.member_1) * _e780) * 2f);
@@ -1189,9 +1189,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         let _e1060 = (_e997 / _e1059);
                                                         let _e1061 = (_e894.member[1] / _e1059);
                                                         let _e1066 = (1.5f - (((_e1060 * _e1060) + (_e1061 * _e1061)) * 0.5f));
-                                                        phi_1595_ = type_34((_e1060 * _e1066), (_e1061 * _e1066));
+                                                        phi_1595_ = type_16((_e1060 * _e1066), (_e1061 * _e1066));
                                                     } else {
-                                                        phi_1595_ = type_34(1f, 0f);
+                                                        phi_1595_ = type_16(1f, 0f);
                                                     }
                                                     let _e1071 = phi_1595_;
                                                     let _e1088 = (((_e894.member_1[1] - _e894.member_1[2]) * _e1071.member_1) + ((_e1071.member * _e894.member[1]) * 2f));
@@ -1262,9 +1262,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         let _e1190 = (_e1094 / _e1189);
                                                         let _e1191 = (_e1127 / _e1189);
                                                         let _e1196 = (1.5f - (((_e1190 * _e1190) + (_e1191 * _e1191)) * 0.5f));
-                                                        phi_1760_ = type_34((_e1190 * _e1196), (_e1191 * _e1196));
+                                                        phi_1760_ = type_16((_e1190 * _e1196), (_e1191 * _e1196));
                                                     } else {
-                                                        phi_1760_ = type_34(1f, 0f);
+                                                        phi_1760_ = type_16(1f, 0f);
                                                     }
                                                     let _e1201 = phi_1760_;
                                                     let _e1211 = (((_e894.member_1[0] - _e1090) * _e1201.member_1) + ((_e1201.member * _e1126) * 2f));
@@ -1410,9 +1410,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         let _e1599 = (_e1536 / _e1598);
                                                         let _e1600 = (_e894.member[0] / _e1598);
                                                         let _e1605 = (1.5f - (((_e1599 * _e1599) + (_e1600 * _e1600)) * 0.5f));
-                                                        phi_2029_ = type_34((_e1599 * _e1605), (_e1600 * _e1605));
+                                                        phi_2029_ = type_16((_e1599 * _e1605), (_e1600 * _e1605));
                                                     } else {
-                                                        phi_2029_ = type_34(1f, 0f);
+                                                        phi_2029_ = type_16(1f, 0f);
                                                     }
                                                     let _e1610 = phi_2029_;
                                                     let _e1627 = (((_e894.member_1[0] - _e894.member_1[1]) * _e1610.member_1) + ((_e1610.member * _e894.member[0]) * 2f));
@@ -1545,9 +1545,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             let _e1386 = (_e1323 / _e1385);
                                                             let _e1387 = (_e894.member[1] / _e1385);
                                                             let _e1392 = (1.5f - (((_e1386 * _e1386) + (_e1387 * _e1387)) * 0.5f));
-                                                            phi_2286_ = type_34((_e1386 * _e1392), (_e1387 * _e1392));
+                                                            phi_2286_ = type_16((_e1386 * _e1392), (_e1387 * _e1392));
                                                         } else {
-                                                            phi_2286_ = type_34(1f, 0f);
+                                                            phi_2286_ = type_16(1f, 0f);
                                                         }
                                                         let _e1397 = phi_2286_;
                                                         let _e1414 = (((_e894.member_1[1] - _e894.member_1[2]) * _e1397.member_1) + ((_e1397.member * _e894.member[1]) * 2f));
@@ -2593,10 +2593,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_4322_ = _e3354;
                                     }
                                     let _e3401 = phi_4322_;
-                                    phi_4325_ = type_33(array<f32, 3>(_e2531, _e2533, _e2535), _e2074.member_1, array<f32, 3>(_e3395, _e3398, _e3401));
+                                    phi_4325_ = type_34(array<f32, 3>(_e2531, _e2533, _e2535), _e2074.member_1, array<f32, 3>(_e3395, _e3398, _e3401));
                                     phi_4326_ = false;
                                 } else {
-                                    phi_4325_ = type_33();
+                                    phi_4325_ = type_34();
                                     phi_4326_ = true;
                                 }
                                 let _e3405 = phi_4325_;
@@ -2604,7 +2604,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_4327_ = _e3405;
                                 phi_4328_ = _e3407;
                             } else {
-                                phi_4327_ = type_33();
+                                phi_4327_ = type_34();
                                 phi_4328_ = true;
                             }
                             let _e3409 = phi_4327_;
@@ -2617,12 +2617,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 }
                                 let _e3413 = phi_4342_;
                                 let _e3415 = (bitcast<f32>(_e3413) * 3.9999998f);
-                                phi_4352_ = type_33(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3415, _e3415, _e3415));
+                                phi_4352_ = type_34(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3415, _e3415, _e3415));
                             } else {
                                 phi_4352_ = _e3409;
                             }
                             let _e3419 = phi_4352_;
-                            oriented.member[_e118] = type_29(vec4<f32>(_e3419.member[0], _e3419.member[1], _e3419.member[2], _e3419.member_1[0][0]), vec4<f32>(_e3419.member_1[0][1], _e3419.member_1[0][2], _e3419.member_1[1][0], _e3419.member_1[1][1]), vec4<f32>(_e3419.member_1[1][2], _e3419.member_1[2][0], _e3419.member_1[2][1], _e3419.member_1[2][2]), vec4<f32>(_e3419.member_2[0], _e3419.member_2[1], _e3419.member_2[2], 0f));
+                            oriented.member[_e118] = type_30(vec4<f32>(_e3419.member[0], _e3419.member[1], _e3419.member[2], _e3419.member_1[0][0]), vec4<f32>(_e3419.member_1[0][1], _e3419.member_1[0][2], _e3419.member_1[1][0], _e3419.member_1[1][1]), vec4<f32>(_e3419.member_1[1][2], _e3419.member_1[2][0], _e3419.member_1[2][1], _e3419.member_1[2][2]), vec4<f32>(_e3419.member_2[0], _e3419.member_2[1], _e3419.member_2[2], 0f));
                             let _e3448 = atomicMax((&stamps.member[_e118]), _e81);
                         }
                     }

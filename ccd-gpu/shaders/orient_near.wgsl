@@ -45,7 +45,12 @@ struct type_15 {
     member_1: i32,
 }
 
-struct type_17 {
+struct type_16 {
+    member: f32,
+    member_1: f32,
+}
+
+struct type_18 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -53,50 +58,45 @@ struct type_17 {
     member_4: u32,
 }
 
-struct type_18 {
+struct type_19 {
     member: type_7,
     member_1: type_8,
-    member_2: type_17,
+    member_2: type_18,
 }
 
-struct type_19 {
-    member: type_18,
+struct type_20 {
+    member: type_19,
 }
 
-struct type_22 {
+struct type_23 {
     member: array<vec4<u32>>,
 }
 
-struct type_24 {
+struct type_25 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_27 {
+    member: array<type_25>,
 }
 
-struct type_30 {
+struct type_31 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
     member_3: vec4<f32>,
 }
 
-struct type_32 {
-    member: array<type_30>,
-}
-
 struct type_33 {
-    member: array<f32, 3>,
-    member_1: array<array<f32, 3>, 3>,
-    member_2: array<f32, 3>,
+    member: array<type_31>,
 }
 
 struct type_34 {
-    member: f32,
-    member_1: f32,
+    member: array<f32, 3>,
+    member_1: array<array<f32, 3>, 3>,
+    member_2: array<f32, 3>,
 }
 
 struct type_36 {
@@ -115,20 +115,20 @@ struct type_42 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_19;
+var<storage> params: type_20;
 @group(0) @binding(1) 
-var<storage> branches: type_22;
+var<storage> branches: type_23;
 @group(0) @binding(2) 
-var<storage> block_nodes: type_26;
+var<storage> block_nodes: type_27;
 var<workgroup> counters: array<atomic<u32>, 2>;
 @group(0) @binding(3) 
-var<storage, read_write> oriented: type_32;
+var<storage, read_write> oriented: type_33;
 @group(0) @binding(4) 
 var<storage, read_write> stamps: type_11;
 @group(0) @binding(5) 
 var<storage, read_write> far: type_42;
 var<workgroup> done: array<atomic<u32>, 8>;
-var<workgroup> boxes: array<type_33, 256>;
+var<workgroup> boxes: array<type_34, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_193_: bool;
@@ -151,7 +151,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_384_: f32;
     var phi_389_: f32;
     var phi_394_: f32;
-    var phi_441_: type_33;
+    var phi_441_: type_34;
     var phi_514_: f32;
     var phi_519_: f32;
     var phi_524_: f32;
@@ -161,7 +161,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_551_: f32;
     var phi_556_: f32;
     var phi_561_: f32;
-    var phi_608_: type_33;
+    var phi_608_: type_34;
     var phi_625_: f32;
     var phi_631_: f32;
     var phi_636_: f32;
@@ -207,7 +207,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: f32;
     var phi_1137_: f32;
     var phi_1201_: f32;
-    var phi_1213_: type_34;
+    var phi_1213_: type_16;
     var phi_1252_: type_9;
     var phi_1255_: type_36;
     var phi_1253_: type_9;
@@ -235,7 +235,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_2: f32;
     var phi_1429_: f32;
     var phi_1493_: f32;
-    var phi_1505_: type_34;
+    var phi_1505_: type_16;
     var phi_1601_: type_14;
     var phi_1604_: f32;
     var phi_1625_: bool;
@@ -246,7 +246,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_3: f32;
     var phi_1594_: f32;
     var phi_1658_: f32;
-    var phi_1670_: type_34;
+    var phi_1670_: type_16;
     var phi_1737_: type_36;
     var phi_1738_: bool;
     var phi_1739_: type_36;
@@ -272,7 +272,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_5: f32;
     var phi_2120_: f32;
     var phi_2184_: f32;
-    var phi_2196_: type_34;
+    var phi_2196_: type_16;
     var phi_2258_: type_36;
     var phi_1772_: type_14;
     var phi_1775_: f32;
@@ -295,7 +295,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_7: f32;
     var phi_1863_: f32;
     var phi_1927_: f32;
-    var phi_1939_: type_34;
+    var phi_1939_: type_16;
     var phi_2259_: type_36;
     var phi_2260_: type_36;
     var phi_2264_: bool;
@@ -454,12 +454,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4222_: f32;
     var phi_4227_: f32;
     var phi_4232_: f32;
-    var phi_4235_: type_33;
+    var phi_4235_: type_34;
     var phi_4236_: bool;
-    var phi_4237_: type_33;
+    var phi_4237_: type_34;
     var phi_4238_: bool;
     var phi_4252_: u32;
-    var phi_4262_: type_33;
+    var phi_4262_: type_34;
     var phi_4298_: u32;
     var phi_206_: u32;
     var local_9: u32;
@@ -632,10 +632,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e276 = phi_394_;
                     let _e278 = (1f + (0.000000059604645f * 4f));
                     let _e282 = (0.000000000000000000000000000000000000011754944f * 8f);
-                    phi_441_ = type_33(array<f32, 3>(_e254, _e257, _e260), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e270 * _e278) + _e282), ((_e273 * _e278) + _e282), ((_e276 * _e278) + _e282)));
+                    phi_441_ = type_34(array<f32, 3>(_e254, _e257, _e260), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e270 * _e278) + _e282), ((_e273 * _e278) + _e282), ((_e276 * _e278) + _e282)));
                 } else {
                     let _e176 = boxes[(_e107.member - _e76)];
-                    phi_441_ = type_33(array<f32, 3>(_e176.member[0], _e176.member[1], _e176.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e176.member_1[0][0], _e176.member_1[0][1], _e176.member_1[0][2]), array<f32, 3>(_e176.member_1[1][0], _e176.member_1[1][1], _e176.member_1[1][2]), array<f32, 3>(_e176.member_1[2][0], _e176.member_1[2][1], _e176.member_1[2][2])), array<f32, 3>(_e176.member_2[0], _e176.member_2[1], _e176.member_2[2]));
+                    phi_441_ = type_34(array<f32, 3>(_e176.member[0], _e176.member[1], _e176.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e176.member_1[0][0], _e176.member_1[0][1], _e176.member_1[0][2]), array<f32, 3>(_e176.member_1[1][0], _e176.member_1[1][1], _e176.member_1[1][2]), array<f32, 3>(_e176.member_1[2][0], _e176.member_1[2][1], _e176.member_1[2][2])), array<f32, 3>(_e176.member_2[0], _e176.member_2[1], _e176.member_2[2]));
                 }
                 let _e289 = phi_441_;
                 let _e294 = params.member.member_2.member_1;
@@ -710,10 +710,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e402 = phi_561_;
                     let _e404 = (1f + (0.000000059604645f * 4f));
                     let _e408 = (0.000000000000000000000000000000000000011754944f * 8f);
-                    phi_608_ = type_33(array<f32, 3>(_e380, _e383, _e386), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e396 * _e404) + _e408), ((_e399 * _e404) + _e408), ((_e402 * _e404) + _e408)));
+                    phi_608_ = type_34(array<f32, 3>(_e380, _e383, _e386), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e396 * _e404) + _e408), ((_e399 * _e404) + _e408), ((_e402 * _e404) + _e408)));
                 } else {
                     let _e302 = boxes[(_e107.member_1 - _e76)];
-                    phi_608_ = type_33(array<f32, 3>(_e302.member[0], _e302.member[1], _e302.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e302.member_1[0][0], _e302.member_1[0][1], _e302.member_1[0][2]), array<f32, 3>(_e302.member_1[1][0], _e302.member_1[1][1], _e302.member_1[1][2]), array<f32, 3>(_e302.member_1[2][0], _e302.member_1[2][1], _e302.member_1[2][2])), array<f32, 3>(_e302.member_2[0], _e302.member_2[1], _e302.member_2[2]));
+                    phi_608_ = type_34(array<f32, 3>(_e302.member[0], _e302.member[1], _e302.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e302.member_1[0][0], _e302.member_1[0][1], _e302.member_1[0][2]), array<f32, 3>(_e302.member_1[1][0], _e302.member_1[1][1], _e302.member_1[1][2]), array<f32, 3>(_e302.member_1[2][0], _e302.member_1[2][1], _e302.member_1[2][2])), array<f32, 3>(_e302.member_2[0], _e302.member_2[1], _e302.member_2[2]));
                 }
                 let _e415 = phi_608_;
                 let _e420 = (_e415.member[0] - _e289.member[0]);
@@ -1040,9 +1040,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e808 = (_e741 / _e807);
                             let _e809 = (_e742 / _e807);
                             let _e814 = (1.5f - (((_e808 * _e808) + (_e809 * _e809)) * 0.5f));
-                            phi_1213_ = type_34((_e808 * _e814), (_e809 * _e814));
+                            phi_1213_ = type_16((_e808 * _e814), (_e809 * _e814));
                         } else {
-                            phi_1213_ = type_34(1f, 0f);
+                            phi_1213_ = type_16(1f, 0f);
                         }
                         let _e819 = phi_1213_;
                         let _e824 = (((_e819.member * _e819.member_1) * _e744) * 2f);
@@ -1203,9 +1203,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1024 = (_e961 / _e1023);
                                             let _e1025 = (_e858.member[1] / _e1023);
                                             let _e1030 = (1.5f - (((_e1024 * _e1024) + (_e1025 * _e1025)) * 0.5f));
-                                            phi_1505_ = type_34((_e1024 * _e1030), (_e1025 * _e1030));
+                                            phi_1505_ = type_16((_e1024 * _e1030), (_e1025 * _e1030));
                                         } else {
-                                            phi_1505_ = type_34(1f, 0f);
+                                            phi_1505_ = type_16(1f, 0f);
                                         }
                                         let _e1035 = phi_1505_;
                                         let _e1052 = (((_e858.member_1[1] - _e858.member_1[2]) * _e1035.member_1) + ((_e1035.member * _e858.member[1]) * 2f));
@@ -1276,9 +1276,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1154 = (_e1058 / _e1153);
                                             let _e1155 = (_e1091 / _e1153);
                                             let _e1160 = (1.5f - (((_e1154 * _e1154) + (_e1155 * _e1155)) * 0.5f));
-                                            phi_1670_ = type_34((_e1154 * _e1160), (_e1155 * _e1160));
+                                            phi_1670_ = type_16((_e1154 * _e1160), (_e1155 * _e1160));
                                         } else {
-                                            phi_1670_ = type_34(1f, 0f);
+                                            phi_1670_ = type_16(1f, 0f);
                                         }
                                         let _e1165 = phi_1670_;
                                         let _e1175 = (((_e858.member_1[0] - _e1054) * _e1165.member_1) + ((_e1165.member * _e1090) * 2f));
@@ -1424,9 +1424,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1563 = (_e1500 / _e1562);
                                             let _e1564 = (_e858.member[0] / _e1562);
                                             let _e1569 = (1.5f - (((_e1563 * _e1563) + (_e1564 * _e1564)) * 0.5f));
-                                            phi_1939_ = type_34((_e1563 * _e1569), (_e1564 * _e1569));
+                                            phi_1939_ = type_16((_e1563 * _e1569), (_e1564 * _e1569));
                                         } else {
-                                            phi_1939_ = type_34(1f, 0f);
+                                            phi_1939_ = type_16(1f, 0f);
                                         }
                                         let _e1574 = phi_1939_;
                                         let _e1591 = (((_e858.member_1[0] - _e858.member_1[1]) * _e1574.member_1) + ((_e1574.member * _e858.member[0]) * 2f));
@@ -1559,9 +1559,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e1350 = (_e1287 / _e1349);
                                                 let _e1351 = (_e858.member[1] / _e1349);
                                                 let _e1356 = (1.5f - (((_e1350 * _e1350) + (_e1351 * _e1351)) * 0.5f));
-                                                phi_2196_ = type_34((_e1350 * _e1356), (_e1351 * _e1356));
+                                                phi_2196_ = type_16((_e1350 * _e1356), (_e1351 * _e1356));
                                             } else {
-                                                phi_2196_ = type_34(1f, 0f);
+                                                phi_2196_ = type_16(1f, 0f);
                                             }
                                             let _e1361 = phi_2196_;
                                             let _e1378 = (((_e858.member_1[1] - _e858.member_1[2]) * _e1361.member_1) + ((_e1361.member * _e858.member[1]) * 2f));
@@ -2607,10 +2607,10 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_4232_ = _e3318;
                         }
                         let _e3365 = phi_4232_;
-                        phi_4235_ = type_33(array<f32, 3>(_e2495, _e2497, _e2499), _e2038.member_1, array<f32, 3>(_e3359, _e3362, _e3365));
+                        phi_4235_ = type_34(array<f32, 3>(_e2495, _e2497, _e2499), _e2038.member_1, array<f32, 3>(_e3359, _e3362, _e3365));
                         phi_4236_ = false;
                     } else {
-                        phi_4235_ = type_33();
+                        phi_4235_ = type_34();
                         phi_4236_ = true;
                     }
                     let _e3369 = phi_4235_;
@@ -2618,7 +2618,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_4237_ = _e3369;
                     phi_4238_ = _e3371;
                 } else {
-                    phi_4237_ = type_33();
+                    phi_4237_ = type_34();
                     phi_4238_ = true;
                 }
                 let _e3373 = phi_4237_;
@@ -2631,12 +2631,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                     let _e3377 = phi_4252_;
                     let _e3379 = (bitcast<f32>(_e3377) * 3.9999998f);
-                    phi_4262_ = type_33(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3379, _e3379, _e3379));
+                    phi_4262_ = type_34(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3379, _e3379, _e3379));
                 } else {
                     phi_4262_ = _e3373;
                 }
                 let _e3383 = phi_4262_;
-                boxes[_e64] = type_33(array<f32, 3>(_e3383.member[0], _e3383.member[1], _e3383.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e3383.member_1[0][0], _e3383.member_1[0][1], _e3383.member_1[0][2]), array<f32, 3>(_e3383.member_1[1][0], _e3383.member_1[1][1], _e3383.member_1[1][2]), array<f32, 3>(_e3383.member_1[2][0], _e3383.member_1[2][1], _e3383.member_1[2][2])), array<f32, 3>(_e3383.member_2[0], _e3383.member_2[1], _e3383.member_2[2]));
+                boxes[_e64] = type_34(array<f32, 3>(_e3383.member[0], _e3383.member[1], _e3383.member[2]), array<array<f32, 3>, 3>(array<f32, 3>(_e3383.member_1[0][0], _e3383.member_1[0][1], _e3383.member_1[0][2]), array<f32, 3>(_e3383.member_1[1][0], _e3383.member_1[1][1], _e3383.member_1[1][2]), array<f32, 3>(_e3383.member_1[2][0], _e3383.member_1[2][1], _e3383.member_1[2][2])), array<f32, 3>(_e3383.member_2[0], _e3383.member_2[1], _e3383.member_2[2]));
                 let _e3419 = atomicOr((&done[(_e64 / 32u)]), (1u << bitcast<u32>(((_e64 % 32u) & 31u))));
                 phi_4298_ = 2u;
             }
@@ -2683,7 +2683,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e3450 = local_11;
     if (_e3450 == 2u) {
         let _e3469 = boxes[_e64];
-        oriented.member[_e3448] = type_30(vec4<f32>(_e3469.member[0], _e3469.member[1], _e3469.member[2], _e3469.member_1[0][0]), vec4<f32>(_e3469.member_1[0][1], _e3469.member_1[0][2], _e3469.member_1[1][0], _e3469.member_1[1][1]), vec4<f32>(_e3469.member_1[1][2], _e3469.member_1[2][0], _e3469.member_1[2][1], _e3469.member_1[2][2]), vec4<f32>(_e3469.member_2[0], _e3469.member_2[1], _e3469.member_2[2], 0f));
+        oriented.member[_e3448] = type_31(vec4<f32>(_e3469.member[0], _e3469.member[1], _e3469.member[2], _e3469.member_1[0][0]), vec4<f32>(_e3469.member_1[0][1], _e3469.member_1[0][2], _e3469.member_1[1][0], _e3469.member_1[1][1]), vec4<f32>(_e3469.member_1[1][2], _e3469.member_1[2][0], _e3469.member_1[2][1], _e3469.member_1[2][2]), vec4<f32>(_e3469.member_2[0], _e3469.member_2[1], _e3469.member_2[2], 0f));
         stamps.member[_e3448] = 1u;
     } else {
         let _e3453 = local_12;
@@ -2695,7 +2695,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             let _e3456 = phi_4415_;
             let _e3458 = (bitcast<f32>(_e3456) * 3.9999998f);
-            oriented.member[_e3448] = type_30(vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(_e3458, _e3458, _e3458, 0f));
+            oriented.member[_e3448] = type_31(vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(_e3458, _e3458, _e3458, 0f));
             stamps.member[_e3448] = 0u;
             let _e3464 = atomicLoad((&counters[1u]));
             atomicStore((&far.member[(4u + (_e3464 + _e3436))]), _e77);

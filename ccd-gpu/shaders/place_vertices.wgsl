@@ -31,190 +31,219 @@ struct type_9 {
     member_1: u32,
 }
 
-struct type_15 {
+struct type_14 {
+    member: f32,
+    member_1: f32,
+}
+
+struct type_16 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_17 {
-    member: array<type_15>,
+struct type_18 {
+    member: array<type_16>,
 }
 
-struct type_19 {
+struct type_20 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_21 {
-    member: array<type_19>,
-}
-
 struct type_22 {
-    member: u32,
+    member: array<type_20>,
 }
 
 struct type_23 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_22,
+    member: u32,
 }
 
 struct type_24 {
-    member: type_23,
+    member: type_7,
+    member_1: type_8,
+    member_2: type_23,
 }
 
-struct type_27 {
+struct type_25 {
+    member: type_24,
+}
+
+struct type_28 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_30 {
+struct type_31 {
     member: array<array<f64, 3>>,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<f64, 3>,
     member_1: array<f64, 3>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_24;
+var<storage> params: type_25;
 @group(0) @binding(1) 
-var<storage> positions: type_30;
+var<storage> positions: type_31;
 @group(0) @binding(2) 
-var<storage, read_write> paths: type_17;
+var<storage, read_write> paths: type_18;
 @group(0) @binding(3) 
-var<storage, read_write> keys: type_27;
+var<storage, read_write> keys: type_28;
 @group(0) @binding(4) 
-var<storage, read_write> boxes: type_21;
+var<storage, read_write> boxes: type_22;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_19;
-    var local_1: type_19;
+    var local: type_20;
+    var local_1: type_20;
     var local_2: array<f64, 3>;
     var local_3: array<f64, 3>;
-    var local_4: type_15;
-    var local_5: type_31;
-    var local_6: type_31;
-    var phi_172_: f64;
-    var phi_179_: f64;
-    var phi_186_: f64;
-    var phi_194_: f64;
-    var phi_201_: f64;
-    var phi_208_: f64;
-    var phi_238_: type_9;
-    var phi_239_: type_9;
-    var phi_262_: type_9;
-    var phi_289_: bool;
-    var phi_306_: f64;
-    var phi_307_: f64;
-    var phi_308_: f64;
-    var phi_335_: bool;
-    var phi_352_: f64;
-    var phi_353_: f64;
-    var phi_354_: f64;
-    var phi_409_: type_9;
-    var phi_410_: type_9;
-    var phi_433_: type_9;
-    var phi_491_: bool;
-    var phi_508_: f32;
-    var phi_509_: f32;
-    var phi_510_: f32;
-    var phi_512_: f32;
-    var phi_529_: bool;
-    var phi_546_: f32;
-    var phi_547_: f32;
-    var phi_548_: f32;
-    var phi_549_: f32;
-    var phi_568_: bool;
-    var phi_569_: bool;
-    var phi_573_: bool;
-    var phi_574_: bool;
-    var phi_578_: f32;
-    var phi_611_: bool;
-    var phi_628_: f32;
-    var phi_629_: f32;
-    var phi_630_: f32;
-    var phi_632_: f32;
+    var local_4: type_16;
+    var local_5: type_32;
+    var local_6: type_32;
+    var phi_188_: f64;
+    var phi_195_: f64;
+    var phi_202_: f64;
+    var phi_210_: f64;
+    var phi_217_: f64;
+    var phi_224_: f64;
+    var phi_254_: type_9;
+    var phi_255_: type_9;
+    var phi_278_: type_9;
+    var phi_305_: bool;
+    var phi_322_: f64;
+    var phi_323_: f64;
+    var phi_324_: f64;
+    var phi_351_: bool;
+    var phi_368_: f64;
+    var phi_369_: f64;
+    var phi_370_: f64;
+    var phi_425_: type_9;
+    var phi_426_: type_9;
+    var phi_449_: type_9;
+    var phi_536_: bool;
+    var phi_537_: u32;
+    var phi_538_: bool;
+    var phi_539_: u32;
+    var phi_540_: bool;
+    var phi_541_: u32;
+    var phi_542_: bool;
+    var phi_543_: u32;
+    var phi_556_: type_14;
+    var phi_604_: bool;
+    var phi_605_: u32;
+    var phi_606_: bool;
+    var phi_607_: u32;
+    var phi_608_: bool;
+    var phi_609_: u32;
+    var phi_610_: bool;
+    var phi_611_: u32;
+    var phi_624_: type_14;
+    var phi_644_: bool;
+    var phi_645_: bool;
     var phi_649_: bool;
-    var phi_666_: f32;
-    var phi_667_: f32;
-    var phi_668_: f32;
-    var phi_669_: f32;
-    var phi_688_: bool;
-    var phi_689_: bool;
-    var phi_693_: bool;
-    var phi_694_: bool;
-    var phi_698_: f32;
-    var phi_752_: bool;
-    var phi_753_: bool;
-    var phi_760_: array<u32, 2>;
-    var phi_761_: bool;
-    var phi_762_: array<u32, 2>;
-    var phi_763_: bool;
-    var phi_769_: array<u32, 2>;
+    var phi_650_: bool;
+    var phi_654_: f32;
+    var phi_716_: bool;
+    var phi_717_: u32;
+    var phi_718_: bool;
+    var phi_719_: u32;
+    var phi_720_: bool;
+    var phi_721_: u32;
+    var phi_722_: bool;
+    var phi_723_: u32;
+    var phi_736_: type_14;
+    var phi_784_: bool;
+    var phi_785_: u32;
+    var phi_786_: bool;
+    var phi_787_: u32;
     var phi_788_: bool;
-    var phi_789_: bool;
-    var phi_796_: array<u32, 2>;
-    var phi_797_: bool;
-    var phi_798_: array<u32, 2>;
-    var phi_799_: bool;
-    var phi_805_: array<u32, 2>;
+    var phi_789_: u32;
+    var phi_790_: bool;
+    var phi_791_: u32;
+    var phi_804_: type_14;
     var phi_824_: bool;
     var phi_825_: bool;
-    var phi_832_: array<u32, 2>;
-    var phi_833_: bool;
-    var phi_834_: array<u32, 2>;
-    var phi_835_: bool;
-    var phi_841_: array<u32, 2>;
-    var phi_860_: bool;
-    var phi_861_: bool;
-    var phi_868_: array<u32, 2>;
-    var phi_869_: bool;
-    var phi_870_: array<u32, 2>;
-    var phi_871_: bool;
-    var phi_877_: array<u32, 2>;
-    var phi_896_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_834_: f32;
+    var phi_888_: bool;
+    var phi_889_: bool;
+    var phi_896_: array<u32, 2>;
     var phi_897_: bool;
-    var phi_904_: array<u32, 2>;
-    var phi_905_: bool;
-    var phi_906_: array<u32, 2>;
-    var phi_907_: bool;
-    var phi_913_: array<u32, 2>;
-    var phi_932_: bool;
+    var phi_898_: array<u32, 2>;
+    var phi_899_: bool;
+    var phi_905_: array<u32, 2>;
+    var phi_924_: bool;
+    var phi_925_: bool;
+    var phi_932_: array<u32, 2>;
     var phi_933_: bool;
-    var phi_940_: array<u32, 2>;
-    var phi_941_: bool;
-    var phi_942_: array<u32, 2>;
-    var phi_943_: bool;
-    var phi_949_: array<u32, 2>;
-    var phi_955_: type_9;
-    var phi_956_: type_9;
-    var phi_979_: type_9;
-    var phi_1011_: bool;
-    var phi_1028_: f32;
-    var phi_1029_: f32;
-    var phi_1030_: f32;
-    var phi_1032_: f32;
-    var phi_1038_: f32;
-    var phi_1043_: f32;
-    var phi_1074_: bool;
-    var phi_1091_: f32;
-    var phi_1092_: f32;
-    var phi_1093_: f32;
-    var phi_1094_: f32;
-    var phi_1100_: f32;
-    var phi_1105_: f32;
-    var phi_1138_: type_9;
-    var phi_1139_: type_9;
-    var phi_1162_: type_9;
-    var phi_1183_: bool;
-    var phi_1206_: bool;
-    var phi_1210_: f32;
-    var phi_1219_: f32;
-    var phi_1240_: bool;
-    var phi_1263_: bool;
-    var phi_1267_: f32;
-    var phi_1276_: f32;
+    var phi_934_: array<u32, 2>;
+    var phi_935_: bool;
+    var phi_941_: array<u32, 2>;
+    var phi_960_: bool;
+    var phi_961_: bool;
+    var phi_968_: array<u32, 2>;
+    var phi_969_: bool;
+    var phi_970_: array<u32, 2>;
+    var phi_971_: bool;
+    var phi_977_: array<u32, 2>;
+    var phi_996_: bool;
+    var phi_997_: bool;
+    var phi_1004_: array<u32, 2>;
+    var phi_1005_: bool;
+    var phi_1006_: array<u32, 2>;
+    var phi_1007_: bool;
+    var phi_1013_: array<u32, 2>;
+    var phi_1032_: bool;
+    var phi_1033_: bool;
+    var phi_1040_: array<u32, 2>;
+    var phi_1041_: bool;
+    var phi_1042_: array<u32, 2>;
+    var phi_1043_: bool;
+    var phi_1049_: array<u32, 2>;
+    var phi_1068_: bool;
+    var phi_1069_: bool;
+    var phi_1076_: array<u32, 2>;
+    var phi_1077_: bool;
+    var phi_1078_: array<u32, 2>;
+    var phi_1079_: bool;
+    var phi_1085_: array<u32, 2>;
+    var phi_1091_: type_9;
+    var phi_1092_: type_9;
+    var phi_1115_: type_9;
+    var phi_1176_: bool;
+    var phi_1177_: u32;
+    var phi_1178_: bool;
+    var phi_1179_: u32;
+    var phi_1180_: bool;
+    var phi_1181_: u32;
+    var phi_1182_: bool;
+    var phi_1183_: u32;
+    var phi_1196_: type_14;
+    var phi_1203_: f32;
+    var phi_1208_: f32;
+    var phi_1269_: bool;
+    var phi_1270_: u32;
+    var phi_1271_: bool;
+    var phi_1272_: u32;
+    var phi_1273_: bool;
+    var phi_1274_: u32;
+    var phi_1275_: bool;
+    var phi_1276_: u32;
+    var phi_1289_: type_14;
+    var phi_1296_: f32;
+    var phi_1301_: f32;
+    var phi_1334_: type_9;
+    var phi_1335_: type_9;
+    var phi_1358_: type_9;
+    var phi_1379_: bool;
+    var phi_1402_: bool;
+    var phi_1406_: f32;
+    var phi_1415_: f32;
+    var phi_1436_: bool;
+    var phi_1459_: bool;
+    var phi_1463_: f32;
+    var phi_1472_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -222,807 +251,930 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e38 = id_2;
-    let _e39 = n_2;
-    let _e40 = lane_2;
-    let _e52 = ((((_e38.y * _e39.x) + _e38.x) * 256u) + _e40);
-    let _e56 = params.member.member.member[0u];
-    if (_e52 < _e56) {
-        let _e60 = positions.member[_e52];
-        let _e63 = params.member.member.member[0u];
-        let _e66 = positions.member[(_e63 + _e52)];
-        if (_e60[0] < _e66[0]) {
-            phi_172_ = _e60[0];
+    let _e52 = id_2;
+    let _e53 = n_2;
+    let _e54 = lane_2;
+    let _e66 = ((((_e52.y * _e53.x) + _e52.x) * 256u) + _e54);
+    let _e70 = params.member.member.member[0u];
+    if (_e66 < _e70) {
+        let _e74 = positions.member[_e66];
+        let _e77 = params.member.member.member[0u];
+        let _e80 = positions.member[(_e77 + _e66)];
+        if (_e74[0] < _e80[0]) {
+            phi_188_ = _e74[0];
         } else {
-            phi_172_ = _e66[0];
+            phi_188_ = _e80[0];
         }
-        let _e72 = phi_172_;
-        if (_e60[1] < _e66[1]) {
-            phi_179_ = _e60[1];
+        let _e86 = phi_188_;
+        if (_e74[1] < _e80[1]) {
+            phi_195_ = _e74[1];
         } else {
-            phi_179_ = _e66[1];
+            phi_195_ = _e80[1];
         }
-        let _e77 = phi_179_;
-        if (_e60[2] < _e66[2]) {
-            phi_186_ = _e60[2];
+        let _e91 = phi_195_;
+        if (_e74[2] < _e80[2]) {
+            phi_202_ = _e74[2];
         } else {
-            phi_186_ = _e66[2];
+            phi_202_ = _e80[2];
         }
-        let _e82 = phi_186_;
-        if (_e60[0] > _e66[0]) {
-            phi_194_ = _e60[0];
+        let _e96 = phi_202_;
+        if (_e74[0] > _e80[0]) {
+            phi_210_ = _e74[0];
         } else {
-            phi_194_ = _e66[0];
+            phi_210_ = _e80[0];
         }
-        let _e87 = phi_194_;
-        if (_e60[1] > _e66[1]) {
-            phi_201_ = _e60[1];
+        let _e101 = phi_210_;
+        if (_e74[1] > _e80[1]) {
+            phi_217_ = _e74[1];
         } else {
-            phi_201_ = _e66[1];
+            phi_217_ = _e80[1];
         }
-        let _e92 = phi_201_;
-        if (_e60[2] > _e66[2]) {
-            phi_208_ = _e60[2];
+        let _e106 = phi_217_;
+        if (_e74[2] > _e80[2]) {
+            phi_224_ = _e74[2];
         } else {
-            phi_208_ = _e66[2];
+            phi_224_ = _e80[2];
         }
-        let _e97 = phi_208_;
-        let _e99 = params.member.member.member_9;
-        let _e106 = bitcast<f64>(((u64(_e99[1]) * 4294967296lu) + u64(_e99[0])));
-        if (_e106 > f64(0f)) {
-            local_5 = type_31(array<f64, 3>(_e72, _e77, _e82), array<f64, 3>(_e87, _e92, _e97));
-            phi_238_ = type_9(0u, 3u);
+        let _e111 = phi_224_;
+        let _e113 = params.member.member.member_9;
+        let _e120 = bitcast<f64>(((u64(_e113[1]) * 4294967296lu) + u64(_e113[0])));
+        if (_e120 > f64(0f)) {
+            local_5 = type_32(array<f64, 3>(_e86, _e91, _e96), array<f64, 3>(_e101, _e106, _e111));
+            phi_254_ = type_9(0u, 3u);
             loop {
-                let _e116 = phi_238_;
-                if (_e116.member < _e116.member_1) {
-                    phi_239_ = type_9((_e116.member + 1u), _e116.member_1);
-                    phi_262_ = type_9(1u, _e116.member);
+                let _e130 = phi_254_;
+                if (_e130.member < _e130.member_1) {
+                    phi_255_ = type_9((_e130.member + 1u), _e130.member_1);
+                    phi_278_ = type_9(1u, _e130.member);
                 } else {
-                    phi_239_ = _e116;
-                    phi_262_ = type_9(0u, type_9().member_1);
+                    phi_255_ = _e130;
+                    phi_278_ = type_9(0u, type_9().member_1);
                 }
-                let _e128 = phi_239_;
-                let _e130 = phi_262_;
-                let _e134 = (bitcast<i32>(_e130.member) != 0i);
-                if _e134 {
-                    let _e137 = local_5.member[_e130.member_1];
-                    let _e139 = -((_e137 - _e106));
-                    let _e140 = bitcast<u64>(_e139);
-                    if ((_e140 & 9218868437227405312lu) == 9218868437227405312lu) {
-                        phi_289_ = (_e139 < 0.0lf);
+                let _e142 = phi_255_;
+                let _e144 = phi_278_;
+                let _e148 = (bitcast<i32>(_e144.member) != 0i);
+                if _e148 {
+                    let _e151 = local_5.member[_e144.member_1];
+                    let _e153 = -((_e151 - _e120));
+                    let _e154 = bitcast<u64>(_e153);
+                    if ((_e154 & 9218868437227405312lu) == 9218868437227405312lu) {
+                        phi_305_ = (_e153 < 0.0lf);
                     } else {
-                        phi_289_ = true;
+                        phi_305_ = true;
                     }
-                    let _e145 = phi_289_;
-                    if _e145 {
-                        if (_e139 > 0.0lf) {
-                            phi_307_ = bitcast<f64>((_e140 + 1lu));
+                    let _e159 = phi_305_;
+                    if _e159 {
+                        if (_e153 > 0.0lf) {
+                            phi_323_ = bitcast<f64>((_e154 + 1lu));
                         } else {
-                            if (_e139 < 0.0lf) {
-                                phi_306_ = bitcast<f64>((_e140 - 1lu));
+                            if (_e153 < 0.0lf) {
+                                phi_322_ = bitcast<f64>((_e154 - 1lu));
                             } else {
-                                phi_306_ = 5e-324lf;
+                                phi_322_ = 5e-324lf;
                             }
-                            let _e151 = phi_306_;
-                            phi_307_ = _e151;
+                            let _e165 = phi_322_;
+                            phi_323_ = _e165;
                         }
-                        let _e155 = phi_307_;
-                        phi_308_ = _e155;
+                        let _e169 = phi_323_;
+                        phi_324_ = _e169;
                     } else {
-                        phi_308_ = _e139;
+                        phi_324_ = _e153;
                     }
-                    let _e157 = phi_308_;
-                    local_5.member[_e130.member_1] = -(_e157);
-                    let _e163 = local_5.member_1[_e130.member_1];
-                    let _e164 = (_e163 + _e106);
-                    let _e165 = bitcast<u64>(_e164);
-                    if ((_e165 & 9218868437227405312lu) == 9218868437227405312lu) {
-                        phi_335_ = (_e164 < 0.0lf);
+                    let _e171 = phi_324_;
+                    local_5.member[_e144.member_1] = -(_e171);
+                    let _e177 = local_5.member_1[_e144.member_1];
+                    let _e178 = (_e177 + _e120);
+                    let _e179 = bitcast<u64>(_e178);
+                    if ((_e179 & 9218868437227405312lu) == 9218868437227405312lu) {
+                        phi_351_ = (_e178 < 0.0lf);
                     } else {
-                        phi_335_ = true;
+                        phi_351_ = true;
                     }
-                    let _e170 = phi_335_;
-                    if _e170 {
-                        if (_e164 > 0.0lf) {
-                            phi_353_ = bitcast<f64>((_e165 + 1lu));
+                    let _e184 = phi_351_;
+                    if _e184 {
+                        if (_e178 > 0.0lf) {
+                            phi_369_ = bitcast<f64>((_e179 + 1lu));
                         } else {
-                            if (_e164 < 0.0lf) {
-                                phi_352_ = bitcast<f64>((_e165 - 1lu));
+                            if (_e178 < 0.0lf) {
+                                phi_368_ = bitcast<f64>((_e179 - 1lu));
                             } else {
-                                phi_352_ = 5e-324lf;
+                                phi_368_ = 5e-324lf;
                             }
-                            let _e176 = phi_352_;
-                            phi_353_ = _e176;
+                            let _e190 = phi_368_;
+                            phi_369_ = _e190;
                         }
-                        let _e180 = phi_353_;
-                        phi_354_ = _e180;
+                        let _e194 = phi_369_;
+                        phi_370_ = _e194;
                     } else {
-                        phi_354_ = _e164;
+                        phi_370_ = _e178;
                     }
-                    let _e182 = phi_354_;
-                    local_5.member_1[_e130.member_1] = _e182;
+                    let _e196 = phi_370_;
+                    local_5.member_1[_e144.member_1] = _e196;
                 }
                 continue;
                 continuing {
-                    phi_238_ = _e128;
-                    break if !(_e134);
+                    phi_254_ = _e142;
+                    break if !(_e148);
                 }
             }
         } else {
-            local_5 = type_31(array<f64, 3>(_e72, _e77, _e82), array<f64, 3>(_e87, _e92, _e97));
+            local_5 = type_32(array<f64, 3>(_e86, _e91, _e96), array<f64, 3>(_e101, _e106, _e111));
         }
-        let _e186 = local_5;
-        local_6 = _e186;
-        local_2 = array<f64, 3>(_e60[0], _e60[1], _e60[2]);
-        local_3 = array<f64, 3>(_e66[0], _e66[1], _e66[2]);
+        let _e200 = local_5;
+        local_6 = _e200;
+        local_2 = array<f64, 3>(_e74[0], _e74[1], _e74[2]);
+        local_3 = array<f64, 3>(_e80[0], _e80[1], _e80[2]);
         local_4.member = array<f32, 4>(0f, 0f, 0f, 0f);
         local_4.member_1 = array<f32, 4>(0f, 0f, 0f, 0f);
-        phi_409_ = type_9(0u, 3u);
+        phi_425_ = type_9(0u, 3u);
         loop {
-            let _e199 = phi_409_;
-            if (_e199.member < _e199.member_1) {
-                phi_410_ = type_9((_e199.member + 1u), _e199.member_1);
-                phi_433_ = type_9(1u, _e199.member);
+            let _e213 = phi_425_;
+            if (_e213.member < _e213.member_1) {
+                phi_426_ = type_9((_e213.member + 1u), _e213.member_1);
+                phi_449_ = type_9(1u, _e213.member);
             } else {
-                phi_410_ = _e199;
-                phi_433_ = type_9(0u, type_9().member_1);
+                phi_426_ = _e213;
+                phi_449_ = type_9(0u, type_9().member_1);
             }
-            let _e211 = phi_410_;
-            let _e213 = phi_433_;
-            let _e217 = (bitcast<i32>(_e213.member) != 0i);
-            if _e217 {
-                let _e220 = params.member.member.member_8[_e213.member_1];
-                let _e227 = bitcast<f64>(((u64(_e220[1]) * 4294967296lu) + u64(_e220[0])));
-                let _e229 = params.member.member.member_10;
-                let _e236 = bitcast<f64>(((u64(_e229[1]) * 4294967296lu) + u64(_e229[0])));
-                let _e238 = local_2[_e213.member_1];
-                let _e240 = ((_e238 - _e227) * _e236);
-                let _e241 = f32(_e240);
-                if (f64(_e241) > _e240) {
-                    let _e244 = -(_e241);
-                    let _e245 = bitcast<u32>(_e244);
-                    if ((_e245 & 2139095040u) == 2139095040u) {
-                        phi_491_ = (_e244 < 0f);
+            let _e225 = phi_426_;
+            let _e227 = phi_449_;
+            let _e231 = (bitcast<i32>(_e227.member) != 0i);
+            if _e231 {
+                let _e234 = params.member.member.member_8[_e227.member_1];
+                let _e241 = bitcast<f64>(((u64(_e234[1]) * 4294967296lu) + u64(_e234[0])));
+                let _e243 = params.member.member.member_10;
+                let _e250 = bitcast<f64>(((u64(_e243[1]) * 4294967296lu) + u64(_e243[0])));
+                let _e252 = local_2[_e227.member_1];
+                let _e254 = ((_e252 - _e241) * _e250);
+                let _e255 = bitcast<u64>(_e254);
+                let _e256 = u32(_e255);
+                let _e258 = u32((_e255 / 4294967296lu));
+                let _e259 = (_e258 & 2147483648u);
+                let _e262 = ((_e258 >> bitcast<u32>(20i)) & 2047u);
+                let _e268 = (((_e258 & 1048575u) << bitcast<u32>(3i)) | (_e256 >> bitcast<u32>(29i)));
+                let _e269 = (_e256 & 536870911u);
+                if (_e262 == 2047u) {
+                    phi_542_ = false;
+                    phi_543_ = (2139095040u | _e268);
+                } else {
+                    if (_e262 > 1150u) {
+                        phi_540_ = true;
+                        phi_541_ = 2139095039u;
                     } else {
-                        phi_491_ = true;
-                    }
-                    let _e250 = phi_491_;
-                    if _e250 {
-                        if (_e244 > 0f) {
-                            phi_509_ = bitcast<f32>((_e245 + 1u));
+                        if (_e262 > 896u) {
+                            phi_538_ = (_e269 != 0u);
+                            phi_539_ = (((_e262 - 896u) << bitcast<u32>(23i)) | _e268);
                         } else {
-                            if (_e244 < 0f) {
-                                phi_508_ = bitcast<f32>((_e245 - 1u));
+                            if (_e262 >= 873u) {
+                                let _e277 = (8388608u | _e268);
+                                let _e278 = (897u - _e262);
+                                phi_536_ = (((_e277 & ((1u << bitcast<u32>((_e278 & 31u))) - 1u)) | _e269) != 0u);
+                                phi_537_ = (_e277 >> bitcast<u32>((_e278 & 31u)));
                             } else {
-                                phi_508_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_536_ = (((_e258 & 2147483647u) | _e256) != 0u);
+                                phi_537_ = 0u;
                             }
-                            let _e256 = phi_508_;
-                            phi_509_ = _e256;
+                            let _e290 = phi_536_;
+                            let _e292 = phi_537_;
+                            phi_538_ = _e290;
+                            phi_539_ = _e292;
                         }
-                        let _e260 = phi_509_;
-                        phi_510_ = _e260;
-                    } else {
-                        phi_510_ = _e244;
+                        let _e299 = phi_538_;
+                        let _e301 = phi_539_;
+                        phi_540_ = _e299;
+                        phi_541_ = _e301;
                     }
-                    let _e262 = phi_510_;
-                    phi_512_ = -(_e262);
-                } else {
-                    phi_512_ = _e241;
+                    let _e303 = phi_540_;
+                    let _e305 = phi_541_;
+                    phi_542_ = _e303;
+                    phi_543_ = _e305;
                 }
-                let _e265 = phi_512_;
-                let _e266 = f32(_e240);
-                if (f64(_e266) < _e240) {
-                    let _e269 = bitcast<u32>(_e266);
-                    if ((_e269 & 2139095040u) == 2139095040u) {
-                        phi_529_ = (_e266 < 0f);
+                let _e308 = phi_542_;
+                let _e310 = phi_543_;
+                let _e312 = bitcast<f32>((_e259 | _e310));
+                let _e316 = bitcast<f32>(((_e259 | _e310) + select(0u, 1u, _e308)));
+                if (_e259 == 0u) {
+                    phi_556_ = type_14(_e312, _e316);
+                } else {
+                    phi_556_ = type_14(_e316, _e312);
+                }
+                let _e321 = phi_556_;
+                let _e323 = bitcast<u64>(_e254);
+                let _e324 = u32(_e323);
+                let _e326 = u32((_e323 / 4294967296lu));
+                let _e327 = (_e326 & 2147483648u);
+                let _e330 = ((_e326 >> bitcast<u32>(20i)) & 2047u);
+                let _e336 = (((_e326 & 1048575u) << bitcast<u32>(3i)) | (_e324 >> bitcast<u32>(29i)));
+                let _e337 = (_e324 & 536870911u);
+                if (_e330 == 2047u) {
+                    phi_610_ = false;
+                    phi_611_ = (2139095040u | _e336);
+                } else {
+                    if (_e330 > 1150u) {
+                        phi_608_ = true;
+                        phi_609_ = 2139095039u;
                     } else {
-                        phi_529_ = true;
-                    }
-                    let _e274 = phi_529_;
-                    if _e274 {
-                        if (_e266 > 0f) {
-                            phi_547_ = bitcast<f32>((_e269 + 1u));
+                        if (_e330 > 896u) {
+                            phi_606_ = (_e337 != 0u);
+                            phi_607_ = (((_e330 - 896u) << bitcast<u32>(23i)) | _e336);
                         } else {
-                            if (_e266 < 0f) {
-                                phi_546_ = bitcast<f32>((_e269 - 1u));
+                            if (_e330 >= 873u) {
+                                let _e345 = (8388608u | _e336);
+                                let _e346 = (897u - _e330);
+                                phi_604_ = (((_e345 & ((1u << bitcast<u32>((_e346 & 31u))) - 1u)) | _e337) != 0u);
+                                phi_605_ = (_e345 >> bitcast<u32>((_e346 & 31u)));
                             } else {
-                                phi_546_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_604_ = (((_e326 & 2147483647u) | _e324) != 0u);
+                                phi_605_ = 0u;
                             }
-                            let _e280 = phi_546_;
-                            phi_547_ = _e280;
+                            let _e358 = phi_604_;
+                            let _e360 = phi_605_;
+                            phi_606_ = _e358;
+                            phi_607_ = _e360;
                         }
-                        let _e284 = phi_547_;
-                        phi_548_ = _e284;
-                    } else {
-                        phi_548_ = _e266;
+                        let _e367 = phi_606_;
+                        let _e369 = phi_607_;
+                        phi_608_ = _e367;
+                        phi_609_ = _e369;
                     }
-                    let _e286 = phi_548_;
-                    phi_549_ = _e286;
-                } else {
-                    phi_549_ = _e266;
+                    let _e371 = phi_608_;
+                    let _e373 = phi_609_;
+                    phi_610_ = _e371;
+                    phi_611_ = _e373;
                 }
-                let _e288 = phi_549_;
-                let _e290 = (_e240 - f64(_e265));
-                let _e292 = (f64(_e288) - _e240);
-                if (_e290 < _e292) {
-                    phi_574_ = true;
+                let _e376 = phi_610_;
+                let _e378 = phi_611_;
+                let _e380 = bitcast<f32>((_e327 | _e378));
+                let _e384 = bitcast<f32>(((_e327 | _e378) + select(0u, 1u, _e376)));
+                if (_e327 == 0u) {
+                    phi_624_ = type_14(_e380, _e384);
                 } else {
-                    if (_e290 == _e292) {
-                        if ((bitcast<u32>(_e265) & 1u) == 0u) {
-                            phi_568_ = false;
+                    phi_624_ = type_14(_e384, _e380);
+                }
+                let _e389 = phi_624_;
+                let _e392 = (_e254 - f64(_e321.member));
+                let _e394 = (f64(_e389.member_1) - _e254);
+                if (_e392 < _e394) {
+                    phi_650_ = true;
+                } else {
+                    if (_e392 == _e394) {
+                        if ((bitcast<u32>(_e321.member) & 1u) == 0u) {
+                            phi_644_ = false;
                         } else {
-                            phi_568_ = true;
+                            phi_644_ = true;
                         }
-                        let _e299 = phi_568_;
-                        phi_569_ = _e299;
+                        let _e401 = phi_644_;
+                        phi_645_ = _e401;
                     } else {
-                        phi_569_ = true;
+                        phi_645_ = true;
                     }
-                    let _e301 = phi_569_;
-                    if _e301 {
-                        phi_573_ = false;
-                    } else {
-                        phi_573_ = true;
-                    }
-                    let _e303 = phi_573_;
-                    phi_574_ = _e303;
-                }
-                let _e305 = phi_574_;
-                if _e305 {
-                    phi_578_ = _e265;
-                } else {
-                    phi_578_ = _e288;
-                }
-                let _e307 = phi_578_;
-                local_4.member[_e213.member_1] = _e307;
-                let _e311 = local_3[_e213.member_1];
-                let _e313 = ((_e311 - _e227) * _e236);
-                let _e314 = f32(_e313);
-                if (f64(_e314) > _e313) {
-                    let _e317 = -(_e314);
-                    let _e318 = bitcast<u32>(_e317);
-                    if ((_e318 & 2139095040u) == 2139095040u) {
-                        phi_611_ = (_e317 < 0f);
-                    } else {
-                        phi_611_ = true;
-                    }
-                    let _e323 = phi_611_;
-                    if _e323 {
-                        if (_e317 > 0f) {
-                            phi_629_ = bitcast<f32>((_e318 + 1u));
-                        } else {
-                            if (_e317 < 0f) {
-                                phi_628_ = bitcast<f32>((_e318 - 1u));
-                            } else {
-                                phi_628_ = 0.000000000000000000000000000000000000000000001f;
-                            }
-                            let _e329 = phi_628_;
-                            phi_629_ = _e329;
-                        }
-                        let _e333 = phi_629_;
-                        phi_630_ = _e333;
-                    } else {
-                        phi_630_ = _e317;
-                    }
-                    let _e335 = phi_630_;
-                    phi_632_ = -(_e335);
-                } else {
-                    phi_632_ = _e314;
-                }
-                let _e338 = phi_632_;
-                let _e339 = f32(_e313);
-                if (f64(_e339) < _e313) {
-                    let _e342 = bitcast<u32>(_e339);
-                    if ((_e342 & 2139095040u) == 2139095040u) {
-                        phi_649_ = (_e339 < 0f);
+                    let _e403 = phi_645_;
+                    if _e403 {
+                        phi_649_ = false;
                     } else {
                         phi_649_ = true;
                     }
-                    let _e347 = phi_649_;
-                    if _e347 {
-                        if (_e339 > 0f) {
-                            phi_667_ = bitcast<f32>((_e342 + 1u));
+                    let _e405 = phi_649_;
+                    phi_650_ = _e405;
+                }
+                let _e407 = phi_650_;
+                if _e407 {
+                    phi_654_ = _e321.member;
+                } else {
+                    phi_654_ = _e389.member_1;
+                }
+                let _e409 = phi_654_;
+                local_4.member[_e227.member_1] = _e409;
+                let _e413 = local_3[_e227.member_1];
+                let _e415 = ((_e413 - _e241) * _e250);
+                let _e416 = bitcast<u64>(_e415);
+                let _e417 = u32(_e416);
+                let _e419 = u32((_e416 / 4294967296lu));
+                let _e420 = (_e419 & 2147483648u);
+                let _e423 = ((_e419 >> bitcast<u32>(20i)) & 2047u);
+                let _e429 = (((_e419 & 1048575u) << bitcast<u32>(3i)) | (_e417 >> bitcast<u32>(29i)));
+                let _e430 = (_e417 & 536870911u);
+                if (_e423 == 2047u) {
+                    phi_722_ = false;
+                    phi_723_ = (2139095040u | _e429);
+                } else {
+                    if (_e423 > 1150u) {
+                        phi_720_ = true;
+                        phi_721_ = 2139095039u;
+                    } else {
+                        if (_e423 > 896u) {
+                            phi_718_ = (_e430 != 0u);
+                            phi_719_ = (((_e423 - 896u) << bitcast<u32>(23i)) | _e429);
                         } else {
-                            if (_e339 < 0f) {
-                                phi_666_ = bitcast<f32>((_e342 - 1u));
+                            if (_e423 >= 873u) {
+                                let _e438 = (8388608u | _e429);
+                                let _e439 = (897u - _e423);
+                                phi_716_ = (((_e438 & ((1u << bitcast<u32>((_e439 & 31u))) - 1u)) | _e430) != 0u);
+                                phi_717_ = (_e438 >> bitcast<u32>((_e439 & 31u)));
                             } else {
-                                phi_666_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_716_ = (((_e419 & 2147483647u) | _e417) != 0u);
+                                phi_717_ = 0u;
                             }
-                            let _e353 = phi_666_;
-                            phi_667_ = _e353;
+                            let _e451 = phi_716_;
+                            let _e453 = phi_717_;
+                            phi_718_ = _e451;
+                            phi_719_ = _e453;
                         }
-                        let _e357 = phi_667_;
-                        phi_668_ = _e357;
-                    } else {
-                        phi_668_ = _e339;
+                        let _e460 = phi_718_;
+                        let _e462 = phi_719_;
+                        phi_720_ = _e460;
+                        phi_721_ = _e462;
                     }
-                    let _e359 = phi_668_;
-                    phi_669_ = _e359;
-                } else {
-                    phi_669_ = _e339;
+                    let _e464 = phi_720_;
+                    let _e466 = phi_721_;
+                    phi_722_ = _e464;
+                    phi_723_ = _e466;
                 }
-                let _e361 = phi_669_;
-                let _e363 = (_e313 - f64(_e338));
-                let _e365 = (f64(_e361) - _e313);
-                if (_e363 < _e365) {
-                    phi_694_ = true;
+                let _e469 = phi_722_;
+                let _e471 = phi_723_;
+                let _e473 = bitcast<f32>((_e420 | _e471));
+                let _e477 = bitcast<f32>(((_e420 | _e471) + select(0u, 1u, _e469)));
+                if (_e420 == 0u) {
+                    phi_736_ = type_14(_e473, _e477);
                 } else {
-                    if (_e363 == _e365) {
-                        if ((bitcast<u32>(_e338) & 1u) == 0u) {
-                            phi_688_ = false;
+                    phi_736_ = type_14(_e477, _e473);
+                }
+                let _e482 = phi_736_;
+                let _e484 = bitcast<u64>(_e415);
+                let _e485 = u32(_e484);
+                let _e487 = u32((_e484 / 4294967296lu));
+                let _e488 = (_e487 & 2147483648u);
+                let _e491 = ((_e487 >> bitcast<u32>(20i)) & 2047u);
+                let _e497 = (((_e487 & 1048575u) << bitcast<u32>(3i)) | (_e485 >> bitcast<u32>(29i)));
+                let _e498 = (_e485 & 536870911u);
+                if (_e491 == 2047u) {
+                    phi_790_ = false;
+                    phi_791_ = (2139095040u | _e497);
+                } else {
+                    if (_e491 > 1150u) {
+                        phi_788_ = true;
+                        phi_789_ = 2139095039u;
+                    } else {
+                        if (_e491 > 896u) {
+                            phi_786_ = (_e498 != 0u);
+                            phi_787_ = (((_e491 - 896u) << bitcast<u32>(23i)) | _e497);
                         } else {
-                            phi_688_ = true;
+                            if (_e491 >= 873u) {
+                                let _e506 = (8388608u | _e497);
+                                let _e507 = (897u - _e491);
+                                phi_784_ = (((_e506 & ((1u << bitcast<u32>((_e507 & 31u))) - 1u)) | _e498) != 0u);
+                                phi_785_ = (_e506 >> bitcast<u32>((_e507 & 31u)));
+                            } else {
+                                phi_784_ = (((_e487 & 2147483647u) | _e485) != 0u);
+                                phi_785_ = 0u;
+                            }
+                            let _e519 = phi_784_;
+                            let _e521 = phi_785_;
+                            phi_786_ = _e519;
+                            phi_787_ = _e521;
                         }
-                        let _e372 = phi_688_;
-                        phi_689_ = _e372;
-                    } else {
-                        phi_689_ = true;
+                        let _e528 = phi_786_;
+                        let _e530 = phi_787_;
+                        phi_788_ = _e528;
+                        phi_789_ = _e530;
                     }
-                    let _e374 = phi_689_;
-                    if _e374 {
-                        phi_693_ = false;
-                    } else {
-                        phi_693_ = true;
-                    }
-                    let _e376 = phi_693_;
-                    phi_694_ = _e376;
+                    let _e532 = phi_788_;
+                    let _e534 = phi_789_;
+                    phi_790_ = _e532;
+                    phi_791_ = _e534;
                 }
-                let _e378 = phi_694_;
-                if _e378 {
-                    phi_698_ = _e338;
+                let _e537 = phi_790_;
+                let _e539 = phi_791_;
+                let _e541 = bitcast<f32>((_e488 | _e539));
+                let _e545 = bitcast<f32>(((_e488 | _e539) + select(0u, 1u, _e537)));
+                if (_e488 == 0u) {
+                    phi_804_ = type_14(_e541, _e545);
                 } else {
-                    phi_698_ = _e361;
+                    phi_804_ = type_14(_e545, _e541);
                 }
-                let _e380 = phi_698_;
-                local_4.member_1[_e213.member_1] = _e380;
+                let _e550 = phi_804_;
+                let _e553 = (_e415 - f64(_e482.member));
+                let _e555 = (f64(_e550.member_1) - _e415);
+                if (_e553 < _e555) {
+                    phi_830_ = true;
+                } else {
+                    if (_e553 == _e555) {
+                        if ((bitcast<u32>(_e482.member) & 1u) == 0u) {
+                            phi_824_ = false;
+                        } else {
+                            phi_824_ = true;
+                        }
+                        let _e562 = phi_824_;
+                        phi_825_ = _e562;
+                    } else {
+                        phi_825_ = true;
+                    }
+                    let _e564 = phi_825_;
+                    if _e564 {
+                        phi_829_ = false;
+                    } else {
+                        phi_829_ = true;
+                    }
+                    let _e566 = phi_829_;
+                    phi_830_ = _e566;
+                }
+                let _e568 = phi_830_;
+                if _e568 {
+                    phi_834_ = _e482.member;
+                } else {
+                    phi_834_ = _e550.member_1;
+                }
+                let _e570 = phi_834_;
+                local_4.member_1[_e227.member_1] = _e570;
             }
             continue;
             continuing {
-                phi_409_ = _e211;
-                break if !(_e217);
+                phi_425_ = _e225;
+                break if !(_e231);
             }
         }
-        let _e384 = local_4;
-        paths.member[_e52] = type_15(array<f32, 4>(_e384.member[0], _e384.member[1], _e384.member[2], _e384.member[3]), array<f32, 4>(_e384.member_1[0], _e384.member_1[1], _e384.member_1[2], _e384.member_1[3]));
-        let _e400 = local_6.member;
-        let _e405 = local_6.member_1;
-        let _e409 = bitcast<u64>(_e400[0]);
-        let _e410 = u32(_e409);
-        let _e412 = u32((_e409 / 4294967296lu));
-        if ((_e412 >> bitcast<u32>(31i)) == 0u) {
-            phi_762_ = array<u32, 2>();
-            phi_763_ = true;
+        let _e574 = local_4;
+        paths.member[_e66] = type_16(array<f32, 4>(_e574.member[0], _e574.member[1], _e574.member[2], _e574.member[3]), array<f32, 4>(_e574.member_1[0], _e574.member_1[1], _e574.member_1[2], _e574.member_1[3]));
+        let _e590 = local_6.member;
+        let _e595 = local_6.member_1;
+        let _e599 = bitcast<u64>(_e590[0]);
+        let _e600 = u32(_e599);
+        let _e602 = u32((_e599 / 4294967296lu));
+        if ((_e602 >> bitcast<u32>(31i)) == 0u) {
+            phi_898_ = array<u32, 2>();
+            phi_899_ = true;
         } else {
-            if (_e412 == 2147483648u) {
-                if (_e410 == 0u) {
-                    phi_752_ = false;
+            if (_e602 == 2147483648u) {
+                if (_e600 == 0u) {
+                    phi_888_ = false;
                 } else {
-                    phi_752_ = true;
+                    phi_888_ = true;
                 }
-                let _e419 = phi_752_;
-                phi_753_ = _e419;
+                let _e609 = phi_888_;
+                phi_889_ = _e609;
             } else {
-                phi_753_ = true;
+                phi_889_ = true;
             }
-            let _e421 = phi_753_;
-            if _e421 {
-                phi_760_ = array<u32, 2>(~(_e410), ~(_e412));
-                phi_761_ = false;
+            let _e611 = phi_889_;
+            if _e611 {
+                phi_896_ = array<u32, 2>(~(_e600), ~(_e602));
+                phi_897_ = false;
             } else {
-                phi_760_ = array<u32, 2>();
-                phi_761_ = true;
-            }
-            let _e426 = phi_760_;
-            let _e428 = phi_761_;
-            phi_762_ = _e426;
-            phi_763_ = _e428;
-        }
-        let _e430 = phi_762_;
-        let _e432 = phi_763_;
-        if _e432 {
-            phi_769_ = array<u32, 2>(_e410, (_e412 | 2147483648u));
-        } else {
-            phi_769_ = _e430;
-        }
-        let _e436 = phi_769_;
-        let _e437 = bitcast<u64>(_e400[1]);
-        let _e438 = u32(_e437);
-        let _e440 = u32((_e437 / 4294967296lu));
-        if ((_e440 >> bitcast<u32>(31i)) == 0u) {
-            phi_798_ = array<u32, 2>();
-            phi_799_ = true;
-        } else {
-            if (_e440 == 2147483648u) {
-                if (_e438 == 0u) {
-                    phi_788_ = false;
-                } else {
-                    phi_788_ = true;
-                }
-                let _e447 = phi_788_;
-                phi_789_ = _e447;
-            } else {
-                phi_789_ = true;
-            }
-            let _e449 = phi_789_;
-            if _e449 {
-                phi_796_ = array<u32, 2>(~(_e438), ~(_e440));
-                phi_797_ = false;
-            } else {
-                phi_796_ = array<u32, 2>();
-                phi_797_ = true;
-            }
-            let _e454 = phi_796_;
-            let _e456 = phi_797_;
-            phi_798_ = _e454;
-            phi_799_ = _e456;
-        }
-        let _e458 = phi_798_;
-        let _e460 = phi_799_;
-        if _e460 {
-            phi_805_ = array<u32, 2>(_e438, (_e440 | 2147483648u));
-        } else {
-            phi_805_ = _e458;
-        }
-        let _e464 = phi_805_;
-        let _e465 = bitcast<u64>(_e400[2]);
-        let _e466 = u32(_e465);
-        let _e468 = u32((_e465 / 4294967296lu));
-        if ((_e468 >> bitcast<u32>(31i)) == 0u) {
-            phi_834_ = array<u32, 2>();
-            phi_835_ = true;
-        } else {
-            if (_e468 == 2147483648u) {
-                if (_e466 == 0u) {
-                    phi_824_ = false;
-                } else {
-                    phi_824_ = true;
-                }
-                let _e475 = phi_824_;
-                phi_825_ = _e475;
-            } else {
-                phi_825_ = true;
-            }
-            let _e477 = phi_825_;
-            if _e477 {
-                phi_832_ = array<u32, 2>(~(_e466), ~(_e468));
-                phi_833_ = false;
-            } else {
-                phi_832_ = array<u32, 2>();
-                phi_833_ = true;
-            }
-            let _e482 = phi_832_;
-            let _e484 = phi_833_;
-            phi_834_ = _e482;
-            phi_835_ = _e484;
-        }
-        let _e486 = phi_834_;
-        let _e488 = phi_835_;
-        if _e488 {
-            phi_841_ = array<u32, 2>(_e466, (_e468 | 2147483648u));
-        } else {
-            phi_841_ = _e486;
-        }
-        let _e492 = phi_841_;
-        let _e493 = bitcast<u64>(_e405[0]);
-        let _e494 = u32(_e493);
-        let _e496 = u32((_e493 / 4294967296lu));
-        if ((_e496 >> bitcast<u32>(31i)) == 0u) {
-            phi_870_ = array<u32, 2>();
-            phi_871_ = true;
-        } else {
-            if (_e496 == 2147483648u) {
-                if (_e494 == 0u) {
-                    phi_860_ = false;
-                } else {
-                    phi_860_ = true;
-                }
-                let _e503 = phi_860_;
-                phi_861_ = _e503;
-            } else {
-                phi_861_ = true;
-            }
-            let _e505 = phi_861_;
-            if _e505 {
-                phi_868_ = array<u32, 2>(~(_e494), ~(_e496));
-                phi_869_ = false;
-            } else {
-                phi_868_ = array<u32, 2>();
-                phi_869_ = true;
-            }
-            let _e510 = phi_868_;
-            let _e512 = phi_869_;
-            phi_870_ = _e510;
-            phi_871_ = _e512;
-        }
-        let _e514 = phi_870_;
-        let _e516 = phi_871_;
-        if _e516 {
-            phi_877_ = array<u32, 2>(_e494, (_e496 | 2147483648u));
-        } else {
-            phi_877_ = _e514;
-        }
-        let _e520 = phi_877_;
-        let _e521 = bitcast<u64>(_e405[1]);
-        let _e522 = u32(_e521);
-        let _e524 = u32((_e521 / 4294967296lu));
-        if ((_e524 >> bitcast<u32>(31i)) == 0u) {
-            phi_906_ = array<u32, 2>();
-            phi_907_ = true;
-        } else {
-            if (_e524 == 2147483648u) {
-                if (_e522 == 0u) {
-                    phi_896_ = false;
-                } else {
-                    phi_896_ = true;
-                }
-                let _e531 = phi_896_;
-                phi_897_ = _e531;
-            } else {
+                phi_896_ = array<u32, 2>();
                 phi_897_ = true;
             }
-            let _e533 = phi_897_;
-            if _e533 {
-                phi_904_ = array<u32, 2>(~(_e522), ~(_e524));
-                phi_905_ = false;
-            } else {
-                phi_904_ = array<u32, 2>();
-                phi_905_ = true;
-            }
-            let _e538 = phi_904_;
-            let _e540 = phi_905_;
-            phi_906_ = _e538;
-            phi_907_ = _e540;
+            let _e616 = phi_896_;
+            let _e618 = phi_897_;
+            phi_898_ = _e616;
+            phi_899_ = _e618;
         }
-        let _e542 = phi_906_;
-        let _e544 = phi_907_;
-        if _e544 {
-            phi_913_ = array<u32, 2>(_e522, (_e524 | 2147483648u));
+        let _e620 = phi_898_;
+        let _e622 = phi_899_;
+        if _e622 {
+            phi_905_ = array<u32, 2>(_e600, (_e602 | 2147483648u));
         } else {
-            phi_913_ = _e542;
+            phi_905_ = _e620;
         }
-        let _e548 = phi_913_;
-        let _e549 = bitcast<u64>(_e405[2]);
-        let _e550 = u32(_e549);
-        let _e552 = u32((_e549 / 4294967296lu));
-        if ((_e552 >> bitcast<u32>(31i)) == 0u) {
-            phi_942_ = array<u32, 2>();
-            phi_943_ = true;
+        let _e626 = phi_905_;
+        let _e627 = bitcast<u64>(_e590[1]);
+        let _e628 = u32(_e627);
+        let _e630 = u32((_e627 / 4294967296lu));
+        if ((_e630 >> bitcast<u32>(31i)) == 0u) {
+            phi_934_ = array<u32, 2>();
+            phi_935_ = true;
         } else {
-            if (_e552 == 2147483648u) {
-                if (_e550 == 0u) {
-                    phi_932_ = false;
+            if (_e630 == 2147483648u) {
+                if (_e628 == 0u) {
+                    phi_924_ = false;
                 } else {
-                    phi_932_ = true;
+                    phi_924_ = true;
                 }
-                let _e559 = phi_932_;
-                phi_933_ = _e559;
+                let _e637 = phi_924_;
+                phi_925_ = _e637;
             } else {
+                phi_925_ = true;
+            }
+            let _e639 = phi_925_;
+            if _e639 {
+                phi_932_ = array<u32, 2>(~(_e628), ~(_e630));
+                phi_933_ = false;
+            } else {
+                phi_932_ = array<u32, 2>();
                 phi_933_ = true;
             }
-            let _e561 = phi_933_;
-            if _e561 {
-                phi_940_ = array<u32, 2>(~(_e550), ~(_e552));
-                phi_941_ = false;
-            } else {
-                phi_940_ = array<u32, 2>();
-                phi_941_ = true;
-            }
-            let _e566 = phi_940_;
-            let _e568 = phi_941_;
-            phi_942_ = _e566;
-            phi_943_ = _e568;
+            let _e644 = phi_932_;
+            let _e646 = phi_933_;
+            phi_934_ = _e644;
+            phi_935_ = _e646;
         }
-        let _e570 = phi_942_;
-        let _e572 = phi_943_;
-        if _e572 {
-            phi_949_ = array<u32, 2>(_e550, (_e552 | 2147483648u));
+        let _e648 = phi_934_;
+        let _e650 = phi_935_;
+        if _e650 {
+            phi_941_ = array<u32, 2>(_e628, (_e630 | 2147483648u));
         } else {
-            phi_949_ = _e570;
+            phi_941_ = _e648;
         }
-        let _e576 = phi_949_;
-        keys.member[_e52] = array<array<u32, 2>, 6>(_e436, _e464, _e492, _e520, _e548, _e576);
-        local_1 = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_955_ = type_9(0u, 3u);
-        loop {
-            let _e580 = phi_955_;
-            if (_e580.member < _e580.member_1) {
-                phi_956_ = type_9((_e580.member + 1u), _e580.member_1);
-                phi_979_ = type_9(1u, _e580.member);
+        let _e654 = phi_941_;
+        let _e655 = bitcast<u64>(_e590[2]);
+        let _e656 = u32(_e655);
+        let _e658 = u32((_e655 / 4294967296lu));
+        if ((_e658 >> bitcast<u32>(31i)) == 0u) {
+            phi_970_ = array<u32, 2>();
+            phi_971_ = true;
+        } else {
+            if (_e658 == 2147483648u) {
+                if (_e656 == 0u) {
+                    phi_960_ = false;
+                } else {
+                    phi_960_ = true;
+                }
+                let _e665 = phi_960_;
+                phi_961_ = _e665;
             } else {
-                phi_956_ = _e580;
-                phi_979_ = type_9(0u, type_9().member_1);
+                phi_961_ = true;
             }
-            let _e592 = phi_956_;
-            let _e594 = phi_979_;
-            let _e598 = (bitcast<i32>(_e594.member) != 0i);
-            if _e598 {
-                let _e601 = local_6.member[_e594.member_1];
-                let _e602 = f32(_e601);
-                if (f64(_e602) > _e601) {
-                    let _e605 = -(_e602);
-                    let _e606 = bitcast<u32>(_e605);
-                    if ((_e606 & 2139095040u) == 2139095040u) {
-                        phi_1011_ = (_e605 < 0f);
+            let _e667 = phi_961_;
+            if _e667 {
+                phi_968_ = array<u32, 2>(~(_e656), ~(_e658));
+                phi_969_ = false;
+            } else {
+                phi_968_ = array<u32, 2>();
+                phi_969_ = true;
+            }
+            let _e672 = phi_968_;
+            let _e674 = phi_969_;
+            phi_970_ = _e672;
+            phi_971_ = _e674;
+        }
+        let _e676 = phi_970_;
+        let _e678 = phi_971_;
+        if _e678 {
+            phi_977_ = array<u32, 2>(_e656, (_e658 | 2147483648u));
+        } else {
+            phi_977_ = _e676;
+        }
+        let _e682 = phi_977_;
+        let _e683 = bitcast<u64>(_e595[0]);
+        let _e684 = u32(_e683);
+        let _e686 = u32((_e683 / 4294967296lu));
+        if ((_e686 >> bitcast<u32>(31i)) == 0u) {
+            phi_1006_ = array<u32, 2>();
+            phi_1007_ = true;
+        } else {
+            if (_e686 == 2147483648u) {
+                if (_e684 == 0u) {
+                    phi_996_ = false;
+                } else {
+                    phi_996_ = true;
+                }
+                let _e693 = phi_996_;
+                phi_997_ = _e693;
+            } else {
+                phi_997_ = true;
+            }
+            let _e695 = phi_997_;
+            if _e695 {
+                phi_1004_ = array<u32, 2>(~(_e684), ~(_e686));
+                phi_1005_ = false;
+            } else {
+                phi_1004_ = array<u32, 2>();
+                phi_1005_ = true;
+            }
+            let _e700 = phi_1004_;
+            let _e702 = phi_1005_;
+            phi_1006_ = _e700;
+            phi_1007_ = _e702;
+        }
+        let _e704 = phi_1006_;
+        let _e706 = phi_1007_;
+        if _e706 {
+            phi_1013_ = array<u32, 2>(_e684, (_e686 | 2147483648u));
+        } else {
+            phi_1013_ = _e704;
+        }
+        let _e710 = phi_1013_;
+        let _e711 = bitcast<u64>(_e595[1]);
+        let _e712 = u32(_e711);
+        let _e714 = u32((_e711 / 4294967296lu));
+        if ((_e714 >> bitcast<u32>(31i)) == 0u) {
+            phi_1042_ = array<u32, 2>();
+            phi_1043_ = true;
+        } else {
+            if (_e714 == 2147483648u) {
+                if (_e712 == 0u) {
+                    phi_1032_ = false;
+                } else {
+                    phi_1032_ = true;
+                }
+                let _e721 = phi_1032_;
+                phi_1033_ = _e721;
+            } else {
+                phi_1033_ = true;
+            }
+            let _e723 = phi_1033_;
+            if _e723 {
+                phi_1040_ = array<u32, 2>(~(_e712), ~(_e714));
+                phi_1041_ = false;
+            } else {
+                phi_1040_ = array<u32, 2>();
+                phi_1041_ = true;
+            }
+            let _e728 = phi_1040_;
+            let _e730 = phi_1041_;
+            phi_1042_ = _e728;
+            phi_1043_ = _e730;
+        }
+        let _e732 = phi_1042_;
+        let _e734 = phi_1043_;
+        if _e734 {
+            phi_1049_ = array<u32, 2>(_e712, (_e714 | 2147483648u));
+        } else {
+            phi_1049_ = _e732;
+        }
+        let _e738 = phi_1049_;
+        let _e739 = bitcast<u64>(_e595[2]);
+        let _e740 = u32(_e739);
+        let _e742 = u32((_e739 / 4294967296lu));
+        if ((_e742 >> bitcast<u32>(31i)) == 0u) {
+            phi_1078_ = array<u32, 2>();
+            phi_1079_ = true;
+        } else {
+            if (_e742 == 2147483648u) {
+                if (_e740 == 0u) {
+                    phi_1068_ = false;
+                } else {
+                    phi_1068_ = true;
+                }
+                let _e749 = phi_1068_;
+                phi_1069_ = _e749;
+            } else {
+                phi_1069_ = true;
+            }
+            let _e751 = phi_1069_;
+            if _e751 {
+                phi_1076_ = array<u32, 2>(~(_e740), ~(_e742));
+                phi_1077_ = false;
+            } else {
+                phi_1076_ = array<u32, 2>();
+                phi_1077_ = true;
+            }
+            let _e756 = phi_1076_;
+            let _e758 = phi_1077_;
+            phi_1078_ = _e756;
+            phi_1079_ = _e758;
+        }
+        let _e760 = phi_1078_;
+        let _e762 = phi_1079_;
+        if _e762 {
+            phi_1085_ = array<u32, 2>(_e740, (_e742 | 2147483648u));
+        } else {
+            phi_1085_ = _e760;
+        }
+        let _e766 = phi_1085_;
+        keys.member[_e66] = array<array<u32, 2>, 6>(_e626, _e654, _e682, _e710, _e738, _e766);
+        local_1 = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_1091_ = type_9(0u, 3u);
+        loop {
+            let _e770 = phi_1091_;
+            if (_e770.member < _e770.member_1) {
+                phi_1092_ = type_9((_e770.member + 1u), _e770.member_1);
+                phi_1115_ = type_9(1u, _e770.member);
+            } else {
+                phi_1092_ = _e770;
+                phi_1115_ = type_9(0u, type_9().member_1);
+            }
+            let _e782 = phi_1092_;
+            let _e784 = phi_1115_;
+            let _e788 = (bitcast<i32>(_e784.member) != 0i);
+            if _e788 {
+                let _e791 = local_6.member[_e784.member_1];
+                let _e792 = bitcast<u64>(_e791);
+                let _e793 = u32(_e792);
+                let _e795 = u32((_e792 / 4294967296lu));
+                let _e796 = (_e795 & 2147483648u);
+                let _e799 = ((_e795 >> bitcast<u32>(20i)) & 2047u);
+                let _e805 = (((_e795 & 1048575u) << bitcast<u32>(3i)) | (_e793 >> bitcast<u32>(29i)));
+                let _e806 = (_e793 & 536870911u);
+                if (_e799 == 2047u) {
+                    phi_1182_ = false;
+                    phi_1183_ = (2139095040u | _e805);
+                } else {
+                    if (_e799 > 1150u) {
+                        phi_1180_ = true;
+                        phi_1181_ = 2139095039u;
                     } else {
-                        phi_1011_ = true;
-                    }
-                    let _e611 = phi_1011_;
-                    if _e611 {
-                        if (_e605 > 0f) {
-                            phi_1029_ = bitcast<f32>((_e606 + 1u));
+                        if (_e799 > 896u) {
+                            phi_1178_ = (_e806 != 0u);
+                            phi_1179_ = (((_e799 - 896u) << bitcast<u32>(23i)) | _e805);
                         } else {
-                            if (_e605 < 0f) {
-                                phi_1028_ = bitcast<f32>((_e606 - 1u));
+                            if (_e799 >= 873u) {
+                                let _e814 = (8388608u | _e805);
+                                let _e815 = (897u - _e799);
+                                phi_1176_ = (((_e814 & ((1u << bitcast<u32>((_e815 & 31u))) - 1u)) | _e806) != 0u);
+                                phi_1177_ = (_e814 >> bitcast<u32>((_e815 & 31u)));
                             } else {
-                                phi_1028_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_1176_ = (((_e795 & 2147483647u) | _e793) != 0u);
+                                phi_1177_ = 0u;
                             }
-                            let _e617 = phi_1028_;
-                            phi_1029_ = _e617;
+                            let _e827 = phi_1176_;
+                            let _e829 = phi_1177_;
+                            phi_1178_ = _e827;
+                            phi_1179_ = _e829;
                         }
-                        let _e621 = phi_1029_;
-                        phi_1030_ = _e621;
-                    } else {
-                        phi_1030_ = _e605;
+                        let _e836 = phi_1178_;
+                        let _e838 = phi_1179_;
+                        phi_1180_ = _e836;
+                        phi_1181_ = _e838;
                     }
-                    let _e623 = phi_1030_;
-                    phi_1032_ = -(_e623);
-                } else {
-                    phi_1032_ = _e602;
+                    let _e840 = phi_1180_;
+                    let _e842 = phi_1181_;
+                    phi_1182_ = _e840;
+                    phi_1183_ = _e842;
                 }
-                let _e626 = phi_1032_;
-                let _e627 = -(290000000000000000000000000000000000000f);
-                if (_e626 > _e627) {
-                    phi_1038_ = _e626;
+                let _e845 = phi_1182_;
+                let _e847 = phi_1183_;
+                let _e849 = bitcast<f32>((_e796 | _e847));
+                let _e853 = bitcast<f32>(((_e796 | _e847) + select(0u, 1u, _e845)));
+                if (_e796 == 0u) {
+                    phi_1196_ = type_14(_e849, _e853);
                 } else {
-                    phi_1038_ = _e627;
+                    phi_1196_ = type_14(_e853, _e849);
                 }
-                let _e630 = phi_1038_;
-                if (_e630 < 290000000000000000000000000000000000000f) {
-                    phi_1043_ = _e630;
+                let _e858 = phi_1196_;
+                let _e860 = -(290000000000000000000000000000000000000f);
+                if (_e858.member > _e860) {
+                    phi_1203_ = _e858.member;
                 } else {
-                    phi_1043_ = 290000000000000000000000000000000000000f;
+                    phi_1203_ = _e860;
                 }
-                let _e633 = phi_1043_;
-                local_1.member[_e594.member_1] = _e633;
-                let _e638 = local_6.member_1[_e594.member_1];
-                let _e639 = f32(_e638);
-                if (f64(_e639) < _e638) {
-                    let _e642 = bitcast<u32>(_e639);
-                    if ((_e642 & 2139095040u) == 2139095040u) {
-                        phi_1074_ = (_e639 < 0f);
+                let _e863 = phi_1203_;
+                if (_e863 < 290000000000000000000000000000000000000f) {
+                    phi_1208_ = _e863;
+                } else {
+                    phi_1208_ = 290000000000000000000000000000000000000f;
+                }
+                let _e866 = phi_1208_;
+                local_1.member[_e784.member_1] = _e866;
+                let _e871 = local_6.member_1[_e784.member_1];
+                let _e872 = bitcast<u64>(_e871);
+                let _e873 = u32(_e872);
+                let _e875 = u32((_e872 / 4294967296lu));
+                let _e876 = (_e875 & 2147483648u);
+                let _e879 = ((_e875 >> bitcast<u32>(20i)) & 2047u);
+                let _e885 = (((_e875 & 1048575u) << bitcast<u32>(3i)) | (_e873 >> bitcast<u32>(29i)));
+                let _e886 = (_e873 & 536870911u);
+                if (_e879 == 2047u) {
+                    phi_1275_ = false;
+                    phi_1276_ = (2139095040u | _e885);
+                } else {
+                    if (_e879 > 1150u) {
+                        phi_1273_ = true;
+                        phi_1274_ = 2139095039u;
                     } else {
-                        phi_1074_ = true;
-                    }
-                    let _e647 = phi_1074_;
-                    if _e647 {
-                        if (_e639 > 0f) {
-                            phi_1092_ = bitcast<f32>((_e642 + 1u));
+                        if (_e879 > 896u) {
+                            phi_1271_ = (_e886 != 0u);
+                            phi_1272_ = (((_e879 - 896u) << bitcast<u32>(23i)) | _e885);
                         } else {
-                            if (_e639 < 0f) {
-                                phi_1091_ = bitcast<f32>((_e642 - 1u));
+                            if (_e879 >= 873u) {
+                                let _e894 = (8388608u | _e885);
+                                let _e895 = (897u - _e879);
+                                phi_1269_ = (((_e894 & ((1u << bitcast<u32>((_e895 & 31u))) - 1u)) | _e886) != 0u);
+                                phi_1270_ = (_e894 >> bitcast<u32>((_e895 & 31u)));
                             } else {
-                                phi_1091_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_1269_ = (((_e875 & 2147483647u) | _e873) != 0u);
+                                phi_1270_ = 0u;
                             }
-                            let _e653 = phi_1091_;
-                            phi_1092_ = _e653;
+                            let _e907 = phi_1269_;
+                            let _e909 = phi_1270_;
+                            phi_1271_ = _e907;
+                            phi_1272_ = _e909;
                         }
-                        let _e657 = phi_1092_;
-                        phi_1093_ = _e657;
-                    } else {
-                        phi_1093_ = _e639;
+                        let _e916 = phi_1271_;
+                        let _e918 = phi_1272_;
+                        phi_1273_ = _e916;
+                        phi_1274_ = _e918;
                     }
-                    let _e659 = phi_1093_;
-                    phi_1094_ = _e659;
-                } else {
-                    phi_1094_ = _e639;
+                    let _e920 = phi_1273_;
+                    let _e922 = phi_1274_;
+                    phi_1275_ = _e920;
+                    phi_1276_ = _e922;
                 }
-                let _e661 = phi_1094_;
-                let _e662 = -(290000000000000000000000000000000000000f);
-                if (_e661 > _e662) {
-                    phi_1100_ = _e661;
+                let _e925 = phi_1275_;
+                let _e927 = phi_1276_;
+                let _e929 = bitcast<f32>((_e876 | _e927));
+                let _e933 = bitcast<f32>(((_e876 | _e927) + select(0u, 1u, _e925)));
+                if (_e876 == 0u) {
+                    phi_1289_ = type_14(_e929, _e933);
                 } else {
-                    phi_1100_ = _e662;
+                    phi_1289_ = type_14(_e933, _e929);
                 }
-                let _e665 = phi_1100_;
-                if (_e665 < 290000000000000000000000000000000000000f) {
-                    phi_1105_ = _e665;
+                let _e938 = phi_1289_;
+                let _e940 = -(290000000000000000000000000000000000000f);
+                if (_e938.member_1 > _e940) {
+                    phi_1296_ = _e938.member_1;
                 } else {
-                    phi_1105_ = 290000000000000000000000000000000000000f;
+                    phi_1296_ = _e940;
                 }
-                let _e668 = phi_1105_;
-                local_1.member_1[_e594.member_1] = _e668;
+                let _e943 = phi_1296_;
+                if (_e943 < 290000000000000000000000000000000000000f) {
+                    phi_1301_ = _e943;
+                } else {
+                    phi_1301_ = 290000000000000000000000000000000000000f;
+                }
+                let _e946 = phi_1301_;
+                local_1.member_1[_e784.member_1] = _e946;
             }
             continue;
             continuing {
-                phi_955_ = _e592;
-                break if !(_e598);
+                phi_1091_ = _e782;
+                break if !(_e788);
             }
         }
-        let _e672 = local_1;
-        local = _e672;
-        phi_1138_ = type_9(0u, 3u);
+        let _e950 = local_1;
+        local = _e950;
+        phi_1334_ = type_9(0u, 3u);
         loop {
-            let _e674 = phi_1138_;
-            if (_e674.member < _e674.member_1) {
-                phi_1139_ = type_9((_e674.member + 1u), _e674.member_1);
-                phi_1162_ = type_9(1u, _e674.member);
+            let _e952 = phi_1334_;
+            if (_e952.member < _e952.member_1) {
+                phi_1335_ = type_9((_e952.member + 1u), _e952.member_1);
+                phi_1358_ = type_9(1u, _e952.member);
             } else {
-                phi_1139_ = _e674;
-                phi_1162_ = type_9(0u, type_9().member_1);
+                phi_1335_ = _e952;
+                phi_1358_ = type_9(0u, type_9().member_1);
             }
-            let _e686 = phi_1139_;
-            let _e688 = phi_1162_;
-            let _e692 = (bitcast<i32>(_e688.member) != 0i);
-            if _e692 {
-                let _e695 = local.member[_e688.member_1];
-                if (_e695 < 0.000000000000000000000000000000000000011754944f) {
-                    phi_1183_ = (_e695 > -(0.000000000000000000000000000000000000011754944f));
+            let _e964 = phi_1335_;
+            let _e966 = phi_1358_;
+            let _e970 = (bitcast<i32>(_e966.member) != 0i);
+            if _e970 {
+                let _e973 = local.member[_e966.member_1];
+                if (_e973 < 0.000000000000000000000000000000000000011754944f) {
+                    phi_1379_ = (_e973 > -(0.000000000000000000000000000000000000011754944f));
                 } else {
-                    phi_1183_ = false;
+                    phi_1379_ = false;
                 }
-                let _e700 = phi_1183_;
-                if _e700 {
-                    let _e706 = local_6.member[_e688.member_1];
-                    let _e708 = bitcast<u64>(-(_e706));
-                    let _e711 = u32((_e708 / 4294967296lu));
-                    if ((_e711 >> bitcast<u32>(31i)) == 0u) {
-                        phi_1206_ = ((u32(_e708) | _e711) != 0u);
+                let _e978 = phi_1379_;
+                if _e978 {
+                    let _e984 = local_6.member[_e966.member_1];
+                    let _e986 = bitcast<u64>(-(_e984));
+                    let _e989 = u32((_e986 / 4294967296lu));
+                    if ((_e989 >> bitcast<u32>(31i)) == 0u) {
+                        phi_1402_ = ((u32(_e986) | _e989) != 0u);
                     } else {
-                        phi_1206_ = false;
+                        phi_1402_ = false;
                     }
-                    let _e718 = phi_1206_;
-                    if _e718 {
-                        phi_1210_ = 0.000000000000000000000000000000000000011754944f;
+                    let _e996 = phi_1402_;
+                    if _e996 {
+                        phi_1406_ = 0.000000000000000000000000000000000000011754944f;
                     } else {
-                        phi_1210_ = 0f;
+                        phi_1406_ = 0f;
                     }
-                    let _e720 = phi_1210_;
-                    phi_1219_ = -(_e720);
+                    let _e998 = phi_1406_;
+                    phi_1415_ = -(_e998);
                 } else {
-                    let _e703 = local.member[_e688.member_1];
-                    phi_1219_ = _e703;
+                    let _e981 = local.member[_e966.member_1];
+                    phi_1415_ = _e981;
                 }
-                let _e723 = phi_1219_;
-                local.member[_e688.member_1] = _e723;
-                let _e728 = local.member_1[_e688.member_1];
-                if (_e728 < 0.000000000000000000000000000000000000011754944f) {
-                    phi_1240_ = (_e728 > -(0.000000000000000000000000000000000000011754944f));
+                let _e1001 = phi_1415_;
+                local.member[_e966.member_1] = _e1001;
+                let _e1006 = local.member_1[_e966.member_1];
+                if (_e1006 < 0.000000000000000000000000000000000000011754944f) {
+                    phi_1436_ = (_e1006 > -(0.000000000000000000000000000000000000011754944f));
                 } else {
-                    phi_1240_ = false;
+                    phi_1436_ = false;
                 }
-                let _e733 = phi_1240_;
-                if _e733 {
-                    let _e739 = local_6.member_1[_e688.member_1];
-                    let _e740 = bitcast<u64>(_e739);
-                    let _e743 = u32((_e740 / 4294967296lu));
-                    if ((_e743 >> bitcast<u32>(31i)) == 0u) {
-                        phi_1263_ = ((u32(_e740) | _e743) != 0u);
+                let _e1011 = phi_1436_;
+                if _e1011 {
+                    let _e1017 = local_6.member_1[_e966.member_1];
+                    let _e1018 = bitcast<u64>(_e1017);
+                    let _e1021 = u32((_e1018 / 4294967296lu));
+                    if ((_e1021 >> bitcast<u32>(31i)) == 0u) {
+                        phi_1459_ = ((u32(_e1018) | _e1021) != 0u);
                     } else {
-                        phi_1263_ = false;
+                        phi_1459_ = false;
                     }
-                    let _e750 = phi_1263_;
-                    if _e750 {
-                        phi_1267_ = 0.000000000000000000000000000000000000011754944f;
+                    let _e1028 = phi_1459_;
+                    if _e1028 {
+                        phi_1463_ = 0.000000000000000000000000000000000000011754944f;
                     } else {
-                        phi_1267_ = 0f;
+                        phi_1463_ = 0f;
                     }
-                    let _e752 = phi_1267_;
-                    phi_1276_ = _e752;
+                    let _e1030 = phi_1463_;
+                    phi_1472_ = _e1030;
                 } else {
-                    let _e736 = local.member_1[_e688.member_1];
-                    phi_1276_ = _e736;
+                    let _e1014 = local.member_1[_e966.member_1];
+                    phi_1472_ = _e1014;
                 }
-                let _e754 = phi_1276_;
-                local.member_1[_e688.member_1] = _e754;
+                let _e1032 = phi_1472_;
+                local.member_1[_e966.member_1] = _e1032;
             }
             continue;
             continuing {
-                phi_1138_ = _e686;
-                break if !(_e692);
+                phi_1334_ = _e964;
+                break if !(_e970);
             }
         }
-        let _e758 = local;
-        boxes.member[_e52] = type_19(array<f32, 3>(_e758.member[0], _e758.member[1], _e758.member[2]), array<f32, 3>(_e758.member_1[0], _e758.member_1[1], _e758.member_1[2]));
+        let _e1036 = local;
+        boxes.member[_e66] = type_20(array<f32, 3>(_e1036.member[0], _e1036.member[1], _e1036.member[2]), array<f32, 3>(_e1036.member_1[0], _e1036.member_1[1], _e1036.member_1[2]));
     }
     return;
 }

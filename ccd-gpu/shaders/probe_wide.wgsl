@@ -22,6 +22,11 @@ struct type_17 {
     member_1: i32,
 }
 
+struct type_18 {
+    member: f32,
+    member_1: f32,
+}
+
 @group(0) @binding(0) 
 var<storage> inputs: type_11;
 @group(0) @binding(1) 
@@ -30,35 +35,39 @@ var<storage, read_write> results: type_13;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 26>;
     var local_1: array<array<u32, 2>, 13>;
-    var phi_152_: f64;
-    var phi_162_: f64;
-    var phi_172_: f64;
-    var phi_203_: type_16;
-    var phi_206_: f64;
-    var phi_227_: bool;
-    var phi_233_: type_17;
-    var phi_204_: type_16;
-    var phi_247_: type_17;
-    var phi_207_: f64;
+    var phi_168_: f64;
+    var phi_178_: f64;
+    var phi_188_: f64;
+    var phi_219_: type_16;
+    var phi_222_: f64;
+    var phi_243_: bool;
+    var phi_249_: type_17;
+    var phi_220_: type_16;
+    var phi_263_: type_17;
+    var phi_223_: f64;
     var local_2: f64;
-    var phi_196_: f64;
-    var phi_260_: f64;
-    var phi_276_: bool;
-    var phi_293_: f64;
-    var phi_294_: f64;
-    var phi_295_: f64;
-    var phi_312_: bool;
-    var phi_329_: f64;
-    var phi_330_: f64;
-    var phi_331_: f64;
-    var phi_355_: bool;
-    var phi_372_: f32;
-    var phi_373_: f32;
-    var phi_374_: f32;
-    var phi_376_: f32;
-    var phi_445_: type_4;
-    var phi_446_: type_4;
-    var phi_469_: type_4;
+    var phi_212_: f64;
+    var phi_276_: f64;
+    var phi_292_: bool;
+    var phi_309_: f64;
+    var phi_310_: f64;
+    var phi_311_: f64;
+    var phi_328_: bool;
+    var phi_345_: f64;
+    var phi_346_: f64;
+    var phi_347_: f64;
+    var phi_400_: bool;
+    var phi_401_: u32;
+    var phi_402_: bool;
+    var phi_403_: u32;
+    var phi_404_: bool;
+    var phi_405_: u32;
+    var phi_406_: bool;
+    var phi_407_: u32;
+    var phi_420_: type_18;
+    var phi_490_: type_4;
+    var phi_491_: type_4;
+    var phi_514_: type_4;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -66,223 +75,243 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e48 = id_2;
-    let _e49 = n_2;
-    let _e50 = lane_2;
-    let _e61 = ((((_e48.y * _e49.x) + _e48.x) * 64u) + _e50);
-    if (_e61 < arrayLength((&inputs.member))) {
-        let _e64 = inputs.member[_e61];
-        let _e71 = bitcast<f64>(((u64(_e64[1]) * 4294967296lu) + u64(_e64[0])));
-        let _e78 = bitcast<f64>(((u64(_e64[3]) * 4294967296lu) + u64(_e64[2])));
-        let _e80 = bitcast<u64>((_e71 + _e78));
-        let _e85 = bitcast<u64>((_e71 - _e78));
-        let _e90 = bitcast<u64>((_e71 * _e78));
-        let _e95 = bitcast<u64>((_e71 / _e78));
-        if (_e71 < 0.0lf) {
-            phi_152_ = -(_e71);
+    let _e62 = id_2;
+    let _e63 = n_2;
+    let _e64 = lane_2;
+    let _e75 = ((((_e62.y * _e63.x) + _e62.x) * 64u) + _e64);
+    if (_e75 < arrayLength((&inputs.member))) {
+        let _e78 = inputs.member[_e75];
+        let _e85 = bitcast<f64>(((u64(_e78[1]) * 4294967296lu) + u64(_e78[0])));
+        let _e92 = bitcast<f64>(((u64(_e78[3]) * 4294967296lu) + u64(_e78[2])));
+        let _e94 = bitcast<u64>((_e85 + _e92));
+        let _e99 = bitcast<u64>((_e85 - _e92));
+        let _e104 = bitcast<u64>((_e85 * _e92));
+        let _e109 = bitcast<u64>((_e85 / _e92));
+        if (_e85 < 0.0lf) {
+            phi_168_ = -(_e85);
         } else {
-            phi_152_ = _e71;
+            phi_168_ = _e85;
         }
-        let _e102 = phi_152_;
-        let _e103 = bitcast<u64>(_e102);
-        if (_e71 < _e78) {
-            phi_162_ = _e71;
-        } else {
-            phi_162_ = _e78;
-        }
-        let _e109 = phi_162_;
-        let _e110 = bitcast<u64>(_e109);
-        if (_e71 > _e78) {
-            phi_172_ = _e71;
-        } else {
-            phi_172_ = _e78;
-        }
-        let _e116 = phi_172_;
+        let _e116 = phi_168_;
         let _e117 = bitcast<u64>(_e116);
-        if (_e71 <= 2.2250738585072014e-308lf) {
-            if (_e71 > 0.0lf) {
-                phi_196_ = (1.464336215552873e-154lf * 2.0lf);
-            } else {
-                phi_196_ = 0.0lf;
-            }
-            let _e176 = phi_196_;
-            phi_260_ = _e176;
+        if (_e85 < _e92) {
+            phi_178_ = _e85;
         } else {
-            phi_203_ = type_16(0i, 5i);
-            phi_206_ = bitcast<f64>(((bitcast<u64>(_e71) / 2lu) + 2303426169912950784lu));
+            phi_178_ = _e92;
+        }
+        let _e123 = phi_178_;
+        let _e124 = bitcast<u64>(_e123);
+        if (_e85 > _e92) {
+            phi_188_ = _e85;
+        } else {
+            phi_188_ = _e92;
+        }
+        let _e130 = phi_188_;
+        let _e131 = bitcast<u64>(_e130);
+        if (_e85 <= 2.2250738585072014e-308lf) {
+            if (_e85 > 0.0lf) {
+                phi_212_ = (1.464336215552873e-154lf * 2.0lf);
+            } else {
+                phi_212_ = 0.0lf;
+            }
+            let _e190 = phi_212_;
+            phi_276_ = _e190;
+        } else {
+            phi_219_ = type_16(0i, 5i);
+            phi_222_ = bitcast<f64>(((bitcast<u64>(_e85) / 2lu) + 2303426169912950784lu));
             loop {
-                let _e131 = phi_203_;
-                let _e133 = phi_206_;
-                local_2 = _e133;
-                if (_e131.member < _e131.member_1) {
-                    let _e140 = (_e131.member + 1i);
-                    if ((false == (_e140 > _e131.member)) != false) {
-                        phi_227_ = true;
+                let _e145 = phi_219_;
+                let _e147 = phi_222_;
+                local_2 = _e147;
+                if (_e145.member < _e145.member_1) {
+                    let _e154 = (_e145.member + 1i);
+                    if ((false == (_e154 > _e145.member)) != false) {
+                        phi_243_ = true;
                     } else {
-                        phi_227_ = false;
+                        phi_243_ = false;
                     }
-                    let _e145 = phi_227_;
-                    if _e145 {
-                        phi_233_ = type_17(0u, type_17().member_1);
+                    let _e159 = phi_243_;
+                    if _e159 {
+                        phi_249_ = type_17(0u, type_17().member_1);
                     } else {
-                        phi_233_ = type_17(1u, _e140);
+                        phi_249_ = type_17(1u, _e154);
                     }
-                    let _e150 = phi_233_;
-                    phi_204_ = type_16(_e150.member_1, _e131.member_1);
-                    phi_247_ = type_17(1u, _e131.member);
+                    let _e164 = phi_249_;
+                    phi_220_ = type_16(_e164.member_1, _e145.member_1);
+                    phi_263_ = type_17(1u, _e145.member);
                 } else {
-                    phi_204_ = _e131;
-                    phi_247_ = type_17(0u, type_17().member_1);
+                    phi_220_ = _e145;
+                    phi_263_ = type_17(0u, type_17().member_1);
                 }
-                let _e156 = phi_204_;
-                let _e158 = phi_247_;
-                let _e161 = (bitcast<i32>(_e158.member) != 0i);
-                if _e161 {
-                    phi_207_ = (0.5lf * (_e133 + (_e71 / _e133)));
+                let _e170 = phi_220_;
+                let _e172 = phi_263_;
+                let _e175 = (bitcast<i32>(_e172.member) != 0i);
+                if _e175 {
+                    phi_223_ = (0.5lf * (_e147 + (_e85 / _e147)));
                 } else {
-                    phi_207_ = f64();
+                    phi_223_ = f64();
                 }
-                let _e166 = phi_207_;
+                let _e180 = phi_223_;
                 continue;
                 continuing {
-                    phi_203_ = _e156;
-                    phi_206_ = _e166;
-                    break if !(_e161);
+                    phi_219_ = _e170;
+                    phi_222_ = _e180;
+                    break if !(_e175);
                 }
             }
-            let _e171 = local_2;
-            phi_260_ = (_e171 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+            let _e185 = local_2;
+            phi_276_ = (_e185 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
         }
-        let _e178 = phi_260_;
-        let _e179 = bitcast<u64>(_e178);
-        let _e183 = bitcast<u64>(_e71);
-        if ((_e183 & 9218868437227405312lu) == 9218868437227405312lu) {
-            phi_276_ = (_e71 < 0.0lf);
+        let _e192 = phi_276_;
+        let _e193 = bitcast<u64>(_e192);
+        let _e197 = bitcast<u64>(_e85);
+        if ((_e197 & 9218868437227405312lu) == 9218868437227405312lu) {
+            phi_292_ = (_e85 < 0.0lf);
         } else {
-            phi_276_ = true;
+            phi_292_ = true;
         }
-        let _e188 = phi_276_;
-        if _e188 {
-            if (_e71 > 0.0lf) {
-                phi_294_ = bitcast<f64>((_e183 + 1lu));
+        let _e202 = phi_292_;
+        if _e202 {
+            if (_e85 > 0.0lf) {
+                phi_310_ = bitcast<f64>((_e197 + 1lu));
             } else {
-                if (_e71 < 0.0lf) {
-                    phi_293_ = bitcast<f64>((_e183 - 1lu));
+                if (_e85 < 0.0lf) {
+                    phi_309_ = bitcast<f64>((_e197 - 1lu));
                 } else {
-                    phi_293_ = 5e-324lf;
+                    phi_309_ = 5e-324lf;
                 }
-                let _e194 = phi_293_;
-                phi_294_ = _e194;
+                let _e208 = phi_309_;
+                phi_310_ = _e208;
             }
-            let _e198 = phi_294_;
-            phi_295_ = _e198;
+            let _e212 = phi_310_;
+            phi_311_ = _e212;
         } else {
-            phi_295_ = _e71;
+            phi_311_ = _e85;
         }
-        let _e200 = phi_295_;
-        let _e201 = bitcast<u64>(_e200);
-        let _e205 = -(_e71);
-        let _e206 = bitcast<u64>(_e205);
-        if ((_e206 & 9218868437227405312lu) == 9218868437227405312lu) {
-            phi_312_ = (_e205 < 0.0lf);
+        let _e214 = phi_311_;
+        let _e215 = bitcast<u64>(_e214);
+        let _e219 = -(_e85);
+        let _e220 = bitcast<u64>(_e219);
+        if ((_e220 & 9218868437227405312lu) == 9218868437227405312lu) {
+            phi_328_ = (_e219 < 0.0lf);
         } else {
-            phi_312_ = true;
+            phi_328_ = true;
         }
-        let _e211 = phi_312_;
-        if _e211 {
-            if (_e205 > 0.0lf) {
-                phi_330_ = bitcast<f64>((_e206 + 1lu));
+        let _e225 = phi_328_;
+        if _e225 {
+            if (_e219 > 0.0lf) {
+                phi_346_ = bitcast<f64>((_e220 + 1lu));
             } else {
-                if (_e205 < 0.0lf) {
-                    phi_329_ = bitcast<f64>((_e206 - 1lu));
+                if (_e219 < 0.0lf) {
+                    phi_345_ = bitcast<f64>((_e220 - 1lu));
                 } else {
-                    phi_329_ = 5e-324lf;
+                    phi_345_ = 5e-324lf;
                 }
-                let _e217 = phi_329_;
-                phi_330_ = _e217;
+                let _e231 = phi_345_;
+                phi_346_ = _e231;
             }
-            let _e221 = phi_330_;
-            phi_331_ = _e221;
+            let _e235 = phi_346_;
+            phi_347_ = _e235;
         } else {
-            phi_331_ = _e205;
+            phi_347_ = _e219;
         }
-        let _e223 = phi_331_;
-        let _e225 = bitcast<u64>(-(_e223));
-        let _e229 = f32(_e71);
-        if (f64(_e229) > _e71) {
-            let _e232 = -(_e229);
-            let _e233 = bitcast<u32>(_e232);
-            if ((_e233 & 2139095040u) == 2139095040u) {
-                phi_355_ = (_e232 < 0f);
+        let _e237 = phi_347_;
+        let _e239 = bitcast<u64>(-(_e237));
+        let _e243 = bitcast<u64>(_e85);
+        let _e244 = u32(_e243);
+        let _e246 = u32((_e243 / 4294967296lu));
+        let _e247 = (_e246 & 2147483648u);
+        let _e250 = ((_e246 >> bitcast<u32>(20i)) & 2047u);
+        let _e256 = (((_e246 & 1048575u) << bitcast<u32>(3i)) | (_e244 >> bitcast<u32>(29i)));
+        let _e257 = (_e244 & 536870911u);
+        if (_e250 == 2047u) {
+            phi_406_ = false;
+            phi_407_ = (2139095040u | _e256);
+        } else {
+            if (_e250 > 1150u) {
+                phi_404_ = true;
+                phi_405_ = 2139095039u;
             } else {
-                phi_355_ = true;
-            }
-            let _e238 = phi_355_;
-            if _e238 {
-                if (_e232 > 0f) {
-                    phi_373_ = bitcast<f32>((_e233 + 1u));
+                if (_e250 > 896u) {
+                    phi_402_ = (_e257 != 0u);
+                    phi_403_ = (((_e250 - 896u) << bitcast<u32>(23i)) | _e256);
                 } else {
-                    if (_e232 < 0f) {
-                        phi_372_ = bitcast<f32>((_e233 - 1u));
+                    if (_e250 >= 873u) {
+                        let _e265 = (8388608u | _e256);
+                        let _e266 = (897u - _e250);
+                        phi_400_ = (((_e265 & ((1u << bitcast<u32>((_e266 & 31u))) - 1u)) | _e257) != 0u);
+                        phi_401_ = (_e265 >> bitcast<u32>((_e266 & 31u)));
                     } else {
-                        phi_372_ = 0.000000000000000000000000000000000000000000001f;
+                        phi_400_ = (((_e246 & 2147483647u) | _e244) != 0u);
+                        phi_401_ = 0u;
                     }
-                    let _e244 = phi_372_;
-                    phi_373_ = _e244;
+                    let _e278 = phi_400_;
+                    let _e280 = phi_401_;
+                    phi_402_ = _e278;
+                    phi_403_ = _e280;
                 }
-                let _e248 = phi_373_;
-                phi_374_ = _e248;
-            } else {
-                phi_374_ = _e232;
+                let _e287 = phi_402_;
+                let _e289 = phi_403_;
+                phi_404_ = _e287;
+                phi_405_ = _e289;
             }
-            let _e250 = phi_374_;
-            phi_376_ = -(_e250);
-        } else {
-            phi_376_ = _e229;
+            let _e291 = phi_404_;
+            let _e293 = phi_405_;
+            phi_406_ = _e291;
+            phi_407_ = _e293;
         }
-        let _e253 = phi_376_;
-        let _e262 = bitcast<u64>(f64(bitcast<f32>(_e64[0])));
-        local_1[0u] = array<u32, 2>(u32(_e80), u32((_e80 / 4294967296lu)));
-        local_1[1u] = array<u32, 2>(u32(_e85), u32((_e85 / 4294967296lu)));
-        local_1[2u] = array<u32, 2>(u32(_e90), u32((_e90 / 4294967296lu)));
-        local_1[3u] = array<u32, 2>(u32(_e95), u32((_e95 / 4294967296lu)));
-        local_1[4u] = array<u32, 2>(u32(_e103), u32((_e103 / 4294967296lu)));
-        local_1[5u] = array<u32, 2>(u32(_e110), u32((_e110 / 4294967296lu)));
-        local_1[6u] = array<u32, 2>(u32(_e117), u32((_e117 / 4294967296lu)));
-        local_1[7u] = array<u32, 2>(select(0u, 1u, (_e71 < _e78)), select(0u, 1u, (_e71 <= _e78)));
-        local_1[8u] = array<u32, 2>(u32(_e179), u32((_e179 / 4294967296lu)));
-        local_1[9u] = array<u32, 2>(u32(_e201), u32((_e201 / 4294967296lu)));
-        local_1[10u] = array<u32, 2>(u32(_e225), u32((_e225 / 4294967296lu)));
-        local_1[11u] = array<u32, 2>(bitcast<u32>(_e253), select(0u, 1u, ((bitcast<u64>(_e71) & 9218868437227405312lu) != 9218868437227405312lu)));
-        local_1[12u] = array<u32, 2>(u32(_e262), u32((_e262 / 4294967296lu)));
+        let _e296 = phi_406_;
+        let _e298 = phi_407_;
+        let _e300 = bitcast<f32>((_e247 | _e298));
+        let _e304 = bitcast<f32>(((_e247 | _e298) + select(0u, 1u, _e296)));
+        if (_e247 == 0u) {
+            phi_420_ = type_18(_e300, _e304);
+        } else {
+            phi_420_ = type_18(_e304, _e300);
+        }
+        let _e309 = phi_420_;
+        let _e319 = bitcast<u64>(f64(bitcast<f32>(_e78[0])));
+        local_1[0u] = array<u32, 2>(u32(_e94), u32((_e94 / 4294967296lu)));
+        local_1[1u] = array<u32, 2>(u32(_e99), u32((_e99 / 4294967296lu)));
+        local_1[2u] = array<u32, 2>(u32(_e104), u32((_e104 / 4294967296lu)));
+        local_1[3u] = array<u32, 2>(u32(_e109), u32((_e109 / 4294967296lu)));
+        local_1[4u] = array<u32, 2>(u32(_e117), u32((_e117 / 4294967296lu)));
+        local_1[5u] = array<u32, 2>(u32(_e124), u32((_e124 / 4294967296lu)));
+        local_1[6u] = array<u32, 2>(u32(_e131), u32((_e131 / 4294967296lu)));
+        local_1[7u] = array<u32, 2>(select(0u, 1u, (_e85 < _e92)), select(0u, 1u, (_e85 <= _e92)));
+        local_1[8u] = array<u32, 2>(u32(_e193), u32((_e193 / 4294967296lu)));
+        local_1[9u] = array<u32, 2>(u32(_e215), u32((_e215 / 4294967296lu)));
+        local_1[10u] = array<u32, 2>(u32(_e239), u32((_e239 / 4294967296lu)));
+        local_1[11u] = array<u32, 2>(bitcast<u32>(_e309.member), select(0u, 1u, ((bitcast<u64>(_e85) & 9218868437227405312lu) != 9218868437227405312lu)));
+        local_1[12u] = array<u32, 2>(u32(_e319), u32((_e319 / 4294967296lu)));
         local = array<u32, 26>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-        phi_445_ = type_4(0u, 13u);
+        phi_490_ = type_4(0u, 13u);
         loop {
-            let _e293 = phi_445_;
-            if (_e293.member < _e293.member_1) {
-                phi_446_ = type_4((_e293.member + 1u), _e293.member_1);
-                phi_469_ = type_4(1u, _e293.member);
+            let _e350 = phi_490_;
+            if (_e350.member < _e350.member_1) {
+                phi_491_ = type_4((_e350.member + 1u), _e350.member_1);
+                phi_514_ = type_4(1u, _e350.member);
             } else {
-                phi_446_ = _e293;
-                phi_469_ = type_4(0u, type_4().member_1);
+                phi_491_ = _e350;
+                phi_514_ = type_4(0u, type_4().member_1);
             }
-            let _e305 = phi_446_;
-            let _e307 = phi_469_;
-            let _e311 = (bitcast<i32>(_e307.member) != 0i);
-            if _e311 {
-                let _e314 = local_1[_e307.member_1][0u];
-                local[(2u * _e307.member_1)] = _e314;
-                let _e319 = local_1[_e307.member_1][1u];
-                local[((2u * _e307.member_1) + 1u)] = _e319;
+            let _e362 = phi_491_;
+            let _e364 = phi_514_;
+            let _e368 = (bitcast<i32>(_e364.member) != 0i);
+            if _e368 {
+                let _e371 = local_1[_e364.member_1][0u];
+                local[(2u * _e364.member_1)] = _e371;
+                let _e376 = local_1[_e364.member_1][1u];
+                local[((2u * _e364.member_1) + 1u)] = _e376;
             }
             continue;
             continuing {
-                phi_445_ = _e305;
-                break if !(_e311);
+                phi_490_ = _e362;
+                break if !(_e368);
             }
         }
-        let _e324 = local;
-        results.member[_e61] = array<u32, 26>(_e324[0], _e324[1], _e324[2], _e324[3], _e324[4], _e324[5], _e324[6], _e324[7], _e324[8], _e324[9], _e324[10], _e324[11], _e324[12], _e324[13], _e324[14], _e324[15], _e324[16], _e324[17], _e324[18], _e324[19], _e324[20], _e324[21], _e324[22], _e324[23], _e324[24], _e324[25]);
+        let _e381 = local;
+        results.member[_e75] = array<u32, 26>(_e381[0], _e381[1], _e381[2], _e381[3], _e381[4], _e381[5], _e381[6], _e381[7], _e381[8], _e381[9], _e381[10], _e381[11], _e381[12], _e381[13], _e381[14], _e381[15], _e381[16], _e381[17], _e381[18], _e381[19], _e381[20], _e381[21], _e381[22], _e381[23], _e381[24], _e381[25]);
     }
     return;
 }

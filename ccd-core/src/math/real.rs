@@ -1,5 +1,6 @@
 //! Number types that one body of geometry is written over: `f32`, `f64`, and SIMD lanes of them.
 
+use super::f64_bits;
 use core::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
 
 /// The answer of a comparison: one Boolean, or one a lane.
@@ -127,7 +128,7 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($t:ty, $unit:expr, $guess:expr, $exponent:expr) => {
+    ($t:ty, $unit:expr, $guess:expr, $exponent:expr, $enclosure:expr) => {
         impl Num for $t {
             const UNIT: Self = $unit;
             const MIN_NORMAL: Self = <$t>::MIN_POSITIVE;
@@ -165,13 +166,11 @@ macro_rules! real {
             }
             #[inline(always)]
             fn round_down(self) -> f32 {
-                let y = self as f32;
-                if (y as Self) > self { Real::next_down(y) } else { y }
+                $enclosure(self).0
             }
             #[inline(always)]
             fn round_up(self) -> f32 {
-                let y = self as f32;
-                if (y as Self) < self { Real::next_up(y) } else { y }
+                $enclosure(self).1
             }
             fn sqrt_up(self) -> Self {
                 // Heron's iteration: every iterate after the first is at or above the root, up to
@@ -236,8 +235,21 @@ fn sqrt_guess_f64(x: f64) -> f64 {
     f64::from_bits(x.to_bits() / 2 + 0x1ff7_69e5_c000_0000)
 }
 
-real!(f32, 5.960_464_5e-8, sqrt_guess_f32, 0x7f80_0000);
-real!(f64, 1.110_223_024_625_156_5e-16, sqrt_guess_f64, 0x7ff0_0000_0000_0000);
+/// The greatest `f32` that is not above `x` and the smallest that is not below.
+#[inline(always)]
+fn enclosure(x: f64) -> (f32, f32) {
+    if cfg!(target_arch = "spirv") {
+        return f64_bits::enclosure(x);
+    }
+    let y = x as f32;
+    (
+        if (y as f64) > x { Real::next_down(y) } else { y },
+        if (y as f64) < x { Real::next_up(y) } else { y },
+    )
+}
+
+real!(f32, 5.960_464_5e-8, sqrt_guess_f32, 0x7f80_0000, |x| (x, x));
+real!(f64, 1.110_223_024_625_156_5e-16, sqrt_guess_f64, 0x7ff0_0000_0000_0000, enclosure);
 
 #[cfg(test)]
 mod tests {

@@ -5,6 +5,7 @@ mod decision;
 mod params;
 mod touch;
 
+pub use crate::math::f64_bits::{join, split};
 pub use decision::{Decision, IntegerDecision};
 pub use params::{
     BlockDescent, Blocks, Building, Dispatch, Expansion, Frame, Intervals, NodeDescent, Params,
@@ -259,23 +260,6 @@ pub struct NearTest {
     pub pair: Pair,
     /// Those that stand in; of an orphan the representatives.
     pub triangles: Pair,
-}
-
-/// 2^32. Products and quotients, because a shader language counts the bits of a shift in 32 bits
-/// and translators forget that.
-const TWO_32: u64 = 1 << 32;
-
-/// An `f64` from its bits, low word first.
-#[inline(always)]
-pub fn join(words: [u32; 2]) -> f64 {
-    f64::from_bits(words[1] as u64 * TWO_32 + words[0] as u64)
-}
-
-/// The bits of an `f64`, low word first.
-#[inline(always)]
-pub fn split(x: f64) -> [u32; 2] {
-    let bits = x.to_bits();
-    [bits as u32, (bits / TWO_32) as u32]
 }
 
 /// Words before the first entry of a list that a device writes: the number of entries wanted, which
