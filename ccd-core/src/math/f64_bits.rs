@@ -59,7 +59,7 @@ mod tests {
     #[test]
     fn enclosures_by_bits_are_those_of_comparisons() {
         let mut random = Random::new(2);
-        let mut check = |x: f64| {
+        let check = |x: f64| {
             let (got, want) = (enclosure(x), (x.round_down(), x.round_up()));
             assert_eq!(
                 (got.0.to_bits(), got.1.to_bits()),
