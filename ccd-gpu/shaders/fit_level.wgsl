@@ -77,41 +77,45 @@ var<storage, read_write> nodes: type_20;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 4>;
-    var phi_123_: u32;
     var phi_124_: u32;
-    var phi_150_: type_22;
-    var phi_170_: type_11;
-    var phi_173_: type_22;
-    var phi_175_: u32;
-    var phi_196_: bool;
-    var phi_202_: type_12;
+    var phi_125_: u32;
+    var phi_151_: type_22;
     var phi_171_: type_11;
-    var phi_216_: type_12;
-    var phi_368_: f32;
-    var phi_375_: f32;
-    var phi_382_: f32;
-    var phi_390_: f32;
-    var phi_397_: f32;
-    var phi_404_: f32;
-    var phi_251_: f32;
-    var phi_258_: f32;
-    var phi_265_: f32;
-    var phi_273_: f32;
-    var phi_280_: f32;
-    var phi_287_: f32;
-    var phi_301_: bool;
-    var phi_316_: bool;
-    var phi_317_: bool;
-    var phi_339_: bool;
-    var phi_356_: f32;
-    var phi_357_: f32;
-    var phi_358_: f32;
-    var phi_360_: type_22;
-    var phi_361_: type_22;
-    var phi_407_: type_22;
-    var phi_420_: type_22;
     var phi_174_: type_22;
     var phi_176_: u32;
+    var phi_197_: bool;
+    var phi_203_: type_12;
+    var phi_172_: type_11;
+    var phi_217_: type_12;
+    var phi_377_: f32;
+    var phi_384_: f32;
+    var phi_391_: f32;
+    var phi_399_: f32;
+    var phi_406_: f32;
+    var phi_413_: f32;
+    var phi_252_: f32;
+    var phi_259_: f32;
+    var phi_266_: f32;
+    var phi_274_: f32;
+    var phi_281_: f32;
+    var phi_288_: f32;
+    var phi_302_: bool;
+    var phi_317_: bool;
+    var phi_318_: bool;
+    var phi_345_: bool;
+    var phi_346_: bool;
+    var phi_355_: u32;
+    var phi_356_: u32;
+    var phi_357_: bool;
+    var phi_358_: u32;
+    var phi_359_: bool;
+    var phi_366_: u32;
+    var phi_369_: type_22;
+    var phi_370_: type_22;
+    var phi_416_: type_22;
+    var phi_429_: type_22;
+    var phi_175_: type_22;
+    var phi_177_: u32;
     var local_1: type_22;
     var local_2: type_22;
     var local_3: type_22;
@@ -135,36 +139,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e52 = ((_e49 + (((_e26.y * _e27.x) + _e26.x) * 256u)) + _e28);
     let _e54 = local[2u];
     if (_e52 >= _e54) {
-        phi_124_ = 2u;
+        phi_125_ = 2u;
     } else {
         let _e57 = local[1u];
         if (_e52 >= _e57) {
-            phi_123_ = 1u;
+            phi_124_ = 1u;
         } else {
-            phi_123_ = 0u;
+            phi_124_ = 0u;
         }
-        let _e60 = phi_123_;
-        phi_124_ = _e60;
+        let _e60 = phi_124_;
+        phi_125_ = _e60;
     }
-    let _e62 = phi_124_;
+    let _e62 = phi_125_;
     let _e64 = local[3u];
     let _e65 = (_e52 < _e64);
     if _e65 {
         let _e67 = nodes.member[_e52];
-        phi_150_ = type_22(array<f32, 3>(_e67.member.x, _e67.member.y, _e67.member_1.x), array<f32, 3>(_e67.member_1.y, _e67.member_2.x, _e67.member_2.y));
+        phi_151_ = type_22(array<f32, 3>(_e67.member.x, _e67.member.y, _e67.member_1.x), array<f32, 3>(_e67.member_1.y, _e67.member_2.x, _e67.member_2.y));
     } else {
-        phi_150_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_151_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e84 = phi_150_;
+    let _e84 = phi_151_;
     let _e87 = params.member.member.member_1;
     shared_[_e28] = type_22(array<f32, 3>(_e84.member[0], _e84.member[1], _e84.member[2]), array<f32, 3>(_e84.member_1[0], _e84.member_1[1], _e84.member_1[2]));
-    phi_170_ = type_11(0i, 5i);
-    phi_173_ = _e84;
-    phi_175_ = 16u;
+    phi_171_ = type_11(0i, 5i);
+    phi_174_ = _e84;
+    phi_176_ = 16u;
     loop {
-        let _e103 = phi_170_;
-        let _e105 = phi_173_;
-        let _e107 = phi_175_;
+        let _e103 = phi_171_;
+        let _e105 = phi_174_;
+        let _e107 = phi_176_;
         local_1 = _e105;
         local_2 = _e105;
         local_3 = _e105;
@@ -174,25 +178,25 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         if (_e103.member < _e103.member_1) {
             let _e114 = (_e103.member + 1i);
             if ((false == (_e114 > _e103.member)) != false) {
-                phi_196_ = true;
+                phi_197_ = true;
             } else {
-                phi_196_ = false;
+                phi_197_ = false;
             }
-            let _e119 = phi_196_;
+            let _e119 = phi_197_;
             if _e119 {
-                phi_202_ = type_12(0u, type_12().member_1);
+                phi_203_ = type_12(0u, type_12().member_1);
             } else {
-                phi_202_ = type_12(1u, _e114);
+                phi_203_ = type_12(1u, _e114);
             }
-            let _e124 = phi_202_;
-            phi_171_ = type_11(_e124.member_1, _e103.member_1);
-            phi_216_ = type_12(1u, _e103.member);
+            let _e124 = phi_203_;
+            phi_172_ = type_11(_e124.member_1, _e103.member_1);
+            phi_217_ = type_12(1u, _e103.member);
         } else {
-            phi_171_ = _e103;
-            phi_216_ = type_12(0u, type_12().member_1);
+            phi_172_ = _e103;
+            phi_217_ = type_12(0u, type_12().member_1);
         }
-        let _e130 = phi_171_;
-        let _e132 = phi_216_;
+        let _e130 = phi_172_;
+        let _e132 = phi_217_;
         let _e135 = (bitcast<i32>(_e132.member) != 0i);
         if _e135 {
             workgroupBarrier();
@@ -200,172 +204,192 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e140 = shared_[(_e28 + _e107)];
                 if ((_e87 & 256u) != 0u) {
                     if (_e105.member[0] < _e140.member[0]) {
-                        phi_251_ = _e105.member[0];
+                        phi_252_ = _e105.member[0];
                     } else {
-                        phi_251_ = _e140.member[0];
+                        phi_252_ = _e140.member[0];
                     }
-                    let _e186 = phi_251_;
+                    let _e186 = phi_252_;
                     if (_e105.member[1] < _e140.member[1]) {
-                        phi_258_ = _e105.member[1];
+                        phi_259_ = _e105.member[1];
                     } else {
-                        phi_258_ = _e140.member[1];
+                        phi_259_ = _e140.member[1];
                     }
-                    let _e191 = phi_258_;
+                    let _e191 = phi_259_;
                     if (_e105.member[2] < _e140.member[2]) {
-                        phi_265_ = _e105.member[2];
+                        phi_266_ = _e105.member[2];
                     } else {
-                        phi_265_ = _e140.member[2];
+                        phi_266_ = _e140.member[2];
                     }
-                    let _e196 = phi_265_;
+                    let _e196 = phi_266_;
                     if (_e105.member_1[0] > _e140.member_1[0]) {
-                        phi_273_ = _e105.member_1[0];
+                        phi_274_ = _e105.member_1[0];
                     } else {
-                        phi_273_ = _e140.member_1[0];
+                        phi_274_ = _e140.member_1[0];
                     }
-                    let _e202 = phi_273_;
+                    let _e202 = phi_274_;
                     if (_e105.member_1[1] > _e140.member_1[1]) {
-                        phi_280_ = _e105.member_1[1];
+                        phi_281_ = _e105.member_1[1];
                     } else {
-                        phi_280_ = _e140.member_1[1];
+                        phi_281_ = _e140.member_1[1];
                     }
-                    let _e207 = phi_280_;
+                    let _e207 = phi_281_;
                     if (_e105.member_1[2] > _e140.member_1[2]) {
-                        phi_287_ = _e105.member_1[2];
+                        phi_288_ = _e105.member_1[2];
                     } else {
-                        phi_287_ = _e140.member_1[2];
+                        phi_288_ = _e140.member_1[2];
                     }
-                    let _e212 = phi_287_;
+                    let _e212 = phi_288_;
                     let _e214 = type_22(array<f32, 3>(_e186, _e191, _e196), array<f32, 3>(_e202, _e207, _e212));
                     if ((bitcast<u32>(_e105.member_1[0]) & 1u) == 1u) {
-                        phi_301_ = true;
+                        phi_302_ = true;
                     } else {
-                        phi_301_ = !((_e105.member[0] <= _e105.member_1[0]));
+                        phi_302_ = !((_e105.member[0] <= _e105.member_1[0]));
                     }
-                    let _e227 = phi_301_;
+                    let _e227 = phi_302_;
                     if _e227 {
                         if ((bitcast<u32>(_e140.member_1[0]) & 1u) == 1u) {
-                            phi_316_ = true;
+                            phi_317_ = true;
                         } else {
-                            phi_316_ = !((_e140.member[0] <= _e140.member_1[0]));
+                            phi_317_ = !((_e140.member[0] <= _e140.member_1[0]));
                         }
-                        let _e234 = phi_316_;
-                        phi_317_ = _e234;
+                        let _e234 = phi_317_;
+                        phi_318_ = _e234;
                     } else {
-                        phi_317_ = false;
+                        phi_318_ = false;
                     }
-                    let _e236 = phi_317_;
+                    let _e236 = phi_318_;
                     if (_e186 <= _e202) {
                         if (((bitcast<u32>(_e202) & 1u) == 1u) != _e236) {
                             let _e242 = bitcast<u32>(_e202);
-                            if ((_e242 & 2139095040u) == 2139095040u) {
-                                phi_339_ = (_e202 < 0f);
+                            let _e245 = ((_e242 >> bitcast<u32>(31i)) == 1u);
+                            let _e246 = (_e242 & 2147483647u);
+                            if (_e246 < 8388608u) {
+                                phi_358_ = u32();
+                                phi_359_ = true;
                             } else {
-                                phi_339_ = true;
-                            }
-                            let _e247 = phi_339_;
-                            if _e247 {
-                                if (_e202 > 0f) {
-                                    phi_357_ = bitcast<f32>((_e242 + 1u));
-                                } else {
-                                    if (_e202 < 0f) {
-                                        phi_356_ = bitcast<f32>((_e242 - 1u));
+                                if _e245 {
+                                    if (_e246 == 8388608u) {
+                                        phi_345_ = false;
                                     } else {
-                                        phi_356_ = 0.000000000000000000000000000000000000000000001f;
+                                        phi_345_ = true;
                                     }
-                                    let _e253 = phi_356_;
-                                    phi_357_ = _e253;
+                                    let _e250 = phi_345_;
+                                    phi_346_ = _e250;
+                                } else {
+                                    phi_346_ = true;
                                 }
-                                let _e257 = phi_357_;
-                                phi_358_ = _e257;
-                            } else {
-                                phi_358_ = _e202;
+                                let _e252 = phi_346_;
+                                if _e252 {
+                                    if _e245 {
+                                        phi_355_ = (_e242 - 1u);
+                                    } else {
+                                        phi_355_ = (_e242 + 1u);
+                                    }
+                                    let _e256 = phi_355_;
+                                    phi_356_ = _e256;
+                                    phi_357_ = false;
+                                } else {
+                                    phi_356_ = u32();
+                                    phi_357_ = true;
+                                }
+                                let _e258 = phi_356_;
+                                let _e260 = phi_357_;
+                                phi_358_ = _e258;
+                                phi_359_ = _e260;
                             }
-                            let _e259 = phi_358_;
-                            phi_360_ = type_22(_e214.member, array<f32, 3>(_e259, _e214.member_1[1], _e214.member_1[2]));
+                            let _e262 = phi_358_;
+                            let _e264 = phi_359_;
+                            if _e264 {
+                                phi_366_ = (8388608u | ((_e242 & 1u) ^ 1u));
+                            } else {
+                                phi_366_ = _e262;
+                            }
+                            let _e269 = phi_366_;
+                            phi_369_ = type_22(_e214.member, array<f32, 3>(bitcast<f32>(_e269), _e214.member_1[1], _e214.member_1[2]));
                         } else {
-                            phi_360_ = _e214;
+                            phi_369_ = _e214;
                         }
-                        let _e267 = phi_360_;
-                        phi_361_ = _e267;
+                        let _e278 = phi_369_;
+                        phi_370_ = _e278;
                     } else {
-                        phi_361_ = _e214;
+                        phi_370_ = _e214;
                     }
-                    let _e269 = phi_361_;
-                    phi_407_ = _e269;
+                    let _e280 = phi_370_;
+                    phi_416_ = _e280;
                 } else {
                     if (_e105.member[0] < _e140.member[0]) {
-                        phi_368_ = _e105.member[0];
+                        phi_377_ = _e105.member[0];
                     } else {
-                        phi_368_ = _e140.member[0];
+                        phi_377_ = _e140.member[0];
                     }
-                    let _e153 = phi_368_;
+                    let _e153 = phi_377_;
                     if (_e105.member[1] < _e140.member[1]) {
-                        phi_375_ = _e105.member[1];
+                        phi_384_ = _e105.member[1];
                     } else {
-                        phi_375_ = _e140.member[1];
+                        phi_384_ = _e140.member[1];
                     }
-                    let _e158 = phi_375_;
+                    let _e158 = phi_384_;
                     if (_e105.member[2] < _e140.member[2]) {
-                        phi_382_ = _e105.member[2];
+                        phi_391_ = _e105.member[2];
                     } else {
-                        phi_382_ = _e140.member[2];
+                        phi_391_ = _e140.member[2];
                     }
-                    let _e163 = phi_382_;
+                    let _e163 = phi_391_;
                     if (_e105.member_1[0] > _e140.member_1[0]) {
-                        phi_390_ = _e105.member_1[0];
+                        phi_399_ = _e105.member_1[0];
                     } else {
-                        phi_390_ = _e140.member_1[0];
+                        phi_399_ = _e140.member_1[0];
                     }
-                    let _e169 = phi_390_;
+                    let _e169 = phi_399_;
                     if (_e105.member_1[1] > _e140.member_1[1]) {
-                        phi_397_ = _e105.member_1[1];
+                        phi_406_ = _e105.member_1[1];
                     } else {
-                        phi_397_ = _e140.member_1[1];
+                        phi_406_ = _e140.member_1[1];
                     }
-                    let _e174 = phi_397_;
+                    let _e174 = phi_406_;
                     if (_e105.member_1[2] > _e140.member_1[2]) {
-                        phi_404_ = _e105.member_1[2];
+                        phi_413_ = _e105.member_1[2];
                     } else {
-                        phi_404_ = _e140.member_1[2];
+                        phi_413_ = _e140.member_1[2];
                     }
-                    let _e179 = phi_404_;
-                    phi_407_ = type_22(array<f32, 3>(_e153, _e158, _e163), array<f32, 3>(_e169, _e174, _e179));
+                    let _e179 = phi_413_;
+                    phi_416_ = type_22(array<f32, 3>(_e153, _e158, _e163), array<f32, 3>(_e169, _e174, _e179));
                 }
-                let _e271 = phi_407_;
-                shared_[_e28] = type_22(array<f32, 3>(_e271.member[0], _e271.member[1], _e271.member[2]), array<f32, 3>(_e271.member_1[0], _e271.member_1[1], _e271.member_1[2]));
-                phi_420_ = _e271;
+                let _e282 = phi_416_;
+                shared_[_e28] = type_22(array<f32, 3>(_e282.member[0], _e282.member[1], _e282.member[2]), array<f32, 3>(_e282.member_1[0], _e282.member_1[1], _e282.member_1[2]));
+                phi_429_ = _e282;
             } else {
-                phi_420_ = _e105;
+                phi_429_ = _e105;
             }
-            let _e285 = phi_420_;
-            phi_174_ = _e285;
-            phi_176_ = (_e107 / 2u);
+            let _e296 = phi_429_;
+            phi_175_ = _e296;
+            phi_177_ = (_e107 / 2u);
         } else {
-            phi_174_ = type_22();
-            phi_176_ = u32();
+            phi_175_ = type_22();
+            phi_177_ = u32();
         }
-        let _e288 = phi_174_;
-        let _e290 = phi_176_;
+        let _e299 = phi_175_;
+        let _e301 = phi_177_;
         continue;
         continuing {
-            phi_170_ = _e130;
-            phi_173_ = _e288;
-            phi_175_ = _e290;
+            phi_171_ = _e130;
+            phi_174_ = _e299;
+            phi_176_ = _e301;
             break if !(_e135);
         }
     }
     if _e65 {
         if ((_e28 % 32u) == 0u) {
-            let _e297 = params.member.member_2.member_2;
-            let _e300 = local[_e62];
-            let _e306 = params.member.member_2.member[(_e297 + 1u)][_e62];
-            let _e309 = local_1;
-            let _e313 = local_2;
-            let _e317 = local_3;
-            let _e321 = local_4;
-            let _e325 = local_5;
-            let _e329 = local_6;
-            nodes.member[(_e306 + ((_e52 - _e300) / 32u))] = type_18(vec2<f32>(_e309.member[0], _e313.member[1]), vec2<f32>(_e317.member[2], _e321.member_1[0]), vec2<f32>(_e325.member_1[1], _e329.member_1[2]));
+            let _e308 = params.member.member_2.member_2;
+            let _e311 = local[_e62];
+            let _e317 = params.member.member_2.member[(_e308 + 1u)][_e62];
+            let _e320 = local_1;
+            let _e324 = local_2;
+            let _e328 = local_3;
+            let _e332 = local_4;
+            let _e336 = local_5;
+            let _e340 = local_6;
+            nodes.member[(_e317 + ((_e52 - _e311) / 32u))] = type_18(vec2<f32>(_e320.member[0], _e324.member[1]), vec2<f32>(_e328.member[2], _e332.member_1[0]), vec2<f32>(_e336.member_1[1], _e340.member_1[2]));
         }
     }
     return;

@@ -162,14 +162,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_928_: type_9;
     var phi_929_: type_9;
     var phi_952_: type_9;
-    var phi_1012_: u32;
-    var phi_1013_: u32;
-    var phi_1033_: u32;
+    var phi_980_: f32;
+    var phi_995_: f32;
+    var phi_1022_: u32;
+    var phi_1023_: u32;
+    var phi_1043_: u32;
     var phi_202_: f32;
     var phi_203_: f32;
     var phi_209_: u32;
     var phi_219_: u32;
-    var phi_1034_: u32;
+    var phi_1044_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -201,37 +203,37 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_7 = type_15(array<f32, 3>(_e91.member[0], _e91.member[1], _e91.member[2]), array<f32, 3>(_e91.member_1[0], _e91.member_1[1], _e91.member_1[2]));
         let _e105 = params.member.member_2.member;
         if (_e105 == 1u) {
-            let _e625 = survey.member[6u];
-            if (_e625 == 0u) {
-                let _e636 = local_7.member[0u];
-                phi_203_ = _e636;
+            let _e631 = survey.member[6u];
+            if (_e631 == 0u) {
+                let _e642 = local_7.member[0u];
+                phi_203_ = _e642;
             } else {
-                if (_e625 == 1u) {
-                    let _e632 = local_7.member[1u];
-                    phi_202_ = _e632;
+                if (_e631 == 1u) {
+                    let _e638 = local_7.member[1u];
+                    phi_202_ = _e638;
                 } else {
-                    let _e630 = local_7.member[2u];
-                    phi_202_ = _e630;
+                    let _e636 = local_7.member[2u];
+                    phi_202_ = _e636;
                 }
-                let _e634 = phi_202_;
-                phi_203_ = _e634;
+                let _e640 = phi_202_;
+                phi_203_ = _e640;
             }
-            let _e638 = phi_203_;
-            let _e639 = bitcast<u32>(_e638);
-            if (_e639 == 2147483648u) {
+            let _e644 = phi_203_;
+            let _e645 = bitcast<u32>(_e644);
+            if (_e645 == 2147483648u) {
                 phi_209_ = 0u;
             } else {
-                phi_209_ = _e639;
+                phi_209_ = _e645;
             }
-            let _e642 = phi_209_;
-            let _e644 = bitcast<u32>(bitcast<f32>(_e642));
-            if ((_e644 >> bitcast<u32>(31i)) == 1u) {
-                phi_219_ = ~(_e644);
+            let _e648 = phi_209_;
+            let _e650 = bitcast<u32>(bitcast<f32>(_e648));
+            if ((_e650 >> bitcast<u32>(31i)) == 1u) {
+                phi_219_ = ~(_e650);
             } else {
-                phi_219_ = (_e644 | 2147483648u);
+                phi_219_ = (_e650 | 2147483648u);
             }
-            let _e651 = phi_219_;
-            phi_1034_ = (_e651 >> bitcast<u32>(2i));
+            let _e657 = phi_219_;
+            phi_1044_ = (_e657 >> bitcast<u32>(2i));
         } else {
             if (_e105 == 2u) {
                 let _e109 = survey.member[6u];
@@ -600,22 +602,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if _e579 {
                         let _e582 = local_3.member[_e575.member_1];
                         let _e585 = local_7.member[_e575.member_1];
-                        let _e590 = local_7.member_1[_e575.member_1];
-                        let _e596 = local_3.member_1[_e575.member_1];
-                        let _e597 = ((((_e585 * 0.25f) - _e582) + ((_e590 * 0.25f) - _e582)) * _e596);
-                        if (_e597 >= 511f) {
-                            phi_1013_ = 511u;
+                        let _e587 = ((_e585 * 0.25f) - _e582);
+                        if (_e587 > 0f) {
+                            phi_980_ = _e587;
                         } else {
-                            if (_e597 > 0f) {
-                                phi_1012_ = select(select(u32(_e597), 0u, (_e597 < 0f)), 4294967295u, (_e597 > 4294967000f));
-                            } else {
-                                phi_1012_ = 0u;
-                            }
-                            let _e606 = phi_1012_;
-                            phi_1013_ = _e606;
+                            phi_980_ = 0f;
                         }
-                        let _e608 = phi_1013_;
-                        local[_e575.member_1] = _e608;
+                        let _e590 = phi_980_;
+                        let _e593 = local_7.member_1[_e575.member_1];
+                        let _e595 = ((_e593 * 0.25f) - _e582);
+                        if (_e595 > 0f) {
+                            phi_995_ = _e595;
+                        } else {
+                            phi_995_ = 0f;
+                        }
+                        let _e598 = phi_995_;
+                        let _e602 = local_3.member_1[_e575.member_1];
+                        let _e603 = ((_e590 + _e598) * _e602);
+                        if (_e603 >= 511f) {
+                            phi_1023_ = 511u;
+                        } else {
+                            if (_e603 > 0f) {
+                                phi_1022_ = select(select(u32(_e603), 0u, (_e603 < 0f)), 4294967295u, (_e603 > 4294967000f));
+                            } else {
+                                phi_1022_ = 0u;
+                            }
+                            let _e612 = phi_1022_;
+                            phi_1023_ = _e612;
+                        }
+                        let _e614 = phi_1023_;
+                        local[_e575.member_1] = _e614;
                     }
                     continue;
                     continuing {
@@ -623,16 +639,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         break if !(_e579);
                     }
                 }
-                let _e611 = local;
-                phi_1033_ = ((_e438 << bitcast<u32>(27u)) | (((_e611[2] << bitcast<u32>(18u)) | (_e611[1] << bitcast<u32>(9u))) | _e611[0]));
+                let _e617 = local;
+                phi_1043_ = ((_e438 << bitcast<u32>(27u)) | (((_e617[2] << bitcast<u32>(18u)) | (_e617[1] << bitcast<u32>(9u))) | _e617[0]));
             } else {
-                phi_1033_ = 0u;
+                phi_1043_ = 0u;
             }
-            let _e623 = phi_1033_;
-            phi_1034_ = _e623;
+            let _e629 = phi_1043_;
+            phi_1044_ = _e629;
         }
-        let _e655 = phi_1034_;
-        keys.member[_e72] = ((_e89 << bitcast<u32>(30u)) | _e655);
+        let _e661 = phi_1044_;
+        keys.member[_e72] = ((_e89 << bitcast<u32>(30u)) | _e661);
         order.member[_e72] = _e72;
     }
     return;

@@ -217,73 +217,75 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1281_: type_9;
     var phi_1282_: type_9;
     var phi_1305_: type_9;
-    var phi_1365_: u32;
-    var phi_1366_: u32;
-    var phi_1378_: array<u32, 3>;
-    var phi_1379_: array<u32, 3>;
-    var phi_1448_: bool;
-    var phi_1460_: bool;
-    var phi_1461_: bool;
-    var phi_1504_: bool;
-    var phi_1505_: bool;
-    var phi_1511_: u32;
-    var phi_1512_: bool;
-    var phi_1513_: u32;
+    var phi_1333_: f32;
+    var phi_1348_: f32;
+    var phi_1375_: u32;
+    var phi_1376_: u32;
+    var phi_1388_: array<u32, 3>;
+    var phi_1389_: array<u32, 3>;
+    var phi_1458_: bool;
+    var phi_1470_: bool;
+    var phi_1471_: bool;
     var phi_1514_: bool;
-    var phi_1519_: u32;
+    var phi_1515_: bool;
+    var phi_1521_: u32;
+    var phi_1522_: bool;
+    var phi_1523_: u32;
+    var phi_1524_: bool;
     var phi_1529_: u32;
-    var phi_1543_: array<u32, 2>;
-    var phi_1544_: array<u32, 2>;
-    var phi_1545_: bool;
-    var phi_1546_: array<u32, 2>;
-    var phi_1547_: bool;
-    var phi_1548_: array<u32, 2>;
-    var phi_1549_: bool;
+    var phi_1539_: u32;
+    var phi_1553_: array<u32, 2>;
     var phi_1554_: array<u32, 2>;
-    var phi_1555_: array<u32, 2>;
-    var phi_1563_: array<u32, 2>;
-    var phi_1564_: bool;
+    var phi_1555_: bool;
+    var phi_1556_: array<u32, 2>;
+    var phi_1557_: bool;
+    var phi_1558_: array<u32, 2>;
+    var phi_1559_: bool;
+    var phi_1564_: array<u32, 2>;
     var phi_1565_: array<u32, 2>;
-    var phi_1566_: bool;
-    var phi_1571_: array<u32, 2>;
-    var phi_1578_: array<u32, 2>;
-    var phi_1415_: f32;
-    var phi_1416_: f32;
-    var phi_1422_: u32;
+    var phi_1573_: array<u32, 2>;
+    var phi_1574_: bool;
+    var phi_1575_: array<u32, 2>;
+    var phi_1576_: bool;
+    var phi_1581_: array<u32, 2>;
+    var phi_1588_: array<u32, 2>;
+    var phi_1425_: f32;
+    var phi_1426_: f32;
     var phi_1432_: u32;
-    var phi_1579_: array<u32, 2>;
-    var phi_1587_: u32;
-    var phi_1590_: array<u32, 3>;
-    var phi_1592_: array<u32, 3>;
-    var phi_1609_: type_18;
-    var phi_1612_: type_9;
-    var phi_1613_: type_9;
-    var phi_1636_: type_9;
-    var phi_1671_: type_18;
-    var phi_1672_: u32;
-    var phi_1693_: type_9;
-    var phi_1694_: type_9;
-    var phi_1717_: type_9;
-    var phi_1841_: u32;
-    var phi_1846_: u32;
-    var phi_1862_: type_9;
-    var phi_1830_: type_9;
-    var phi_1863_: type_9;
-    var phi_1898_: u32;
-    var phi_1924_: type_9;
-    var phi_1925_: type_9;
-    var phi_1948_: type_9;
-    var phi_1979_: array<u32, 2>;
-    var phi_1986_: u32;
-    var phi_1991_: u32;
-    var phi_1999_: array<u32, 2>;
-    var phi_2073_: u32;
-    var phi_2078_: u32;
-    var phi_2094_: type_9;
-    var phi_2062_: type_9;
-    var phi_2095_: type_9;
-    var phi_2113_: bool;
-    var phi_2114_: bool;
+    var phi_1442_: u32;
+    var phi_1589_: array<u32, 2>;
+    var phi_1597_: u32;
+    var phi_1600_: array<u32, 3>;
+    var phi_1602_: array<u32, 3>;
+    var phi_1619_: type_18;
+    var phi_1622_: type_9;
+    var phi_1623_: type_9;
+    var phi_1646_: type_9;
+    var phi_1681_: type_18;
+    var phi_1682_: u32;
+    var phi_1703_: type_9;
+    var phi_1704_: type_9;
+    var phi_1727_: type_9;
+    var phi_1851_: u32;
+    var phi_1856_: u32;
+    var phi_1872_: type_9;
+    var phi_1840_: type_9;
+    var phi_1873_: type_9;
+    var phi_1908_: u32;
+    var phi_1934_: type_9;
+    var phi_1935_: type_9;
+    var phi_1958_: type_9;
+    var phi_1989_: array<u32, 2>;
+    var phi_1996_: u32;
+    var phi_2001_: u32;
+    var phi_2009_: array<u32, 2>;
+    var phi_2083_: u32;
+    var phi_2088_: u32;
+    var phi_2104_: type_9;
+    var phi_2072_: type_9;
+    var phi_2105_: type_9;
+    var phi_2123_: bool;
+    var phi_2124_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -728,8 +730,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e529 = local_5;
                         local_6 = type_23(_e529, array<f32, 3>(_e461, _e471, _e481));
                         if (_e270 == 0u) {
-                            let _e833 = (_e252 & 134217727u);
-                            phi_1378_ = array<u32, 3>((_e833 & 511u), ((_e833 >> bitcast<u32>(9u)) & 511u), (_e833 >> bitcast<u32>(18u)));
+                            let _e839 = (_e252 & 134217727u);
+                            phi_1388_ = array<u32, 3>((_e839 & 511u), ((_e839 >> bitcast<u32>(9u)) & 511u), (_e839 >> bitcast<u32>(18u)));
                         } else {
                             let _e550 = local_6.member.member_1[0u];
                             let _e554 = local_6.member.member[0u];
@@ -920,22 +922,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 if _e796 {
                                     let _e799 = local_4.member[_e792.member_1];
                                     let _e802 = local_7.member[_e792.member_1];
-                                    let _e807 = local_7.member_1[_e792.member_1];
-                                    let _e813 = local_4.member_1[_e792.member_1];
-                                    let _e814 = ((((_e802 * 0.25f) - _e799) + ((_e807 * 0.25f) - _e799)) * _e813);
-                                    if (_e814 >= 511f) {
-                                        phi_1366_ = 511u;
+                                    let _e804 = ((_e802 * 0.25f) - _e799);
+                                    if (_e804 > 0f) {
+                                        phi_1333_ = _e804;
                                     } else {
-                                        if (_e814 > 0f) {
-                                            phi_1365_ = select(select(u32(_e814), 0u, (_e814 < 0f)), 4294967295u, (_e814 > 4294967000f));
-                                        } else {
-                                            phi_1365_ = 0u;
-                                        }
-                                        let _e823 = phi_1365_;
-                                        phi_1366_ = _e823;
+                                        phi_1333_ = 0f;
                                     }
-                                    let _e825 = phi_1366_;
-                                    local[_e792.member_1] = _e825;
+                                    let _e807 = phi_1333_;
+                                    let _e810 = local_7.member_1[_e792.member_1];
+                                    let _e812 = ((_e810 * 0.25f) - _e799);
+                                    if (_e812 > 0f) {
+                                        phi_1348_ = _e812;
+                                    } else {
+                                        phi_1348_ = 0f;
+                                    }
+                                    let _e815 = phi_1348_;
+                                    let _e819 = local_4.member_1[_e792.member_1];
+                                    let _e820 = ((_e807 + _e815) * _e819);
+                                    if (_e820 >= 511f) {
+                                        phi_1376_ = 511u;
+                                    } else {
+                                        if (_e820 > 0f) {
+                                            phi_1375_ = select(select(u32(_e820), 0u, (_e820 < 0f)), 4294967295u, (_e820 > 4294967000f));
+                                        } else {
+                                            phi_1375_ = 0u;
+                                        }
+                                        let _e829 = phi_1375_;
+                                        phi_1376_ = _e829;
+                                    }
+                                    let _e831 = phi_1376_;
+                                    local[_e792.member_1] = _e831;
                                 }
                                 continue;
                                 continuing {
@@ -943,321 +959,321 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     break if !(_e796);
                                 }
                             }
-                            let _e828 = local;
-                            phi_1378_ = array<u32, 3>(_e828[0], _e828[1], _e828[2]);
+                            let _e834 = local;
+                            phi_1388_ = array<u32, 3>(_e834[0], _e834[1], _e834[2]);
                         }
-                        let _e842 = phi_1378_;
-                        phi_1379_ = _e842;
+                        let _e848 = phi_1388_;
+                        phi_1389_ = _e848;
                     } else {
-                        phi_1379_ = array<u32, 3>(0u, 0u, 0u);
+                        phi_1389_ = array<u32, 3>(0u, 0u, 0u);
                     }
-                    let _e844 = phi_1379_;
-                    let _e846 = (_e249[1] << bitcast<u32>(30u));
+                    let _e850 = phi_1389_;
+                    let _e852 = (_e249[1] << bitcast<u32>(30u));
                     if (_e230 == 1u) {
-                        let _e968 = survey.member[6u];
-                        if (_e968 == 0u) {
-                            let _e978 = local_7.member_1[0u];
-                            phi_1416_ = _e978;
+                        let _e974 = survey.member[6u];
+                        if (_e974 == 0u) {
+                            let _e984 = local_7.member_1[0u];
+                            phi_1426_ = _e984;
                         } else {
-                            if (_e968 == 1u) {
-                                let _e974 = local_7.member_1[1u];
-                                phi_1415_ = _e974;
+                            if (_e974 == 1u) {
+                                let _e980 = local_7.member_1[1u];
+                                phi_1425_ = _e980;
                             } else {
-                                let _e972 = local_7.member_1[2u];
-                                phi_1415_ = _e972;
+                                let _e978 = local_7.member_1[2u];
+                                phi_1425_ = _e978;
                             }
-                            let _e976 = phi_1415_;
-                            phi_1416_ = _e976;
+                            let _e982 = phi_1425_;
+                            phi_1426_ = _e982;
                         }
-                        let _e980 = phi_1416_;
-                        let _e981 = bitcast<u32>(_e980);
-                        if (_e981 == 2147483648u) {
-                            phi_1422_ = 0u;
+                        let _e986 = phi_1426_;
+                        let _e987 = bitcast<u32>(_e986);
+                        if (_e987 == 2147483648u) {
+                            phi_1432_ = 0u;
                         } else {
-                            phi_1422_ = _e981;
+                            phi_1432_ = _e987;
                         }
-                        let _e984 = phi_1422_;
-                        let _e986 = bitcast<u32>(bitcast<f32>(_e984));
-                        if ((_e986 >> bitcast<u32>(31i)) == 1u) {
-                            phi_1432_ = ~(_e986);
+                        let _e990 = phi_1432_;
+                        let _e992 = bitcast<u32>(bitcast<f32>(_e990));
+                        if ((_e992 >> bitcast<u32>(31i)) == 1u) {
+                            phi_1442_ = ~(_e992);
                         } else {
-                            phi_1432_ = (_e986 | 2147483648u);
+                            phi_1442_ = (_e992 | 2147483648u);
                         }
-                        let _e993 = phi_1432_;
-                        phi_1579_ = array<u32, 2>(((_e846 | (_e252 & 1073741823u)) + _e187), (_e846 | (_e993 >> bitcast<u32>(2i))));
+                        let _e999 = phi_1442_;
+                        phi_1589_ = array<u32, 2>(((_e852 | (_e252 & 1073741823u)) + _e187), (_e852 | (_e999 >> bitcast<u32>(2i))));
                     } else {
                         if (_e230 == 2u) {
-                            let _e850 = (_e187 % 80u);
-                            let _e852 = (_e850 % 10u);
+                            let _e856 = (_e187 % 80u);
+                            let _e858 = (_e856 % 10u);
                             if (_e233 == 1u) {
-                                phi_1448_ = ((_e850 / 10u) == 0u);
+                                phi_1458_ = ((_e856 / 10u) == 0u);
                             } else {
-                                phi_1448_ = false;
+                                phi_1458_ = false;
                             }
-                            let _e856 = phi_1448_;
+                            let _e862 = phi_1458_;
                             if (_e297 >= 8u) {
-                                phi_1565_ = array<u32, 2>();
-                                phi_1566_ = true;
+                                phi_1575_ = array<u32, 2>();
+                                phi_1576_ = true;
                             } else {
-                                if _e856 {
-                                    if (_e852 < 4u) {
-                                        phi_1460_ = false;
-                                    } else {
-                                        phi_1460_ = true;
-                                    }
-                                    let _e860 = phi_1460_;
-                                    phi_1461_ = _e860;
-                                } else {
-                                    phi_1461_ = true;
-                                }
-                                let _e862 = phi_1461_;
                                 if _e862 {
-                                    if (_e852 == 9u) {
-                                        phi_1555_ = array<u32, 2>(0u, 134217727u);
+                                    if (_e858 < 4u) {
+                                        phi_1470_ = false;
                                     } else {
-                                        let _e866 = (_e844[1] + (_e852 % 3u));
-                                        let _e869 = (_e844[2] + (_e852 / 3u));
-                                        if (_e866 < 1u) {
-                                            phi_1548_ = array<u32, 2>();
-                                            phi_1549_ = true;
-                                        } else {
-                                            if (_e869 < 1u) {
-                                                phi_1546_ = array<u32, 2>();
-                                                phi_1547_ = true;
-                                            } else {
-                                                if (_e866 > 512u) {
-                                                    phi_1544_ = array<u32, 2>();
-                                                    phi_1545_ = true;
-                                                } else {
-                                                    let _e873 = (_e869 > 512u);
-                                                    if _e873 {
-                                                        phi_1543_ = array<u32, 2>();
-                                                    } else {
-                                                        if (_e844[0] > 0u) {
-                                                            if _e856 {
-                                                                if (_e852 == 4u) {
-                                                                    phi_1504_ = false;
-                                                                } else {
-                                                                    phi_1504_ = true;
-                                                                }
-                                                                let _e878 = phi_1504_;
-                                                                phi_1505_ = _e878;
-                                                            } else {
-                                                                phi_1505_ = true;
-                                                            }
-                                                            let _e880 = phi_1505_;
-                                                            if _e880 {
-                                                                phi_1511_ = (_e844[0] - 1u);
-                                                                phi_1512_ = false;
-                                                            } else {
-                                                                phi_1511_ = u32();
-                                                                phi_1512_ = true;
-                                                            }
-                                                            let _e884 = phi_1511_;
-                                                            let _e886 = phi_1512_;
-                                                            phi_1513_ = _e884;
-                                                            phi_1514_ = _e886;
-                                                        } else {
-                                                            phi_1513_ = u32();
-                                                            phi_1514_ = true;
-                                                        }
-                                                        let _e888 = phi_1513_;
-                                                        let _e890 = phi_1514_;
-                                                        if _e890 {
-                                                            phi_1519_ = _e844[0];
-                                                        } else {
-                                                            phi_1519_ = _e888;
-                                                        }
-                                                        let _e893 = phi_1519_;
-                                                        if ((_e844[0] + 1u) < 512u) {
-                                                            phi_1529_ = (_e844[0] + 1u);
-                                                        } else {
-                                                            phi_1529_ = _e844[0];
-                                                        }
-                                                        let _e901 = phi_1529_;
-                                                        phi_1543_ = array<u32, 2>(((((_e869 - 1u) << bitcast<u32>(18u)) | ((_e866 - 1u) << bitcast<u32>(9u))) | _e893), ((((_e869 - 1u) << bitcast<u32>(18u)) | ((_e866 - 1u) << bitcast<u32>(9u))) | _e901));
-                                                    }
-                                                    let _e920 = phi_1543_;
-                                                    phi_1544_ = _e920;
-                                                    phi_1545_ = _e873;
-                                                }
-                                                let _e922 = phi_1544_;
-                                                let _e924 = phi_1545_;
-                                                phi_1546_ = _e922;
-                                                phi_1547_ = _e924;
-                                            }
-                                            let _e926 = phi_1546_;
-                                            let _e928 = phi_1547_;
-                                            phi_1548_ = _e926;
-                                            phi_1549_ = _e928;
-                                        }
-                                        let _e930 = phi_1548_;
-                                        let _e932 = phi_1549_;
-                                        if _e932 {
-                                            phi_1554_ = array<u32, 2>(1u, 0u);
-                                        } else {
-                                            phi_1554_ = _e930;
-                                        }
-                                        let _e934 = phi_1554_;
-                                        phi_1555_ = _e934;
+                                        phi_1470_ = true;
                                     }
-                                    let _e936 = phi_1555_;
-                                    phi_1563_ = array<u32, 2>(((_e297 << bitcast<u32>(27u)) | _e936[0]), ((_e297 << bitcast<u32>(27u)) | _e936[1]));
-                                    phi_1564_ = false;
+                                    let _e866 = phi_1470_;
+                                    phi_1471_ = _e866;
                                 } else {
-                                    phi_1563_ = array<u32, 2>();
-                                    phi_1564_ = true;
+                                    phi_1471_ = true;
                                 }
-                                let _e947 = phi_1563_;
-                                let _e949 = phi_1564_;
-                                phi_1565_ = _e947;
-                                phi_1566_ = _e949;
+                                let _e868 = phi_1471_;
+                                if _e868 {
+                                    if (_e858 == 9u) {
+                                        phi_1565_ = array<u32, 2>(0u, 134217727u);
+                                    } else {
+                                        let _e872 = (_e850[1] + (_e858 % 3u));
+                                        let _e875 = (_e850[2] + (_e858 / 3u));
+                                        if (_e872 < 1u) {
+                                            phi_1558_ = array<u32, 2>();
+                                            phi_1559_ = true;
+                                        } else {
+                                            if (_e875 < 1u) {
+                                                phi_1556_ = array<u32, 2>();
+                                                phi_1557_ = true;
+                                            } else {
+                                                if (_e872 > 512u) {
+                                                    phi_1554_ = array<u32, 2>();
+                                                    phi_1555_ = true;
+                                                } else {
+                                                    let _e879 = (_e875 > 512u);
+                                                    if _e879 {
+                                                        phi_1553_ = array<u32, 2>();
+                                                    } else {
+                                                        if (_e850[0] > 0u) {
+                                                            if _e862 {
+                                                                if (_e858 == 4u) {
+                                                                    phi_1514_ = false;
+                                                                } else {
+                                                                    phi_1514_ = true;
+                                                                }
+                                                                let _e884 = phi_1514_;
+                                                                phi_1515_ = _e884;
+                                                            } else {
+                                                                phi_1515_ = true;
+                                                            }
+                                                            let _e886 = phi_1515_;
+                                                            if _e886 {
+                                                                phi_1521_ = (_e850[0] - 1u);
+                                                                phi_1522_ = false;
+                                                            } else {
+                                                                phi_1521_ = u32();
+                                                                phi_1522_ = true;
+                                                            }
+                                                            let _e890 = phi_1521_;
+                                                            let _e892 = phi_1522_;
+                                                            phi_1523_ = _e890;
+                                                            phi_1524_ = _e892;
+                                                        } else {
+                                                            phi_1523_ = u32();
+                                                            phi_1524_ = true;
+                                                        }
+                                                        let _e894 = phi_1523_;
+                                                        let _e896 = phi_1524_;
+                                                        if _e896 {
+                                                            phi_1529_ = _e850[0];
+                                                        } else {
+                                                            phi_1529_ = _e894;
+                                                        }
+                                                        let _e899 = phi_1529_;
+                                                        if ((_e850[0] + 1u) < 512u) {
+                                                            phi_1539_ = (_e850[0] + 1u);
+                                                        } else {
+                                                            phi_1539_ = _e850[0];
+                                                        }
+                                                        let _e907 = phi_1539_;
+                                                        phi_1553_ = array<u32, 2>(((((_e875 - 1u) << bitcast<u32>(18u)) | ((_e872 - 1u) << bitcast<u32>(9u))) | _e899), ((((_e875 - 1u) << bitcast<u32>(18u)) | ((_e872 - 1u) << bitcast<u32>(9u))) | _e907));
+                                                    }
+                                                    let _e926 = phi_1553_;
+                                                    phi_1554_ = _e926;
+                                                    phi_1555_ = _e879;
+                                                }
+                                                let _e928 = phi_1554_;
+                                                let _e930 = phi_1555_;
+                                                phi_1556_ = _e928;
+                                                phi_1557_ = _e930;
+                                            }
+                                            let _e932 = phi_1556_;
+                                            let _e934 = phi_1557_;
+                                            phi_1558_ = _e932;
+                                            phi_1559_ = _e934;
+                                        }
+                                        let _e936 = phi_1558_;
+                                        let _e938 = phi_1559_;
+                                        if _e938 {
+                                            phi_1564_ = array<u32, 2>(1u, 0u);
+                                        } else {
+                                            phi_1564_ = _e936;
+                                        }
+                                        let _e940 = phi_1564_;
+                                        phi_1565_ = _e940;
+                                    }
+                                    let _e942 = phi_1565_;
+                                    phi_1573_ = array<u32, 2>(((_e297 << bitcast<u32>(27u)) | _e942[0]), ((_e297 << bitcast<u32>(27u)) | _e942[1]));
+                                    phi_1574_ = false;
+                                } else {
+                                    phi_1573_ = array<u32, 2>();
+                                    phi_1574_ = true;
+                                }
+                                let _e953 = phi_1573_;
+                                let _e955 = phi_1574_;
+                                phi_1575_ = _e953;
+                                phi_1576_ = _e955;
                             }
-                            let _e951 = phi_1565_;
-                            let _e953 = phi_1566_;
-                            if _e953 {
-                                phi_1571_ = array<u32, 2>(1u, 0u);
+                            let _e957 = phi_1575_;
+                            let _e959 = phi_1576_;
+                            if _e959 {
+                                phi_1581_ = array<u32, 2>(1u, 0u);
                             } else {
-                                phi_1571_ = _e951;
+                                phi_1581_ = _e957;
                             }
-                            let _e955 = phi_1571_;
-                            phi_1578_ = array<u32, 2>((_e846 | _e955[0]), (_e846 | _e955[1]));
+                            let _e961 = phi_1581_;
+                            phi_1588_ = array<u32, 2>((_e852 | _e961[0]), (_e852 | _e961[1]));
                         } else {
-                            phi_1578_ = array<u32, 2>(_e846, _e846);
+                            phi_1588_ = array<u32, 2>(_e852, _e852);
                         }
-                        let _e962 = phi_1578_;
-                        phi_1579_ = _e962;
+                        let _e968 = phi_1588_;
+                        phi_1589_ = _e968;
                     }
-                    let _e999 = phi_1579_;
+                    let _e1005 = phi_1589_;
                     if (_e233 == 1u) {
-                        phi_1587_ = (_e222 + 1u);
+                        phi_1597_ = (_e222 + 1u);
                     } else {
-                        phi_1587_ = 0u;
+                        phi_1597_ = 0u;
                     }
-                    let _e1005 = phi_1587_;
-                    phi_1590_ = array<u32, 3>(_e999[0], _e999[1], _e1005);
+                    let _e1011 = phi_1597_;
+                    phi_1600_ = array<u32, 3>(_e1005[0], _e1005[1], _e1011);
                 } else {
-                    phi_1590_ = array<u32, 3>(4294967295u, 0u, 0u);
+                    phi_1600_ = array<u32, 3>(4294967295u, 0u, 0u);
                 }
-                let _e1008 = phi_1590_;
-                phi_1592_ = _e1008;
+                let _e1014 = phi_1600_;
+                phi_1602_ = _e1014;
             } else {
-                phi_1592_ = array<u32, 3>(4294967295u, 0u, 0u);
+                phi_1602_ = array<u32, 3>(4294967295u, 0u, 0u);
             }
-            let _e1010 = phi_1592_;
+            let _e1016 = phi_1602_;
             if _e227 {
-                let _e1015 = sorted.member[_e222];
-                phi_1609_ = _e1015;
+                let _e1021 = sorted.member[_e222];
+                phi_1619_ = _e1021;
             } else {
-                phi_1609_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_1619_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e1017 = phi_1609_;
-            phi_1612_ = type_9(0u, ((_e185 >> bitcast<u32>(29i)) + 1u));
+            let _e1023 = phi_1619_;
+            phi_1622_ = type_9(0u, ((_e185 >> bitcast<u32>(29i)) + 1u));
             loop {
-                let _e1020 = phi_1612_;
-                if (_e1020.member < _e1020.member_1) {
-                    phi_1613_ = type_9((_e1020.member + 1u), _e1020.member_1);
-                    phi_1636_ = type_9(1u, _e1020.member);
+                let _e1026 = phi_1622_;
+                if (_e1026.member < _e1026.member_1) {
+                    phi_1623_ = type_9((_e1026.member + 1u), _e1026.member_1);
+                    phi_1646_ = type_9(1u, _e1026.member);
                 } else {
-                    phi_1613_ = _e1020;
-                    phi_1636_ = type_9(0u, type_9().member_1);
+                    phi_1623_ = _e1026;
+                    phi_1646_ = type_9(0u, type_9().member_1);
                 }
-                let _e1032 = phi_1613_;
-                let _e1034 = phi_1636_;
-                let _e1038 = (bitcast<i32>(_e1034.member) != 0i);
-                if _e1038 {
-                    let _e1040 = ((_e185 & 536870911u) + (_e1034.member_1 * 128u));
-                    let _e1041 = (_e1040 + _e96);
-                    if (_e1041 < _e136) {
-                        let _e1044 = keys.member[_e1041];
-                        let _e1046 = sorted.member[_e1041];
-                        phi_1671_ = _e1046;
-                        phi_1672_ = _e1044;
+                let _e1038 = phi_1623_;
+                let _e1040 = phi_1646_;
+                let _e1044 = (bitcast<i32>(_e1040.member) != 0i);
+                if _e1044 {
+                    let _e1046 = ((_e185 & 536870911u) + (_e1040.member_1 * 128u));
+                    let _e1047 = (_e1046 + _e96);
+                    if (_e1047 < _e136) {
+                        let _e1050 = keys.member[_e1047];
+                        let _e1052 = sorted.member[_e1047];
+                        phi_1681_ = _e1052;
+                        phi_1682_ = _e1050;
                     } else {
-                        phi_1671_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-                        phi_1672_ = 4294967295u;
+                        phi_1681_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                        phi_1682_ = 4294967295u;
                     }
-                    let _e1048 = phi_1671_;
-                    let _e1050 = phi_1672_;
-                    names[_e96] = _e1050;
-                    boxes[_e96] = type_18(array<f32, 3>(_e1048.member[0], _e1048.member[1], _e1048.member[2]), array<f32, 3>(_e1048.member_1[0], _e1048.member_1[1], _e1048.member_1[2]));
+                    let _e1054 = phi_1681_;
+                    let _e1056 = phi_1682_;
+                    names[_e96] = _e1056;
+                    boxes[_e96] = type_18(array<f32, 3>(_e1054.member[0], _e1054.member[1], _e1054.member[2]), array<f32, 3>(_e1054.member_1[0], _e1054.member_1[1], _e1054.member_1[2]));
                     if (_e96 == 0u) {
                         atomicStore((&counters[0u]), 0u);
                     }
                     workgroupBarrier();
-                    phi_1693_ = type_9(0u, 128u);
+                    phi_1703_ = type_9(0u, 128u);
                     loop {
-                        let _e1067 = phi_1693_;
-                        if (_e1067.member < _e1067.member_1) {
-                            phi_1694_ = type_9((_e1067.member + 1u), _e1067.member_1);
-                            phi_1717_ = type_9(1u, _e1067.member);
+                        let _e1073 = phi_1703_;
+                        if (_e1073.member < _e1073.member_1) {
+                            phi_1704_ = type_9((_e1073.member + 1u), _e1073.member_1);
+                            phi_1727_ = type_9(1u, _e1073.member);
                         } else {
-                            phi_1694_ = _e1067;
-                            phi_1717_ = type_9(0u, type_9().member_1);
+                            phi_1704_ = _e1073;
+                            phi_1727_ = type_9(0u, type_9().member_1);
                         }
-                        let _e1079 = phi_1694_;
-                        let _e1081 = phi_1717_;
-                        let _e1085 = (bitcast<i32>(_e1081.member) != 0i);
-                        if _e1085 {
-                            let _e1087 = names[_e1081.member_1];
-                            if (_e1087 >= _e1010[0]) {
-                                if (_e1087 <= _e1010[1]) {
-                                    if ((_e1040 + _e1081.member_1) >= _e1010[2]) {
-                                        let _e1093 = boxes[_e1081.member_1];
-                                        if ((((((_e1017.member[0] <= _e1093.member_1[0]) && (_e1093.member[0] <= _e1017.member_1[0])) && (_e1017.member[1] <= _e1093.member_1[1])) && (_e1093.member[1] <= _e1017.member_1[1])) && (_e1017.member[2] <= _e1093.member_1[2])) && (_e1093.member[2] <= _e1017.member_1[2])) {
-                                            let _e1126 = atomicAdd((&counters[0u]), 1u);
-                                            if (_e1126 < 2048u) {
-                                                hits[_e1126] = ((_e96 << bitcast<u32>(7i)) | _e1081.member_1);
+                        let _e1085 = phi_1704_;
+                        let _e1087 = phi_1727_;
+                        let _e1091 = (bitcast<i32>(_e1087.member) != 0i);
+                        if _e1091 {
+                            let _e1093 = names[_e1087.member_1];
+                            if (_e1093 >= _e1016[0]) {
+                                if (_e1093 <= _e1016[1]) {
+                                    if ((_e1046 + _e1087.member_1) >= _e1016[2]) {
+                                        let _e1099 = boxes[_e1087.member_1];
+                                        if ((((((_e1023.member[0] <= _e1099.member_1[0]) && (_e1099.member[0] <= _e1023.member_1[0])) && (_e1023.member[1] <= _e1099.member_1[1])) && (_e1099.member[1] <= _e1023.member_1[1])) && (_e1023.member[2] <= _e1099.member_1[2])) && (_e1099.member[2] <= _e1023.member_1[2])) {
+                                            let _e1132 = atomicAdd((&counters[0u]), 1u);
+                                            if (_e1132 < 2048u) {
+                                                hits[_e1132] = ((_e96 << bitcast<u32>(7i)) | _e1087.member_1);
                                             } else {
-                                                let _e1130 = order.member[_e222];
-                                                let _e1132 = order.member[(_e1040 + _e1081.member_1)];
-                                                let _e1135 = params.member.member_2.member_1;
-                                                if (_e1135 == 1u) {
-                                                    let _e1165 = params.member.member.member_2[1u];
-                                                    let _e1166 = (_e1130 - _e1165);
-                                                    let _e1170 = params.member.member.member_2[1u];
-                                                    let _e1171 = (_e1132 - _e1170);
-                                                    if (_e1166 < _e1171) {
-                                                        phi_1830_ = type_9(_e1166, _e1171);
+                                                let _e1136 = order.member[_e222];
+                                                let _e1138 = order.member[(_e1046 + _e1087.member_1)];
+                                                let _e1141 = params.member.member_2.member_1;
+                                                if (_e1141 == 1u) {
+                                                    let _e1171 = params.member.member.member_2[1u];
+                                                    let _e1172 = (_e1136 - _e1171);
+                                                    let _e1176 = params.member.member.member_2[1u];
+                                                    let _e1177 = (_e1138 - _e1176);
+                                                    if (_e1172 < _e1177) {
+                                                        phi_1840_ = type_9(_e1172, _e1177);
                                                     } else {
-                                                        phi_1830_ = type_9(_e1171, _e1166);
+                                                        phi_1840_ = type_9(_e1177, _e1172);
                                                     }
-                                                    let _e1176 = phi_1830_;
-                                                    phi_1863_ = _e1176;
+                                                    let _e1182 = phi_1840_;
+                                                    phi_1873_ = _e1182;
                                                 } else {
-                                                    let _e1139 = params.member.member_2.member;
-                                                    if (_e1139 == 2u) {
-                                                        phi_1841_ = 8u;
+                                                    let _e1145 = params.member.member_2.member;
+                                                    if (_e1145 == 2u) {
+                                                        phi_1851_ = 8u;
                                                     } else {
-                                                        phi_1841_ = 1u;
+                                                        phi_1851_ = 1u;
                                                     }
-                                                    let _e1142 = phi_1841_;
-                                                    if (_e1139 == 2u) {
-                                                        phi_1846_ = 10u;
+                                                    let _e1148 = phi_1851_;
+                                                    if (_e1145 == 2u) {
+                                                        phi_1856_ = 10u;
                                                     } else {
-                                                        phi_1846_ = 1u;
+                                                        phi_1856_ = 1u;
                                                     }
-                                                    let _e1145 = phi_1846_;
-                                                    if (_e187 >= (_e1142 * _e1145)) {
+                                                    let _e1151 = phi_1856_;
+                                                    if (_e187 >= (_e1148 * _e1151)) {
+                                                        let _e1163 = params.member.member.member_2[2u];
+                                                        phi_1872_ = type_9(_e1138, (_e1136 - _e1163));
+                                                    } else {
                                                         let _e1157 = params.member.member.member_2[2u];
-                                                        phi_1862_ = type_9(_e1132, (_e1130 - _e1157));
-                                                    } else {
-                                                        let _e1151 = params.member.member.member_2[2u];
-                                                        phi_1862_ = type_9(_e1130, (_e1132 - _e1151));
+                                                        phi_1872_ = type_9(_e1136, (_e1138 - _e1157));
                                                     }
-                                                    let _e1161 = phi_1862_;
-                                                    phi_1863_ = _e1161;
+                                                    let _e1167 = phi_1872_;
+                                                    phi_1873_ = _e1167;
                                                 }
-                                                let _e1178 = phi_1863_;
-                                                let _e1183 = params.member.member_1.member_3;
-                                                let _e1185 = atomicAdd((&pairs.member[0u]), 1u);
-                                                if ((_e1185 + 1u) < _e1185) {
-                                                    let _e1189 = atomicAdd((&pairs.member[2u]), 1u);
+                                                let _e1184 = phi_1873_;
+                                                let _e1189 = params.member.member_1.member_3;
+                                                let _e1191 = atomicAdd((&pairs.member[0u]), 1u);
+                                                if ((_e1191 + 1u) < _e1191) {
+                                                    let _e1195 = atomicAdd((&pairs.member[2u]), 1u);
                                                 }
-                                                if (_e1185 < _e1183) {
-                                                    let _e1191 = (2u * _e1185);
-                                                    atomicStore((&pairs.member[(4u + _e1191)]), _e1178.member);
-                                                    atomicStore((&pairs.member[(_e1191 + 5u)]), _e1178.member_1);
+                                                if (_e1191 < _e1189) {
+                                                    let _e1197 = (2u * _e1191);
+                                                    atomicStore((&pairs.member[(4u + _e1197)]), _e1184.member);
+                                                    atomicStore((&pairs.member[(_e1197 + 5u)]), _e1184.member_1);
                                                 }
                                             }
                                         }
@@ -1267,141 +1283,141 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                         continue;
                         continuing {
-                            phi_1693_ = _e1079;
-                            break if !(_e1085);
+                            phi_1703_ = _e1085;
+                            break if !(_e1091);
                         }
                     }
                     workgroupBarrier();
-                    let _e1202 = atomicLoad((&counters[0u]));
-                    if (2048u < _e1202) {
-                        phi_1898_ = 2048u;
+                    let _e1208 = atomicLoad((&counters[0u]));
+                    if (2048u < _e1208) {
+                        phi_1908_ = 2048u;
                     } else {
-                        phi_1898_ = _e1202;
+                        phi_1908_ = _e1208;
                     }
-                    let _e1205 = phi_1898_;
+                    let _e1211 = phi_1908_;
                     if (_e96 == 0u) {
-                        if (_e1205 > 0u) {
-                            let _e1209 = atomicAdd((&pairs.member[0u]), _e1205);
-                            if ((_e1209 + _e1205) < _e1209) {
-                                let _e1213 = atomicAdd((&pairs.member[2u]), 1u);
+                        if (_e1211 > 0u) {
+                            let _e1215 = atomicAdd((&pairs.member[0u]), _e1211);
+                            if ((_e1215 + _e1211) < _e1215) {
+                                let _e1219 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            atomicStore((&counters[1u]), _e1209);
+                            atomicStore((&counters[1u]), _e1215);
                         }
                     }
                     workgroupBarrier();
-                    let _e1216 = atomicLoad((&counters[1u]));
-                    phi_1924_ = type_9(0u, 16u);
+                    let _e1222 = atomicLoad((&counters[1u]));
+                    phi_1934_ = type_9(0u, 16u);
                     loop {
-                        let _e1218 = phi_1924_;
-                        if (_e1218.member < _e1218.member_1) {
-                            phi_1925_ = type_9((_e1218.member + 1u), _e1218.member_1);
-                            phi_1948_ = type_9(1u, _e1218.member);
+                        let _e1224 = phi_1934_;
+                        if (_e1224.member < _e1224.member_1) {
+                            phi_1935_ = type_9((_e1224.member + 1u), _e1224.member_1);
+                            phi_1958_ = type_9(1u, _e1224.member);
                         } else {
-                            phi_1925_ = _e1218;
-                            phi_1948_ = type_9(0u, type_9().member_1);
+                            phi_1935_ = _e1224;
+                            phi_1958_ = type_9(0u, type_9().member_1);
                         }
-                        let _e1230 = phi_1925_;
-                        let _e1232 = phi_1948_;
-                        if (bitcast<i32>(_e1232.member) != 0i) {
-                            let _e1238 = ((_e1232.member_1 * 128u) + _e96);
-                            if (_e1238 >= _e1205) {
-                                phi_2113_ = false;
+                        let _e1236 = phi_1935_;
+                        let _e1238 = phi_1958_;
+                        if (bitcast<i32>(_e1238.member) != 0i) {
+                            let _e1244 = ((_e1238.member_1 * 128u) + _e96);
+                            if (_e1244 >= _e1211) {
+                                phi_2123_ = false;
                             } else {
-                                let _e1241 = hits[_e1238];
-                                let _e1246 = params.member.member_2.member;
-                                let _e1249 = params.member.member_2.member_1;
-                                if (_e1249 == 0u) {
-                                    phi_1979_ = array<u32, 2>(0u, 2u);
+                                let _e1247 = hits[_e1244];
+                                let _e1252 = params.member.member_2.member;
+                                let _e1255 = params.member.member_2.member_1;
+                                if (_e1255 == 0u) {
+                                    phi_1989_ = array<u32, 2>(0u, 2u);
                                 } else {
-                                    phi_1979_ = array<u32, 2>(1u, 1u);
+                                    phi_1989_ = array<u32, 2>(1u, 1u);
                                 }
-                                let _e1252 = phi_1979_;
-                                if (_e1246 == 2u) {
-                                    phi_1986_ = 8u;
+                                let _e1258 = phi_1989_;
+                                if (_e1252 == 2u) {
+                                    phi_1996_ = 8u;
                                 } else {
-                                    phi_1986_ = 1u;
+                                    phi_1996_ = 1u;
                                 }
-                                let _e1257 = phi_1986_;
-                                if (_e1246 == 2u) {
-                                    phi_1991_ = 10u;
+                                let _e1263 = phi_1996_;
+                                if (_e1252 == 2u) {
+                                    phi_2001_ = 10u;
                                 } else {
-                                    phi_1991_ = 1u;
+                                    phi_2001_ = 1u;
                                 }
-                                let _e1260 = phi_1991_;
-                                if (_e187 >= (_e1257 * _e1260)) {
-                                    phi_1999_ = array<u32, 2>(_e1252[1], _e1252[0]);
+                                let _e1266 = phi_2001_;
+                                if (_e187 >= (_e1263 * _e1266)) {
+                                    phi_2009_ = array<u32, 2>(_e1258[1], _e1258[0]);
                                 } else {
-                                    phi_1999_ = _e1252;
+                                    phi_2009_ = _e1258;
                                 }
-                                let _e1265 = phi_1999_;
-                                let _e1272 = params.member.member.member_2[_e1265[0]];
-                                let _e1277 = order.member[(_e1272 + ((_e191 * 128u) + (_e1241 >> bitcast<u32>(7i))))];
-                                let _e1279 = order.member[(_e1040 + (_e1241 % 128u))];
-                                let _e1282 = params.member.member_2.member_1;
-                                if (_e1282 == 1u) {
-                                    let _e1312 = params.member.member.member_2[1u];
-                                    let _e1313 = (_e1277 - _e1312);
-                                    let _e1317 = params.member.member.member_2[1u];
-                                    let _e1318 = (_e1279 - _e1317);
-                                    if (_e1313 < _e1318) {
-                                        phi_2062_ = type_9(_e1313, _e1318);
+                                let _e1271 = phi_2009_;
+                                let _e1278 = params.member.member.member_2[_e1271[0]];
+                                let _e1283 = order.member[(_e1278 + ((_e191 * 128u) + (_e1247 >> bitcast<u32>(7i))))];
+                                let _e1285 = order.member[(_e1046 + (_e1247 % 128u))];
+                                let _e1288 = params.member.member_2.member_1;
+                                if (_e1288 == 1u) {
+                                    let _e1318 = params.member.member.member_2[1u];
+                                    let _e1319 = (_e1283 - _e1318);
+                                    let _e1323 = params.member.member.member_2[1u];
+                                    let _e1324 = (_e1285 - _e1323);
+                                    if (_e1319 < _e1324) {
+                                        phi_2072_ = type_9(_e1319, _e1324);
                                     } else {
-                                        phi_2062_ = type_9(_e1318, _e1313);
+                                        phi_2072_ = type_9(_e1324, _e1319);
                                     }
-                                    let _e1323 = phi_2062_;
-                                    phi_2095_ = _e1323;
+                                    let _e1329 = phi_2072_;
+                                    phi_2105_ = _e1329;
                                 } else {
-                                    let _e1286 = params.member.member_2.member;
-                                    if (_e1286 == 2u) {
-                                        phi_2073_ = 8u;
+                                    let _e1292 = params.member.member_2.member;
+                                    if (_e1292 == 2u) {
+                                        phi_2083_ = 8u;
                                     } else {
-                                        phi_2073_ = 1u;
+                                        phi_2083_ = 1u;
                                     }
-                                    let _e1289 = phi_2073_;
-                                    if (_e1286 == 2u) {
-                                        phi_2078_ = 10u;
+                                    let _e1295 = phi_2083_;
+                                    if (_e1292 == 2u) {
+                                        phi_2088_ = 10u;
                                     } else {
-                                        phi_2078_ = 1u;
+                                        phi_2088_ = 1u;
                                     }
-                                    let _e1292 = phi_2078_;
-                                    if (_e187 >= (_e1289 * _e1292)) {
+                                    let _e1298 = phi_2088_;
+                                    if (_e187 >= (_e1295 * _e1298)) {
+                                        let _e1310 = params.member.member.member_2[2u];
+                                        phi_2104_ = type_9(_e1285, (_e1283 - _e1310));
+                                    } else {
                                         let _e1304 = params.member.member.member_2[2u];
-                                        phi_2094_ = type_9(_e1279, (_e1277 - _e1304));
-                                    } else {
-                                        let _e1298 = params.member.member.member_2[2u];
-                                        phi_2094_ = type_9(_e1277, (_e1279 - _e1298));
+                                        phi_2104_ = type_9(_e1283, (_e1285 - _e1304));
                                     }
-                                    let _e1308 = phi_2094_;
-                                    phi_2095_ = _e1308;
+                                    let _e1314 = phi_2104_;
+                                    phi_2105_ = _e1314;
                                 }
-                                let _e1325 = phi_2095_;
-                                let _e1330 = params.member.member_1.member_3;
-                                let _e1331 = (_e1216 + _e1238);
-                                if (_e1331 < _e1330) {
-                                    let _e1333 = (2u * _e1331);
-                                    atomicStore((&pairs.member[(4u + _e1333)]), _e1325.member);
-                                    atomicStore((&pairs.member[(_e1333 + 5u)]), _e1325.member_1);
+                                let _e1331 = phi_2105_;
+                                let _e1336 = params.member.member_1.member_3;
+                                let _e1337 = (_e1222 + _e1244);
+                                if (_e1337 < _e1336) {
+                                    let _e1339 = (2u * _e1337);
+                                    atomicStore((&pairs.member[(4u + _e1339)]), _e1331.member);
+                                    atomicStore((&pairs.member[(_e1339 + 5u)]), _e1331.member_1);
                                 }
-                                phi_2113_ = true;
+                                phi_2123_ = true;
                             }
-                            let _e1339 = phi_2113_;
-                            phi_2114_ = _e1339;
+                            let _e1345 = phi_2123_;
+                            phi_2124_ = _e1345;
                         } else {
-                            phi_2114_ = false;
+                            phi_2124_ = false;
                         }
-                        let _e1341 = phi_2114_;
+                        let _e1347 = phi_2124_;
                         continue;
                         continuing {
-                            phi_1924_ = _e1230;
-                            break if !(_e1341);
+                            phi_1934_ = _e1236;
+                            break if !(_e1347);
                         }
                     }
                     workgroupBarrier();
                 }
                 continue;
                 continuing {
-                    phi_1612_ = _e1032;
-                    break if !(_e1038);
+                    phi_1622_ = _e1038;
+                    break if !(_e1044);
                 }
             }
         }

@@ -189,101 +189,103 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1071_: type_9;
     var phi_1072_: type_9;
     var phi_1095_: type_9;
-    var phi_1155_: u32;
-    var phi_1156_: u32;
-    var phi_1168_: array<u32, 3>;
-    var phi_1169_: array<u32, 3>;
-    var phi_1170_: array<u32, 3>;
-    var phi_1173_: type_9;
-    var phi_1174_: type_9;
-    var phi_1197_: type_9;
-    var phi_1222_: array<u32, 2>;
-    var phi_1229_: u32;
-    var phi_1234_: u32;
-    var phi_1242_: array<u32, 2>;
-    var phi_1332_: bool;
-    var phi_1344_: bool;
-    var phi_1345_: bool;
-    var phi_1388_: bool;
-    var phi_1389_: bool;
-    var phi_1395_: u32;
-    var phi_1396_: bool;
-    var phi_1397_: u32;
+    var phi_1123_: f32;
+    var phi_1138_: f32;
+    var phi_1165_: u32;
+    var phi_1166_: u32;
+    var phi_1178_: array<u32, 3>;
+    var phi_1179_: array<u32, 3>;
+    var phi_1180_: array<u32, 3>;
+    var phi_1183_: type_9;
+    var phi_1184_: type_9;
+    var phi_1207_: type_9;
+    var phi_1232_: array<u32, 2>;
+    var phi_1239_: u32;
+    var phi_1244_: u32;
+    var phi_1252_: array<u32, 2>;
+    var phi_1342_: bool;
+    var phi_1354_: bool;
+    var phi_1355_: bool;
     var phi_1398_: bool;
-    var phi_1403_: u32;
+    var phi_1399_: bool;
+    var phi_1405_: u32;
+    var phi_1406_: bool;
+    var phi_1407_: u32;
+    var phi_1408_: bool;
     var phi_1413_: u32;
-    var phi_1427_: array<u32, 2>;
-    var phi_1428_: array<u32, 2>;
-    var phi_1429_: bool;
-    var phi_1430_: array<u32, 2>;
-    var phi_1431_: bool;
-    var phi_1432_: array<u32, 2>;
-    var phi_1433_: bool;
+    var phi_1423_: u32;
+    var phi_1437_: array<u32, 2>;
     var phi_1438_: array<u32, 2>;
-    var phi_1439_: array<u32, 2>;
-    var phi_1447_: array<u32, 2>;
-    var phi_1448_: bool;
+    var phi_1439_: bool;
+    var phi_1440_: array<u32, 2>;
+    var phi_1441_: bool;
+    var phi_1442_: array<u32, 2>;
+    var phi_1443_: bool;
+    var phi_1448_: array<u32, 2>;
     var phi_1449_: array<u32, 2>;
-    var phi_1450_: bool;
-    var phi_1455_: array<u32, 2>;
-    var phi_1462_: array<u32, 2>;
-    var phi_1299_: f32;
-    var phi_1300_: f32;
-    var phi_1306_: u32;
+    var phi_1457_: array<u32, 2>;
+    var phi_1458_: bool;
+    var phi_1459_: array<u32, 2>;
+    var phi_1460_: bool;
+    var phi_1465_: array<u32, 2>;
+    var phi_1472_: array<u32, 2>;
+    var phi_1309_: f32;
+    var phi_1310_: f32;
     var phi_1316_: u32;
-    var phi_1463_: array<u32, 2>;
-    var phi_1488_: type_14;
-    var phi_1491_: u32;
-    var phi_1493_: u32;
-    var phi_1514_: bool;
-    var phi_1520_: type_15;
-    var phi_1489_: type_14;
-    var phi_1534_: type_15;
-    var phi_1563_: u32;
-    var phi_1564_: u32;
-    var phi_1565_: u32;
-    var phi_1566_: u32;
-    var phi_1567_: bool;
-    var phi_1492_: u32;
-    var phi_1494_: u32;
-    var phi_1568_: bool;
+    var phi_1326_: u32;
+    var phi_1473_: array<u32, 2>;
+    var phi_1498_: type_14;
+    var phi_1501_: u32;
+    var phi_1503_: u32;
+    var phi_1524_: bool;
+    var phi_1530_: type_15;
+    var phi_1499_: type_14;
+    var phi_1544_: type_15;
+    var phi_1573_: u32;
+    var phi_1574_: u32;
+    var phi_1575_: u32;
+    var phi_1576_: u32;
+    var phi_1577_: bool;
+    var phi_1502_: u32;
+    var phi_1504_: u32;
+    var phi_1578_: bool;
     var local_17: u32;
-    var phi_1583_: u32;
-    var phi_1584_: u32;
-    var phi_1588_: type_14;
-    var phi_1591_: u32;
     var phi_1593_: u32;
-    var phi_1614_: bool;
-    var phi_1620_: type_15;
-    var phi_1589_: type_14;
-    var phi_1634_: type_15;
-    var phi_1663_: u32;
-    var phi_1664_: u32;
-    var phi_1665_: u32;
-    var phi_1666_: u32;
-    var phi_1667_: bool;
-    var phi_1592_: u32;
     var phi_1594_: u32;
-    var phi_1668_: bool;
+    var phi_1598_: type_14;
+    var phi_1601_: u32;
+    var phi_1603_: u32;
+    var phi_1624_: bool;
+    var phi_1630_: type_15;
+    var phi_1599_: type_14;
+    var phi_1644_: type_15;
+    var phi_1673_: u32;
+    var phi_1674_: u32;
+    var phi_1675_: u32;
+    var phi_1676_: u32;
+    var phi_1677_: bool;
+    var phi_1602_: u32;
+    var phi_1604_: u32;
+    var phi_1678_: bool;
     var local_18: u32;
     var local_19: u32;
-    var phi_1689_: u32;
-    var phi_1702_: u32;
-    var phi_1703_: u32;
-    var phi_1704_: u32;
-    var phi_1705_: u32;
-    var phi_1716_: u32;
-    var phi_1720_: type_9;
-    var phi_1721_: type_9;
-    var phi_1744_: type_9;
-    var phi_1778_: u32;
-    var phi_1779_: u32;
-    var phi_1795_: u32;
-    var phi_1798_: type_9;
-    var phi_1799_: type_9;
-    var phi_1822_: type_9;
-    var phi_1843_: u32;
-    var phi_1859_: u32;
+    var phi_1699_: u32;
+    var phi_1712_: u32;
+    var phi_1713_: u32;
+    var phi_1714_: u32;
+    var phi_1715_: u32;
+    var phi_1726_: u32;
+    var phi_1730_: type_9;
+    var phi_1731_: type_9;
+    var phi_1754_: type_9;
+    var phi_1788_: u32;
+    var phi_1789_: u32;
+    var phi_1805_: u32;
+    var phi_1808_: type_9;
+    var phi_1809_: type_9;
+    var phi_1832_: type_9;
+    var phi_1853_: u32;
+    var phi_1869_: u32;
     var local_20: u32;
     var local_21: u32;
     var local_22: u32;
@@ -612,8 +614,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e407 = local_5;
                         local_6 = type_20(_e407, array<f32, 3>(_e339, _e349, _e359));
                         if (_e272.member_1 == 0u) {
-                            let _e711 = (_e239 & 134217727u);
-                            phi_1168_ = array<u32, 3>((_e711 & 511u), ((_e711 >> bitcast<u32>(9u)) & 511u), (_e711 >> bitcast<u32>(18u)));
+                            let _e717 = (_e239 & 134217727u);
+                            phi_1178_ = array<u32, 3>((_e717 & 511u), ((_e717 >> bitcast<u32>(9u)) & 511u), (_e717 >> bitcast<u32>(18u)));
                         } else {
                             let _e428 = local_6.member.member_1[0u];
                             let _e432 = local_6.member.member[0u];
@@ -804,22 +806,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 if _e674 {
                                     let _e677 = local_4.member[_e670.member_1];
                                     let _e680 = local_7.member[_e670.member_1];
-                                    let _e685 = local_7.member_1[_e670.member_1];
-                                    let _e691 = local_4.member_1[_e670.member_1];
-                                    let _e692 = ((((_e680 * 0.25f) - _e677) + ((_e685 * 0.25f) - _e677)) * _e691);
-                                    if (_e692 >= 511f) {
-                                        phi_1156_ = 511u;
+                                    let _e682 = ((_e680 * 0.25f) - _e677);
+                                    if (_e682 > 0f) {
+                                        phi_1123_ = _e682;
                                     } else {
-                                        if (_e692 > 0f) {
-                                            phi_1155_ = select(select(u32(_e692), 0u, (_e692 < 0f)), 4294967295u, (_e692 > 4294967000f));
-                                        } else {
-                                            phi_1155_ = 0u;
-                                        }
-                                        let _e701 = phi_1155_;
-                                        phi_1156_ = _e701;
+                                        phi_1123_ = 0f;
                                     }
-                                    let _e703 = phi_1156_;
-                                    local[_e670.member_1] = _e703;
+                                    let _e685 = phi_1123_;
+                                    let _e688 = local_7.member_1[_e670.member_1];
+                                    let _e690 = ((_e688 * 0.25f) - _e677);
+                                    if (_e690 > 0f) {
+                                        phi_1138_ = _e690;
+                                    } else {
+                                        phi_1138_ = 0f;
+                                    }
+                                    let _e693 = phi_1138_;
+                                    let _e697 = local_4.member_1[_e670.member_1];
+                                    let _e698 = ((_e685 + _e693) * _e697);
+                                    if (_e698 >= 511f) {
+                                        phi_1166_ = 511u;
+                                    } else {
+                                        if (_e698 > 0f) {
+                                            phi_1165_ = select(select(u32(_e698), 0u, (_e698 < 0f)), 4294967295u, (_e698 > 4294967000f));
+                                        } else {
+                                            phi_1165_ = 0u;
+                                        }
+                                        let _e707 = phi_1165_;
+                                        phi_1166_ = _e707;
+                                    }
+                                    let _e709 = phi_1166_;
+                                    local[_e670.member_1] = _e709;
                                 }
                                 continue;
                                 continuing {
@@ -827,247 +843,247 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     break if !(_e674);
                                 }
                             }
-                            let _e706 = local;
-                            phi_1168_ = array<u32, 3>(_e706[0], _e706[1], _e706[2]);
+                            let _e712 = local;
+                            phi_1178_ = array<u32, 3>(_e712[0], _e712[1], _e712[2]);
                         }
-                        let _e720 = phi_1168_;
-                        phi_1169_ = _e720;
+                        let _e726 = phi_1178_;
+                        phi_1179_ = _e726;
                     } else {
-                        phi_1169_ = array<u32, 3>(0u, 0u, 0u);
+                        phi_1179_ = array<u32, 3>(0u, 0u, 0u);
                     }
-                    let _e722 = phi_1169_;
-                    phi_1170_ = _e722;
+                    let _e728 = phi_1179_;
+                    phi_1180_ = _e728;
                 } else {
-                    phi_1170_ = array<u32, 3>(0u, 0u, 0u);
+                    phi_1180_ = array<u32, 3>(0u, 0u, 0u);
                 }
-                let _e724 = phi_1170_;
-                phi_1173_ = type_9(_e325[0], _e325[1]);
+                let _e730 = phi_1180_;
+                phi_1183_ = type_9(_e325[0], _e325[1]);
                 loop {
-                    let _e727 = phi_1173_;
-                    if (_e727.member < _e727.member_1) {
-                        phi_1174_ = type_9((_e727.member + 1u), _e727.member_1);
-                        phi_1197_ = type_9(1u, _e727.member);
+                    let _e733 = phi_1183_;
+                    if (_e733.member < _e733.member_1) {
+                        phi_1184_ = type_9((_e733.member + 1u), _e733.member_1);
+                        phi_1207_ = type_9(1u, _e733.member);
                     } else {
-                        phi_1174_ = _e727;
-                        phi_1197_ = type_9(0u, type_9().member_1);
+                        phi_1184_ = _e733;
+                        phi_1207_ = type_9(0u, type_9().member_1);
                     }
-                    let _e739 = phi_1174_;
-                    let _e741 = phi_1197_;
-                    let _e745 = (bitcast<i32>(_e741.member) != 0i);
-                    if _e745 {
-                        let _e747 = ((_e272.member_1 * _e113) + _e741.member_1);
-                        let _e748 = (_e106 + _e747);
-                        let _e751 = params.member.member_2.member;
-                        let _e754 = params.member.member_2.member_1;
-                        if (_e754 == 0u) {
-                            phi_1222_ = array<u32, 2>(0u, 2u);
+                    let _e745 = phi_1184_;
+                    let _e747 = phi_1207_;
+                    let _e751 = (bitcast<i32>(_e747.member) != 0i);
+                    if _e751 {
+                        let _e753 = ((_e272.member_1 * _e113) + _e747.member_1);
+                        let _e754 = (_e106 + _e753);
+                        let _e757 = params.member.member_2.member;
+                        let _e760 = params.member.member_2.member_1;
+                        if (_e760 == 0u) {
+                            phi_1232_ = array<u32, 2>(0u, 2u);
                         } else {
-                            phi_1222_ = array<u32, 2>(1u, 1u);
+                            phi_1232_ = array<u32, 2>(1u, 1u);
                         }
-                        let _e757 = phi_1222_;
-                        if (_e751 == 2u) {
-                            phi_1229_ = 8u;
+                        let _e763 = phi_1232_;
+                        if (_e757 == 2u) {
+                            phi_1239_ = 8u;
                         } else {
-                            phi_1229_ = 1u;
+                            phi_1239_ = 1u;
                         }
-                        let _e762 = phi_1229_;
-                        if (_e751 == 2u) {
-                            phi_1234_ = 10u;
+                        let _e768 = phi_1239_;
+                        if (_e757 == 2u) {
+                            phi_1244_ = 10u;
                         } else {
-                            phi_1234_ = 1u;
+                            phi_1244_ = 1u;
                         }
-                        let _e765 = phi_1234_;
-                        if (_e748 >= (_e762 * _e765)) {
-                            phi_1242_ = array<u32, 2>(_e757[1], _e757[0]);
+                        let _e771 = phi_1244_;
+                        if (_e754 >= (_e768 * _e771)) {
+                            phi_1252_ = array<u32, 2>(_e763[1], _e763[0]);
                         } else {
-                            phi_1242_ = _e757;
+                            phi_1252_ = _e763;
                         }
-                        let _e770 = phi_1242_;
-                        let _e773 = keys.member[_e232];
-                        let _e775 = sorted.member[_e232];
-                        let _e777 = (_e770[1] << bitcast<u32>(30u));
-                        if (_e751 == 1u) {
-                            let _e898 = survey.member[6u];
-                            if (_e898 == 0u) {
-                                phi_1300_ = _e775.member_1[0];
+                        let _e776 = phi_1252_;
+                        let _e779 = keys.member[_e232];
+                        let _e781 = sorted.member[_e232];
+                        let _e783 = (_e776[1] << bitcast<u32>(30u));
+                        if (_e757 == 1u) {
+                            let _e904 = survey.member[6u];
+                            if (_e904 == 0u) {
+                                phi_1310_ = _e781.member_1[0];
                             } else {
-                                if (_e898 == 1u) {
-                                    phi_1299_ = _e775.member_1[1];
+                                if (_e904 == 1u) {
+                                    phi_1309_ = _e781.member_1[1];
                                 } else {
-                                    phi_1299_ = _e775.member_1[2];
+                                    phi_1309_ = _e781.member_1[2];
                                 }
-                                let _e906 = phi_1299_;
-                                phi_1300_ = _e906;
+                                let _e912 = phi_1309_;
+                                phi_1310_ = _e912;
                             }
-                            let _e910 = phi_1300_;
-                            let _e911 = bitcast<u32>(_e910);
-                            if (_e911 == 2147483648u) {
-                                phi_1306_ = 0u;
+                            let _e916 = phi_1310_;
+                            let _e917 = bitcast<u32>(_e916);
+                            if (_e917 == 2147483648u) {
+                                phi_1316_ = 0u;
                             } else {
-                                phi_1306_ = _e911;
+                                phi_1316_ = _e917;
                             }
-                            let _e914 = phi_1306_;
-                            let _e916 = bitcast<u32>(bitcast<f32>(_e914));
-                            if ((_e916 >> bitcast<u32>(31i)) == 1u) {
-                                phi_1316_ = ~(_e916);
+                            let _e920 = phi_1316_;
+                            let _e922 = bitcast<u32>(bitcast<f32>(_e920));
+                            if ((_e922 >> bitcast<u32>(31i)) == 1u) {
+                                phi_1326_ = ~(_e922);
                             } else {
-                                phi_1316_ = (_e916 | 2147483648u);
+                                phi_1326_ = (_e922 | 2147483648u);
                             }
-                            let _e923 = phi_1316_;
-                            phi_1463_ = array<u32, 2>(((_e777 | (_e773 & 1073741823u)) + _e748), (_e777 | (_e923 >> bitcast<u32>(2i))));
+                            let _e929 = phi_1326_;
+                            phi_1473_ = array<u32, 2>(((_e783 | (_e779 & 1073741823u)) + _e754), (_e783 | (_e929 >> bitcast<u32>(2i))));
                         } else {
-                            if (_e751 == 2u) {
-                                let _e781 = (_e748 % 80u);
-                                let _e783 = (_e781 % 10u);
-                                if (_e754 == 1u) {
-                                    phi_1332_ = ((_e781 / 10u) == 0u);
+                            if (_e757 == 2u) {
+                                let _e787 = (_e754 % 80u);
+                                let _e789 = (_e787 % 10u);
+                                if (_e760 == 1u) {
+                                    phi_1342_ = ((_e787 / 10u) == 0u);
                                 } else {
-                                    phi_1332_ = false;
+                                    phi_1342_ = false;
                                 }
-                                let _e787 = phi_1332_;
+                                let _e793 = phi_1342_;
                                 if (_e303 >= 8u) {
-                                    phi_1449_ = array<u32, 2>();
-                                    phi_1450_ = true;
+                                    phi_1459_ = array<u32, 2>();
+                                    phi_1460_ = true;
                                 } else {
-                                    if _e787 {
-                                        if (_e783 < 4u) {
-                                            phi_1344_ = false;
-                                        } else {
-                                            phi_1344_ = true;
-                                        }
-                                        let _e791 = phi_1344_;
-                                        phi_1345_ = _e791;
-                                    } else {
-                                        phi_1345_ = true;
-                                    }
-                                    let _e793 = phi_1345_;
                                     if _e793 {
-                                        if (_e783 == 9u) {
-                                            phi_1439_ = array<u32, 2>(0u, 134217727u);
+                                        if (_e789 < 4u) {
+                                            phi_1354_ = false;
                                         } else {
-                                            let _e797 = (_e724[1] + (_e783 % 3u));
-                                            let _e800 = (_e724[2] + (_e783 / 3u));
-                                            if (_e797 < 1u) {
-                                                phi_1432_ = array<u32, 2>();
-                                                phi_1433_ = true;
-                                            } else {
-                                                if (_e800 < 1u) {
-                                                    phi_1430_ = array<u32, 2>();
-                                                    phi_1431_ = true;
-                                                } else {
-                                                    if (_e797 > 512u) {
-                                                        phi_1428_ = array<u32, 2>();
-                                                        phi_1429_ = true;
-                                                    } else {
-                                                        let _e804 = (_e800 > 512u);
-                                                        if _e804 {
-                                                            phi_1427_ = array<u32, 2>();
-                                                        } else {
-                                                            if (_e724[0] > 0u) {
-                                                                if _e787 {
-                                                                    if (_e783 == 4u) {
-                                                                        phi_1388_ = false;
-                                                                    } else {
-                                                                        phi_1388_ = true;
-                                                                    }
-                                                                    let _e809 = phi_1388_;
-                                                                    phi_1389_ = _e809;
-                                                                } else {
-                                                                    phi_1389_ = true;
-                                                                }
-                                                                let _e811 = phi_1389_;
-                                                                if _e811 {
-                                                                    phi_1395_ = (_e724[0] - 1u);
-                                                                    phi_1396_ = false;
-                                                                } else {
-                                                                    phi_1395_ = u32();
-                                                                    phi_1396_ = true;
-                                                                }
-                                                                let _e815 = phi_1395_;
-                                                                let _e817 = phi_1396_;
-                                                                phi_1397_ = _e815;
-                                                                phi_1398_ = _e817;
-                                                            } else {
-                                                                phi_1397_ = u32();
-                                                                phi_1398_ = true;
-                                                            }
-                                                            let _e819 = phi_1397_;
-                                                            let _e821 = phi_1398_;
-                                                            if _e821 {
-                                                                phi_1403_ = _e724[0];
-                                                            } else {
-                                                                phi_1403_ = _e819;
-                                                            }
-                                                            let _e824 = phi_1403_;
-                                                            if ((_e724[0] + 1u) < 512u) {
-                                                                phi_1413_ = (_e724[0] + 1u);
-                                                            } else {
-                                                                phi_1413_ = _e724[0];
-                                                            }
-                                                            let _e832 = phi_1413_;
-                                                            phi_1427_ = array<u32, 2>(((((_e800 - 1u) << bitcast<u32>(18u)) | ((_e797 - 1u) << bitcast<u32>(9u))) | _e824), ((((_e800 - 1u) << bitcast<u32>(18u)) | ((_e797 - 1u) << bitcast<u32>(9u))) | _e832));
-                                                        }
-                                                        let _e851 = phi_1427_;
-                                                        phi_1428_ = _e851;
-                                                        phi_1429_ = _e804;
-                                                    }
-                                                    let _e853 = phi_1428_;
-                                                    let _e855 = phi_1429_;
-                                                    phi_1430_ = _e853;
-                                                    phi_1431_ = _e855;
-                                                }
-                                                let _e857 = phi_1430_;
-                                                let _e859 = phi_1431_;
-                                                phi_1432_ = _e857;
-                                                phi_1433_ = _e859;
-                                            }
-                                            let _e861 = phi_1432_;
-                                            let _e863 = phi_1433_;
-                                            if _e863 {
-                                                phi_1438_ = array<u32, 2>(1u, 0u);
-                                            } else {
-                                                phi_1438_ = _e861;
-                                            }
-                                            let _e865 = phi_1438_;
-                                            phi_1439_ = _e865;
+                                            phi_1354_ = true;
                                         }
-                                        let _e867 = phi_1439_;
-                                        phi_1447_ = array<u32, 2>(((_e303 << bitcast<u32>(27u)) | _e867[0]), ((_e303 << bitcast<u32>(27u)) | _e867[1]));
-                                        phi_1448_ = false;
+                                        let _e797 = phi_1354_;
+                                        phi_1355_ = _e797;
                                     } else {
-                                        phi_1447_ = array<u32, 2>();
-                                        phi_1448_ = true;
+                                        phi_1355_ = true;
                                     }
-                                    let _e878 = phi_1447_;
-                                    let _e880 = phi_1448_;
-                                    phi_1449_ = _e878;
-                                    phi_1450_ = _e880;
+                                    let _e799 = phi_1355_;
+                                    if _e799 {
+                                        if (_e789 == 9u) {
+                                            phi_1449_ = array<u32, 2>(0u, 134217727u);
+                                        } else {
+                                            let _e803 = (_e730[1] + (_e789 % 3u));
+                                            let _e806 = (_e730[2] + (_e789 / 3u));
+                                            if (_e803 < 1u) {
+                                                phi_1442_ = array<u32, 2>();
+                                                phi_1443_ = true;
+                                            } else {
+                                                if (_e806 < 1u) {
+                                                    phi_1440_ = array<u32, 2>();
+                                                    phi_1441_ = true;
+                                                } else {
+                                                    if (_e803 > 512u) {
+                                                        phi_1438_ = array<u32, 2>();
+                                                        phi_1439_ = true;
+                                                    } else {
+                                                        let _e810 = (_e806 > 512u);
+                                                        if _e810 {
+                                                            phi_1437_ = array<u32, 2>();
+                                                        } else {
+                                                            if (_e730[0] > 0u) {
+                                                                if _e793 {
+                                                                    if (_e789 == 4u) {
+                                                                        phi_1398_ = false;
+                                                                    } else {
+                                                                        phi_1398_ = true;
+                                                                    }
+                                                                    let _e815 = phi_1398_;
+                                                                    phi_1399_ = _e815;
+                                                                } else {
+                                                                    phi_1399_ = true;
+                                                                }
+                                                                let _e817 = phi_1399_;
+                                                                if _e817 {
+                                                                    phi_1405_ = (_e730[0] - 1u);
+                                                                    phi_1406_ = false;
+                                                                } else {
+                                                                    phi_1405_ = u32();
+                                                                    phi_1406_ = true;
+                                                                }
+                                                                let _e821 = phi_1405_;
+                                                                let _e823 = phi_1406_;
+                                                                phi_1407_ = _e821;
+                                                                phi_1408_ = _e823;
+                                                            } else {
+                                                                phi_1407_ = u32();
+                                                                phi_1408_ = true;
+                                                            }
+                                                            let _e825 = phi_1407_;
+                                                            let _e827 = phi_1408_;
+                                                            if _e827 {
+                                                                phi_1413_ = _e730[0];
+                                                            } else {
+                                                                phi_1413_ = _e825;
+                                                            }
+                                                            let _e830 = phi_1413_;
+                                                            if ((_e730[0] + 1u) < 512u) {
+                                                                phi_1423_ = (_e730[0] + 1u);
+                                                            } else {
+                                                                phi_1423_ = _e730[0];
+                                                            }
+                                                            let _e838 = phi_1423_;
+                                                            phi_1437_ = array<u32, 2>(((((_e806 - 1u) << bitcast<u32>(18u)) | ((_e803 - 1u) << bitcast<u32>(9u))) | _e830), ((((_e806 - 1u) << bitcast<u32>(18u)) | ((_e803 - 1u) << bitcast<u32>(9u))) | _e838));
+                                                        }
+                                                        let _e857 = phi_1437_;
+                                                        phi_1438_ = _e857;
+                                                        phi_1439_ = _e810;
+                                                    }
+                                                    let _e859 = phi_1438_;
+                                                    let _e861 = phi_1439_;
+                                                    phi_1440_ = _e859;
+                                                    phi_1441_ = _e861;
+                                                }
+                                                let _e863 = phi_1440_;
+                                                let _e865 = phi_1441_;
+                                                phi_1442_ = _e863;
+                                                phi_1443_ = _e865;
+                                            }
+                                            let _e867 = phi_1442_;
+                                            let _e869 = phi_1443_;
+                                            if _e869 {
+                                                phi_1448_ = array<u32, 2>(1u, 0u);
+                                            } else {
+                                                phi_1448_ = _e867;
+                                            }
+                                            let _e871 = phi_1448_;
+                                            phi_1449_ = _e871;
+                                        }
+                                        let _e873 = phi_1449_;
+                                        phi_1457_ = array<u32, 2>(((_e303 << bitcast<u32>(27u)) | _e873[0]), ((_e303 << bitcast<u32>(27u)) | _e873[1]));
+                                        phi_1458_ = false;
+                                    } else {
+                                        phi_1457_ = array<u32, 2>();
+                                        phi_1458_ = true;
+                                    }
+                                    let _e884 = phi_1457_;
+                                    let _e886 = phi_1458_;
+                                    phi_1459_ = _e884;
+                                    phi_1460_ = _e886;
                                 }
-                                let _e882 = phi_1449_;
-                                let _e884 = phi_1450_;
-                                if _e884 {
-                                    phi_1455_ = array<u32, 2>(1u, 0u);
+                                let _e888 = phi_1459_;
+                                let _e890 = phi_1460_;
+                                if _e890 {
+                                    phi_1465_ = array<u32, 2>(1u, 0u);
                                 } else {
-                                    phi_1455_ = _e882;
+                                    phi_1465_ = _e888;
                                 }
-                                let _e886 = phi_1455_;
-                                phi_1462_ = array<u32, 2>((_e777 | _e886[0]), (_e777 | _e886[1]));
+                                let _e892 = phi_1465_;
+                                phi_1472_ = array<u32, 2>((_e783 | _e892[0]), (_e783 | _e892[1]));
                             } else {
-                                phi_1462_ = array<u32, 2>(_e777, _e777);
+                                phi_1472_ = array<u32, 2>(_e783, _e783);
                             }
-                            let _e893 = phi_1462_;
-                            phi_1463_ = _e893;
+                            let _e899 = phi_1472_;
+                            phi_1473_ = _e899;
                         }
-                        let _e929 = phi_1463_;
-                        if (_e929[0] <= _e929[1]) {
-                            let _e934 = atomicMin((&ranges[_e747]), _e929[0]);
-                            let _e937 = atomicMax((&ranges[(128u + _e747)]), _e929[1]);
+                        let _e935 = phi_1473_;
+                        if (_e935[0] <= _e935[1]) {
+                            let _e940 = atomicMin((&ranges[_e753]), _e935[0]);
+                            let _e943 = atomicMax((&ranges[(128u + _e753)]), _e935[1]);
                         }
                     }
                     continue;
                     continuing {
-                        phi_1173_ = _e739;
-                        break if !(_e745);
+                        phi_1183_ = _e745;
+                        break if !(_e751);
                     }
                 }
             }
@@ -1079,307 +1095,307 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
     }
     workgroupBarrier();
-    let _e941 = atomicLoad((&ranges[_e87]));
-    let _e944 = atomicLoad((&ranges[(128u + _e87)]));
-    if (_e941 <= _e944) {
-        phi_1488_ = type_14(0i, 32i);
-        phi_1491_ = 0u;
-        phi_1493_ = _e110;
+    let _e947 = atomicLoad((&ranges[_e87]));
+    let _e950 = atomicLoad((&ranges[(128u + _e87)]));
+    if (_e947 <= _e950) {
+        phi_1498_ = type_14(0i, 32i);
+        phi_1501_ = 0u;
+        phi_1503_ = _e110;
         loop {
-            let _e947 = phi_1488_;
-            let _e949 = phi_1491_;
-            let _e951 = phi_1493_;
-            local_17 = _e949;
-            local_20 = _e949;
-            local_21 = _e949;
-            if (_e947.member < _e947.member_1) {
-                let _e958 = (_e947.member + 1i);
-                if ((false == (_e958 > _e947.member)) != false) {
-                    phi_1514_ = true;
+            let _e953 = phi_1498_;
+            let _e955 = phi_1501_;
+            let _e957 = phi_1503_;
+            local_17 = _e955;
+            local_20 = _e955;
+            local_21 = _e955;
+            if (_e953.member < _e953.member_1) {
+                let _e964 = (_e953.member + 1i);
+                if ((false == (_e964 > _e953.member)) != false) {
+                    phi_1524_ = true;
                 } else {
-                    phi_1514_ = false;
+                    phi_1524_ = false;
                 }
-                let _e963 = phi_1514_;
-                if _e963 {
-                    phi_1520_ = type_15(0u, type_15().member_1);
+                let _e969 = phi_1524_;
+                if _e969 {
+                    phi_1530_ = type_15(0u, type_15().member_1);
                 } else {
-                    phi_1520_ = type_15(1u, _e958);
+                    phi_1530_ = type_15(1u, _e964);
                 }
-                let _e968 = phi_1520_;
-                phi_1489_ = type_14(_e968.member_1, _e947.member_1);
-                phi_1534_ = type_15(1u, _e947.member);
+                let _e974 = phi_1530_;
+                phi_1499_ = type_14(_e974.member_1, _e953.member_1);
+                phi_1544_ = type_15(1u, _e953.member);
             } else {
-                phi_1489_ = _e947;
-                phi_1534_ = type_15(0u, type_15().member_1);
+                phi_1499_ = _e953;
+                phi_1544_ = type_15(0u, type_15().member_1);
             }
-            let _e974 = phi_1489_;
-            let _e976 = phi_1534_;
-            if (bitcast<i32>(_e976.member) != 0i) {
-                if (_e949 >= _e951) {
-                    phi_1565_ = u32();
-                    phi_1566_ = u32();
-                    phi_1567_ = false;
+            let _e980 = phi_1499_;
+            let _e982 = phi_1544_;
+            if (bitcast<i32>(_e982.member) != 0i) {
+                if (_e955 >= _e957) {
+                    phi_1575_ = u32();
+                    phi_1576_ = u32();
+                    phi_1577_ = false;
                 } else {
-                    let _e983 = (_e949 + ((_e951 - _e949) / 2u));
-                    let _e985 = keys.member[_e983];
-                    if (_e985 < _e941) {
-                        phi_1563_ = (_e983 + 1u);
-                        phi_1564_ = _e951;
+                    let _e989 = (_e955 + ((_e957 - _e955) / 2u));
+                    let _e991 = keys.member[_e989];
+                    if (_e991 < _e947) {
+                        phi_1573_ = (_e989 + 1u);
+                        phi_1574_ = _e957;
                     } else {
-                        phi_1563_ = _e949;
-                        phi_1564_ = _e983;
+                        phi_1573_ = _e955;
+                        phi_1574_ = _e989;
                     }
-                    let _e989 = phi_1563_;
-                    let _e991 = phi_1564_;
-                    phi_1565_ = _e989;
-                    phi_1566_ = _e991;
-                    phi_1567_ = true;
+                    let _e995 = phi_1573_;
+                    let _e997 = phi_1574_;
+                    phi_1575_ = _e995;
+                    phi_1576_ = _e997;
+                    phi_1577_ = true;
                 }
-                let _e993 = phi_1565_;
-                let _e995 = phi_1566_;
-                let _e997 = phi_1567_;
-                phi_1492_ = _e993;
-                phi_1494_ = _e995;
-                phi_1568_ = _e997;
+                let _e999 = phi_1575_;
+                let _e1001 = phi_1576_;
+                let _e1003 = phi_1577_;
+                phi_1502_ = _e999;
+                phi_1504_ = _e1001;
+                phi_1578_ = _e1003;
             } else {
-                phi_1492_ = u32();
-                phi_1494_ = u32();
-                phi_1568_ = false;
+                phi_1502_ = u32();
+                phi_1504_ = u32();
+                phi_1578_ = false;
             }
-            let _e999 = phi_1492_;
-            let _e1001 = phi_1494_;
-            let _e1003 = phi_1568_;
+            let _e1005 = phi_1502_;
+            let _e1007 = phi_1504_;
+            let _e1009 = phi_1578_;
             continue;
             continuing {
-                phi_1488_ = _e974;
-                phi_1491_ = _e999;
-                phi_1493_ = _e1001;
-                break if !(_e1003);
+                phi_1498_ = _e980;
+                phi_1501_ = _e1005;
+                phi_1503_ = _e1007;
+                break if !(_e1009);
             }
         }
         if (_e103 == 1u) {
-            let _e1009 = params.member.member.member_2[1u];
-            let _e1012 = ((_e1009 + (_e97 * 128u)) + 1u);
-            let _e1014 = local_17;
-            if (_e1012 < _e1014) {
-                let _e1363 = local_20;
-                phi_1583_ = _e1363;
+            let _e1015 = params.member.member.member_2[1u];
+            let _e1018 = ((_e1015 + (_e97 * 128u)) + 1u);
+            let _e1020 = local_17;
+            if (_e1018 < _e1020) {
+                let _e1371 = local_20;
+                phi_1593_ = _e1371;
             } else {
-                phi_1583_ = _e1012;
+                phi_1593_ = _e1018;
             }
-            let _e1017 = phi_1583_;
-            phi_1584_ = _e1017;
+            let _e1023 = phi_1593_;
+            phi_1594_ = _e1023;
         } else {
-            let _e1366 = local_21;
-            phi_1584_ = _e1366;
+            let _e1374 = local_21;
+            phi_1594_ = _e1374;
         }
-        let _e1019 = phi_1584_;
-        phi_1588_ = type_14(0i, 32i);
-        phi_1591_ = 0u;
-        phi_1593_ = _e110;
+        let _e1025 = phi_1594_;
+        phi_1598_ = type_14(0i, 32i);
+        phi_1601_ = 0u;
+        phi_1603_ = _e110;
         loop {
-            let _e1022 = phi_1588_;
-            let _e1024 = phi_1591_;
-            let _e1026 = phi_1593_;
-            local_18 = _e1024;
-            local_19 = _e1024;
-            local_22 = _e1024;
-            if (_e1022.member < _e1022.member_1) {
-                let _e1033 = (_e1022.member + 1i);
-                if ((false == (_e1033 > _e1022.member)) != false) {
-                    phi_1614_ = true;
+            let _e1028 = phi_1598_;
+            let _e1030 = phi_1601_;
+            let _e1032 = phi_1603_;
+            local_18 = _e1030;
+            local_19 = _e1030;
+            local_22 = _e1030;
+            if (_e1028.member < _e1028.member_1) {
+                let _e1039 = (_e1028.member + 1i);
+                if ((false == (_e1039 > _e1028.member)) != false) {
+                    phi_1624_ = true;
                 } else {
-                    phi_1614_ = false;
+                    phi_1624_ = false;
                 }
-                let _e1038 = phi_1614_;
-                if _e1038 {
-                    phi_1620_ = type_15(0u, type_15().member_1);
+                let _e1044 = phi_1624_;
+                if _e1044 {
+                    phi_1630_ = type_15(0u, type_15().member_1);
                 } else {
-                    phi_1620_ = type_15(1u, _e1033);
+                    phi_1630_ = type_15(1u, _e1039);
                 }
-                let _e1043 = phi_1620_;
-                phi_1589_ = type_14(_e1043.member_1, _e1022.member_1);
-                phi_1634_ = type_15(1u, _e1022.member);
+                let _e1049 = phi_1630_;
+                phi_1599_ = type_14(_e1049.member_1, _e1028.member_1);
+                phi_1644_ = type_15(1u, _e1028.member);
             } else {
-                phi_1589_ = _e1022;
-                phi_1634_ = type_15(0u, type_15().member_1);
+                phi_1599_ = _e1028;
+                phi_1644_ = type_15(0u, type_15().member_1);
             }
-            let _e1049 = phi_1589_;
-            let _e1051 = phi_1634_;
-            if (bitcast<i32>(_e1051.member) != 0i) {
-                if (_e1024 >= _e1026) {
-                    phi_1665_ = u32();
-                    phi_1666_ = u32();
-                    phi_1667_ = false;
+            let _e1055 = phi_1599_;
+            let _e1057 = phi_1644_;
+            if (bitcast<i32>(_e1057.member) != 0i) {
+                if (_e1030 >= _e1032) {
+                    phi_1675_ = u32();
+                    phi_1676_ = u32();
+                    phi_1677_ = false;
                 } else {
-                    let _e1058 = (_e1024 + ((_e1026 - _e1024) / 2u));
-                    let _e1060 = keys.member[_e1058];
-                    if (_e1060 < (_e944 + 1u)) {
-                        phi_1663_ = (_e1058 + 1u);
-                        phi_1664_ = _e1026;
+                    let _e1064 = (_e1030 + ((_e1032 - _e1030) / 2u));
+                    let _e1066 = keys.member[_e1064];
+                    if (_e1066 < (_e950 + 1u)) {
+                        phi_1673_ = (_e1064 + 1u);
+                        phi_1674_ = _e1032;
                     } else {
-                        phi_1663_ = _e1024;
-                        phi_1664_ = _e1058;
+                        phi_1673_ = _e1030;
+                        phi_1674_ = _e1064;
                     }
-                    let _e1064 = phi_1663_;
-                    let _e1066 = phi_1664_;
-                    phi_1665_ = _e1064;
-                    phi_1666_ = _e1066;
-                    phi_1667_ = true;
+                    let _e1070 = phi_1673_;
+                    let _e1072 = phi_1674_;
+                    phi_1675_ = _e1070;
+                    phi_1676_ = _e1072;
+                    phi_1677_ = true;
                 }
-                let _e1068 = phi_1665_;
-                let _e1070 = phi_1666_;
-                let _e1072 = phi_1667_;
-                phi_1592_ = _e1068;
-                phi_1594_ = _e1070;
-                phi_1668_ = _e1072;
+                let _e1074 = phi_1675_;
+                let _e1076 = phi_1676_;
+                let _e1078 = phi_1677_;
+                phi_1602_ = _e1074;
+                phi_1604_ = _e1076;
+                phi_1678_ = _e1078;
             } else {
-                phi_1592_ = u32();
-                phi_1594_ = u32();
-                phi_1668_ = false;
+                phi_1602_ = u32();
+                phi_1604_ = u32();
+                phi_1678_ = false;
             }
-            let _e1074 = phi_1592_;
-            let _e1076 = phi_1594_;
-            let _e1078 = phi_1668_;
+            let _e1080 = phi_1602_;
+            let _e1082 = phi_1604_;
+            let _e1084 = phi_1678_;
             continue;
             continuing {
-                phi_1588_ = _e1049;
-                phi_1591_ = _e1074;
-                phi_1593_ = _e1076;
-                break if !(_e1078);
+                phi_1598_ = _e1055;
+                phi_1601_ = _e1080;
+                phi_1603_ = _e1082;
+                break if !(_e1084);
             }
         }
-        let _e1081 = local_18;
-        if (_e1019 < _e1081) {
-            let _e1084 = local_19;
-            let _e1085 = (_e1084 - _e1019);
-            let _e1086 = (_e1085 / 1024u);
-            if ((_e1085 % 1024u) > 0u) {
-                phi_1689_ = (_e1086 + 1u);
+        let _e1087 = local_18;
+        if (_e1025 < _e1087) {
+            let _e1090 = local_19;
+            let _e1091 = (_e1090 - _e1025);
+            let _e1092 = (_e1091 / 1024u);
+            if ((_e1091 % 1024u) > 0u) {
+                phi_1699_ = (_e1092 + 1u);
             } else {
-                phi_1689_ = _e1086;
+                phi_1699_ = _e1092;
             }
-            let _e1091 = phi_1689_;
-            let _e1093 = atomicAdd((&work.member[0u]), _e1091);
-            if ((_e1093 + _e1091) < _e1093) {
-                let _e1097 = atomicAdd((&work.member[2u]), 1u);
+            let _e1097 = phi_1699_;
+            let _e1099 = atomicAdd((&work.member[0u]), _e1097);
+            if ((_e1099 + _e1097) < _e1099) {
+                let _e1103 = atomicAdd((&work.member[2u]), 1u);
             }
-            phi_1702_ = _e1093;
+            phi_1712_ = _e1099;
         } else {
-            phi_1702_ = 0u;
+            phi_1712_ = 0u;
         }
-        let _e1099 = phi_1702_;
-        phi_1703_ = _e1099;
-        let _e1389 = local_22;
-        phi_1704_ = _e1389;
-        phi_1705_ = _e1019;
+        let _e1105 = phi_1712_;
+        phi_1713_ = _e1105;
+        let _e1397 = local_22;
+        phi_1714_ = _e1397;
+        phi_1715_ = _e1025;
     } else {
-        phi_1703_ = 0u;
-        phi_1704_ = 0u;
-        phi_1705_ = 0u;
+        phi_1713_ = 0u;
+        phi_1714_ = 0u;
+        phi_1715_ = 0u;
     }
-    let _e1101 = phi_1703_;
-    let _e1103 = phi_1704_;
-    let _e1105 = phi_1705_;
-    atomicStore((&ranges[(256u + _e87)]), _e1105);
-    atomicStore((&ranges[(384u + _e87)]), _e1103);
-    atomicStore((&ranges[(512u + _e87)]), _e1101);
+    let _e1107 = phi_1713_;
+    let _e1109 = phi_1714_;
+    let _e1111 = phi_1715_;
+    atomicStore((&ranges[(256u + _e87)]), _e1111);
+    atomicStore((&ranges[(384u + _e87)]), _e1109);
+    atomicStore((&ranges[(512u + _e87)]), _e1107);
     workgroupBarrier();
     if (_e100 == 2u) {
-        phi_1716_ = 8u;
+        phi_1726_ = 8u;
     } else {
-        phi_1716_ = 1u;
+        phi_1726_ = 1u;
     }
-    let _e1114 = phi_1716_;
-    phi_1720_ = type_9(0u, (_e1114 * _e113));
+    let _e1120 = phi_1726_;
+    phi_1730_ = type_9(0u, (_e1120 * _e113));
     loop {
-        let _e1118 = phi_1720_;
-        if (_e1118.member < _e1118.member_1) {
-            phi_1721_ = type_9((_e1118.member + 1u), _e1118.member_1);
-            phi_1744_ = type_9(1u, _e1118.member);
+        let _e1124 = phi_1730_;
+        if (_e1124.member < _e1124.member_1) {
+            phi_1731_ = type_9((_e1124.member + 1u), _e1124.member_1);
+            phi_1754_ = type_9(1u, _e1124.member);
         } else {
-            phi_1721_ = _e1118;
-            phi_1744_ = type_9(0u, type_9().member_1);
+            phi_1731_ = _e1124;
+            phi_1754_ = type_9(0u, type_9().member_1);
         }
-        let _e1130 = phi_1721_;
-        let _e1132 = phi_1744_;
-        let _e1136 = (bitcast<i32>(_e1132.member) != 0i);
-        if _e1136 {
-            let _e1139 = atomicLoad((&ranges[(256u + _e1132.member_1)]));
-            let _e1142 = atomicLoad((&ranges[(384u + _e1132.member_1)]));
-            if (_e1139 < _e1142) {
-                let _e1144 = (_e1142 - _e1139);
-                let _e1145 = (_e1144 / 1024u);
-                if ((_e1144 % 1024u) > 0u) {
-                    phi_1778_ = (_e1145 + 1u);
+        let _e1136 = phi_1731_;
+        let _e1138 = phi_1754_;
+        let _e1142 = (bitcast<i32>(_e1138.member) != 0i);
+        if _e1142 {
+            let _e1145 = atomicLoad((&ranges[(256u + _e1138.member_1)]));
+            let _e1148 = atomicLoad((&ranges[(384u + _e1138.member_1)]));
+            if (_e1145 < _e1148) {
+                let _e1150 = (_e1148 - _e1145);
+                let _e1151 = (_e1150 / 1024u);
+                if ((_e1150 % 1024u) > 0u) {
+                    phi_1788_ = (_e1151 + 1u);
                 } else {
-                    phi_1778_ = _e1145;
+                    phi_1788_ = _e1151;
                 }
-                let _e1150 = phi_1778_;
-                phi_1779_ = _e1150;
+                let _e1156 = phi_1788_;
+                phi_1789_ = _e1156;
             } else {
-                phi_1779_ = 0u;
+                phi_1789_ = 0u;
             }
-            let _e1152 = phi_1779_;
-            let _e1153 = (_e1152 / 128u);
-            if ((_e1152 % 128u) > 0u) {
-                phi_1795_ = (_e1153 + 1u);
+            let _e1158 = phi_1789_;
+            let _e1159 = (_e1158 / 128u);
+            if ((_e1158 % 128u) > 0u) {
+                phi_1805_ = (_e1159 + 1u);
             } else {
-                phi_1795_ = _e1153;
+                phi_1805_ = _e1159;
             }
-            let _e1158 = phi_1795_;
-            phi_1798_ = type_9(0u, _e1158);
+            let _e1164 = phi_1805_;
+            phi_1808_ = type_9(0u, _e1164);
             loop {
-                let _e1161 = phi_1798_;
-                if (_e1161.member < _e1161.member_1) {
-                    phi_1799_ = type_9((_e1161.member + 1u), _e1161.member_1);
-                    phi_1822_ = type_9(1u, _e1161.member);
+                let _e1167 = phi_1808_;
+                if (_e1167.member < _e1167.member_1) {
+                    phi_1809_ = type_9((_e1167.member + 1u), _e1167.member_1);
+                    phi_1832_ = type_9(1u, _e1167.member);
                 } else {
-                    phi_1799_ = _e1161;
-                    phi_1822_ = type_9(0u, type_9().member_1);
+                    phi_1809_ = _e1167;
+                    phi_1832_ = type_9(0u, type_9().member_1);
                 }
-                let _e1173 = phi_1799_;
-                let _e1175 = phi_1822_;
-                let _e1179 = (bitcast<i32>(_e1175.member) != 0i);
-                if _e1179 {
-                    let _e1181 = ((_e1175.member_1 * 128u) + _e87);
-                    if (_e1181 < _e1152) {
-                        let _e1184 = (_e1139 + (_e1181 * 1024u));
-                        let _e1185 = (_e1142 - _e1184);
-                        if (1024u < _e1185) {
-                            phi_1843_ = 1024u;
+                let _e1179 = phi_1809_;
+                let _e1181 = phi_1832_;
+                let _e1185 = (bitcast<i32>(_e1181.member) != 0i);
+                if _e1185 {
+                    let _e1187 = ((_e1181.member_1 * 128u) + _e87);
+                    if (_e1187 < _e1158) {
+                        let _e1190 = (_e1145 + (_e1187 * 1024u));
+                        let _e1191 = (_e1148 - _e1190);
+                        if (1024u < _e1191) {
+                            phi_1853_ = 1024u;
                         } else {
-                            phi_1843_ = _e1185;
+                            phi_1853_ = _e1191;
                         }
-                        let _e1188 = phi_1843_;
-                        let _e1189 = (_e1188 / 128u);
-                        if ((_e1188 % 128u) > 0u) {
-                            phi_1859_ = (_e1189 + 1u);
+                        let _e1194 = phi_1853_;
+                        let _e1195 = (_e1194 / 128u);
+                        if ((_e1194 % 128u) > 0u) {
+                            phi_1869_ = (_e1195 + 1u);
                         } else {
-                            phi_1859_ = _e1189;
+                            phi_1869_ = _e1195;
                         }
-                        let _e1194 = phi_1859_;
-                        let _e1205 = atomicLoad((&ranges[(512u + _e1132.member_1)]));
-                        let _e1206 = (_e1205 + _e1181);
-                        let _e1209 = params.member.member_1.member_3;
-                        if (_e1206 < _e1209) {
-                            let _e1211 = (2u * _e1206);
-                            atomicStore((&work.member[(4u + _e1211)]), (((_e106 + _e1132.member_1) << bitcast<u32>(24i)) | _e97));
-                            atomicStore((&work.member[(_e1211 + 5u)]), (((_e1194 - 1u) << bitcast<u32>(29i)) | _e1184));
+                        let _e1200 = phi_1869_;
+                        let _e1211 = atomicLoad((&ranges[(512u + _e1138.member_1)]));
+                        let _e1212 = (_e1211 + _e1187);
+                        let _e1215 = params.member.member_1.member_3;
+                        if (_e1212 < _e1215) {
+                            let _e1217 = (2u * _e1212);
+                            atomicStore((&work.member[(4u + _e1217)]), (((_e106 + _e1138.member_1) << bitcast<u32>(24i)) | _e97));
+                            atomicStore((&work.member[(_e1217 + 5u)]), (((_e1200 - 1u) << bitcast<u32>(29i)) | _e1190));
                         }
                     }
                 }
                 continue;
                 continuing {
-                    phi_1798_ = _e1173;
-                    break if !(_e1179);
+                    phi_1808_ = _e1179;
+                    break if !(_e1185);
                 }
             }
         }
         continue;
         continuing {
-            phi_1720_ = _e1130;
-            break if !(_e1136);
+            phi_1730_ = _e1136;
+            break if !(_e1142);
         }
     }
     return;

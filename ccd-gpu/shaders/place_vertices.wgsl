@@ -99,151 +99,167 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_3: array<f64, 3>;
     var local_4: type_16;
     var local_5: type_32;
-    var local_6: type_32;
-    var phi_188_: f64;
-    var phi_195_: f64;
-    var phi_202_: f64;
-    var phi_210_: f64;
-    var phi_217_: f64;
-    var phi_224_: f64;
-    var phi_254_: type_9;
-    var phi_255_: type_9;
-    var phi_278_: type_9;
-    var phi_305_: bool;
-    var phi_322_: f64;
-    var phi_323_: f64;
-    var phi_324_: f64;
-    var phi_351_: bool;
-    var phi_368_: f64;
-    var phi_369_: f64;
-    var phi_370_: f64;
-    var phi_425_: type_9;
-    var phi_426_: type_9;
-    var phi_449_: type_9;
-    var phi_536_: bool;
-    var phi_537_: u32;
-    var phi_538_: bool;
-    var phi_539_: u32;
-    var phi_540_: bool;
-    var phi_541_: u32;
-    var phi_542_: bool;
-    var phi_543_: u32;
-    var phi_556_: type_14;
-    var phi_604_: bool;
-    var phi_605_: u32;
-    var phi_606_: bool;
-    var phi_607_: u32;
-    var phi_608_: bool;
-    var phi_609_: u32;
-    var phi_610_: bool;
-    var phi_611_: u32;
-    var phi_624_: type_14;
-    var phi_644_: bool;
+    var local_6: array<f64, 3>;
+    var local_7: array<f64, 3>;
+    var local_8: type_32;
+    var local_9: type_32;
+    var phi_195_: type_9;
+    var phi_196_: type_9;
+    var phi_219_: type_9;
+    var phi_251_: bool;
+    var phi_252_: bool;
+    var phi_259_: array<u32, 2>;
+    var phi_260_: bool;
+    var phi_261_: array<u32, 2>;
+    var phi_262_: bool;
+    var phi_268_: array<u32, 2>;
+    var phi_293_: bool;
+    var phi_294_: bool;
+    var phi_301_: array<u32, 2>;
+    var phi_302_: bool;
+    var phi_303_: array<u32, 2>;
+    var phi_304_: bool;
+    var phi_310_: array<u32, 2>;
+    var phi_326_: bool;
+    var phi_327_: bool;
+    var phi_374_: type_9;
+    var phi_375_: type_9;
+    var phi_398_: type_9;
+    var phi_425_: bool;
+    var phi_442_: f64;
+    var phi_443_: f64;
+    var phi_444_: f64;
+    var phi_471_: bool;
+    var phi_488_: f64;
+    var phi_489_: f64;
+    var phi_490_: f64;
+    var phi_534_: type_9;
+    var phi_535_: type_9;
+    var phi_558_: type_9;
     var phi_645_: bool;
+    var phi_646_: u32;
+    var phi_647_: bool;
+    var phi_648_: u32;
     var phi_649_: bool;
-    var phi_650_: bool;
-    var phi_654_: f32;
-    var phi_716_: bool;
-    var phi_717_: u32;
-    var phi_718_: bool;
-    var phi_719_: u32;
-    var phi_720_: bool;
-    var phi_721_: u32;
-    var phi_722_: bool;
-    var phi_723_: u32;
-    var phi_736_: type_14;
-    var phi_784_: bool;
-    var phi_785_: u32;
-    var phi_786_: bool;
-    var phi_787_: u32;
-    var phi_788_: bool;
-    var phi_789_: u32;
-    var phi_790_: bool;
-    var phi_791_: u32;
-    var phi_804_: type_14;
-    var phi_824_: bool;
+    var phi_650_: u32;
+    var phi_651_: bool;
+    var phi_652_: u32;
+    var phi_665_: type_14;
+    var phi_713_: bool;
+    var phi_714_: u32;
+    var phi_715_: bool;
+    var phi_716_: u32;
+    var phi_717_: bool;
+    var phi_718_: u32;
+    var phi_719_: bool;
+    var phi_720_: u32;
+    var phi_733_: type_14;
+    var phi_753_: bool;
+    var phi_754_: bool;
+    var phi_758_: bool;
+    var phi_759_: bool;
+    var phi_763_: f32;
     var phi_825_: bool;
+    var phi_826_: u32;
+    var phi_827_: bool;
+    var phi_828_: u32;
     var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_834_: f32;
-    var phi_888_: bool;
-    var phi_889_: bool;
-    var phi_896_: array<u32, 2>;
+    var phi_830_: u32;
+    var phi_831_: bool;
+    var phi_832_: u32;
+    var phi_845_: type_14;
+    var phi_893_: bool;
+    var phi_894_: u32;
+    var phi_895_: bool;
+    var phi_896_: u32;
     var phi_897_: bool;
-    var phi_898_: array<u32, 2>;
+    var phi_898_: u32;
     var phi_899_: bool;
-    var phi_905_: array<u32, 2>;
-    var phi_924_: bool;
-    var phi_925_: bool;
-    var phi_932_: array<u32, 2>;
+    var phi_900_: u32;
+    var phi_913_: type_14;
     var phi_933_: bool;
-    var phi_934_: array<u32, 2>;
-    var phi_935_: bool;
-    var phi_941_: array<u32, 2>;
-    var phi_960_: bool;
-    var phi_961_: bool;
-    var phi_968_: array<u32, 2>;
-    var phi_969_: bool;
-    var phi_970_: array<u32, 2>;
-    var phi_971_: bool;
-    var phi_977_: array<u32, 2>;
-    var phi_996_: bool;
+    var phi_934_: bool;
+    var phi_938_: bool;
+    var phi_939_: bool;
+    var phi_943_: f32;
     var phi_997_: bool;
-    var phi_1004_: array<u32, 2>;
-    var phi_1005_: bool;
-    var phi_1006_: array<u32, 2>;
-    var phi_1007_: bool;
-    var phi_1013_: array<u32, 2>;
-    var phi_1032_: bool;
+    var phi_998_: bool;
+    var phi_1005_: array<u32, 2>;
+    var phi_1006_: bool;
+    var phi_1007_: array<u32, 2>;
+    var phi_1008_: bool;
+    var phi_1014_: array<u32, 2>;
     var phi_1033_: bool;
-    var phi_1040_: array<u32, 2>;
-    var phi_1041_: bool;
-    var phi_1042_: array<u32, 2>;
-    var phi_1043_: bool;
-    var phi_1049_: array<u32, 2>;
-    var phi_1068_: bool;
+    var phi_1034_: bool;
+    var phi_1041_: array<u32, 2>;
+    var phi_1042_: bool;
+    var phi_1043_: array<u32, 2>;
+    var phi_1044_: bool;
+    var phi_1050_: array<u32, 2>;
     var phi_1069_: bool;
-    var phi_1076_: array<u32, 2>;
-    var phi_1077_: bool;
-    var phi_1078_: array<u32, 2>;
-    var phi_1079_: bool;
-    var phi_1085_: array<u32, 2>;
-    var phi_1091_: type_9;
-    var phi_1092_: type_9;
-    var phi_1115_: type_9;
-    var phi_1176_: bool;
-    var phi_1177_: u32;
+    var phi_1070_: bool;
+    var phi_1077_: array<u32, 2>;
+    var phi_1078_: bool;
+    var phi_1079_: array<u32, 2>;
+    var phi_1080_: bool;
+    var phi_1086_: array<u32, 2>;
+    var phi_1105_: bool;
+    var phi_1106_: bool;
+    var phi_1113_: array<u32, 2>;
+    var phi_1114_: bool;
+    var phi_1115_: array<u32, 2>;
+    var phi_1116_: bool;
+    var phi_1122_: array<u32, 2>;
+    var phi_1141_: bool;
+    var phi_1142_: bool;
+    var phi_1149_: array<u32, 2>;
+    var phi_1150_: bool;
+    var phi_1151_: array<u32, 2>;
+    var phi_1152_: bool;
+    var phi_1158_: array<u32, 2>;
+    var phi_1177_: bool;
     var phi_1178_: bool;
-    var phi_1179_: u32;
-    var phi_1180_: bool;
-    var phi_1181_: u32;
-    var phi_1182_: bool;
-    var phi_1183_: u32;
-    var phi_1196_: type_14;
-    var phi_1203_: f32;
-    var phi_1208_: f32;
-    var phi_1269_: bool;
-    var phi_1270_: u32;
-    var phi_1271_: bool;
-    var phi_1272_: u32;
-    var phi_1273_: bool;
-    var phi_1274_: u32;
-    var phi_1275_: bool;
-    var phi_1276_: u32;
-    var phi_1289_: type_14;
-    var phi_1296_: f32;
-    var phi_1301_: f32;
-    var phi_1334_: type_9;
-    var phi_1335_: type_9;
-    var phi_1358_: type_9;
-    var phi_1379_: bool;
-    var phi_1402_: bool;
-    var phi_1406_: f32;
-    var phi_1415_: f32;
-    var phi_1436_: bool;
-    var phi_1459_: bool;
-    var phi_1463_: f32;
-    var phi_1472_: f32;
+    var phi_1185_: array<u32, 2>;
+    var phi_1186_: bool;
+    var phi_1187_: array<u32, 2>;
+    var phi_1188_: bool;
+    var phi_1194_: array<u32, 2>;
+    var phi_1200_: type_9;
+    var phi_1201_: type_9;
+    var phi_1224_: type_9;
+    var phi_1285_: bool;
+    var phi_1286_: u32;
+    var phi_1287_: bool;
+    var phi_1288_: u32;
+    var phi_1289_: bool;
+    var phi_1290_: u32;
+    var phi_1291_: bool;
+    var phi_1292_: u32;
+    var phi_1305_: type_14;
+    var phi_1312_: f32;
+    var phi_1317_: f32;
+    var phi_1378_: bool;
+    var phi_1379_: u32;
+    var phi_1380_: bool;
+    var phi_1381_: u32;
+    var phi_1382_: bool;
+    var phi_1383_: u32;
+    var phi_1384_: bool;
+    var phi_1385_: u32;
+    var phi_1398_: type_14;
+    var phi_1405_: f32;
+    var phi_1410_: f32;
+    var phi_1443_: type_9;
+    var phi_1444_: type_9;
+    var phi_1467_: type_9;
+    var phi_1488_: bool;
+    var phi_1511_: bool;
+    var phi_1515_: f32;
+    var phi_1524_: f32;
+    var phi_1545_: bool;
+    var phi_1568_: bool;
+    var phi_1572_: f32;
+    var phi_1581_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -251,930 +267,1021 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e52 = id_2;
-    let _e53 = n_2;
-    let _e54 = lane_2;
-    let _e66 = ((((_e52.y * _e53.x) + _e52.x) * 256u) + _e54);
-    let _e70 = params.member.member.member[0u];
-    if (_e66 < _e70) {
-        let _e74 = positions.member[_e66];
-        let _e77 = params.member.member.member[0u];
-        let _e80 = positions.member[(_e77 + _e66)];
-        if (_e74[0] < _e80[0]) {
-            phi_188_ = _e74[0];
-        } else {
-            phi_188_ = _e80[0];
-        }
-        let _e86 = phi_188_;
-        if (_e74[1] < _e80[1]) {
-            phi_195_ = _e74[1];
-        } else {
-            phi_195_ = _e80[1];
-        }
-        let _e91 = phi_195_;
-        if (_e74[2] < _e80[2]) {
-            phi_202_ = _e74[2];
-        } else {
-            phi_202_ = _e80[2];
-        }
-        let _e96 = phi_202_;
-        if (_e74[0] > _e80[0]) {
-            phi_210_ = _e74[0];
-        } else {
-            phi_210_ = _e80[0];
-        }
-        let _e101 = phi_210_;
-        if (_e74[1] > _e80[1]) {
-            phi_217_ = _e74[1];
-        } else {
-            phi_217_ = _e80[1];
-        }
-        let _e106 = phi_217_;
-        if (_e74[2] > _e80[2]) {
-            phi_224_ = _e74[2];
-        } else {
-            phi_224_ = _e80[2];
-        }
-        let _e111 = phi_224_;
-        let _e113 = params.member.member.member_9;
-        let _e120 = bitcast<f64>(((u64(_e113[1]) * 4294967296lu) + u64(_e113[0])));
-        if (_e120 > f64(0f)) {
-            local_5 = type_32(array<f64, 3>(_e86, _e91, _e96), array<f64, 3>(_e101, _e106, _e111));
-            phi_254_ = type_9(0u, 3u);
-            loop {
-                let _e130 = phi_254_;
-                if (_e130.member < _e130.member_1) {
-                    phi_255_ = type_9((_e130.member + 1u), _e130.member_1);
-                    phi_278_ = type_9(1u, _e130.member);
+    let _e55 = id_2;
+    let _e56 = n_2;
+    let _e57 = lane_2;
+    let _e69 = ((((_e55.y * _e56.x) + _e55.x) * 256u) + _e57);
+    let _e73 = params.member.member.member[0u];
+    if (_e69 < _e73) {
+        let _e77 = positions.member[_e69];
+        let _e80 = params.member.member.member[0u];
+        let _e83 = positions.member[(_e80 + _e69)];
+        local_6 = array<f64, 3>(_e77[0], _e77[1], _e77[2]);
+        local_7 = array<f64, 3>(_e83[0], _e83[1], _e83[2]);
+        let _e94 = local_6;
+        local_8.member = _e94;
+        let _e96 = local_7;
+        local_8.member_1 = _e96;
+        phi_195_ = type_9(0u, 3u);
+        loop {
+            let _e98 = phi_195_;
+            if (_e98.member < _e98.member_1) {
+                phi_196_ = type_9((_e98.member + 1u), _e98.member_1);
+                phi_219_ = type_9(1u, _e98.member);
+            } else {
+                phi_196_ = _e98;
+                phi_219_ = type_9(0u, type_9().member_1);
+            }
+            let _e110 = phi_196_;
+            let _e112 = phi_219_;
+            let _e116 = (bitcast<i32>(_e112.member) != 0i);
+            if _e116 {
+                let _e118 = local_6[_e112.member_1];
+                let _e119 = bitcast<u64>(_e118);
+                let _e120 = u32(_e119);
+                let _e122 = u32((_e119 / 4294967296lu));
+                if ((_e122 >> bitcast<u32>(31i)) == 0u) {
+                    phi_261_ = array<u32, 2>();
+                    phi_262_ = true;
                 } else {
-                    phi_255_ = _e130;
-                    phi_278_ = type_9(0u, type_9().member_1);
+                    if (_e122 == 2147483648u) {
+                        if (_e120 == 0u) {
+                            phi_251_ = false;
+                        } else {
+                            phi_251_ = true;
+                        }
+                        let _e129 = phi_251_;
+                        phi_252_ = _e129;
+                    } else {
+                        phi_252_ = true;
+                    }
+                    let _e131 = phi_252_;
+                    if _e131 {
+                        phi_259_ = array<u32, 2>(~(_e120), ~(_e122));
+                        phi_260_ = false;
+                    } else {
+                        phi_259_ = array<u32, 2>();
+                        phi_260_ = true;
+                    }
+                    let _e136 = phi_259_;
+                    let _e138 = phi_260_;
+                    phi_261_ = _e136;
+                    phi_262_ = _e138;
                 }
-                let _e142 = phi_255_;
-                let _e144 = phi_278_;
-                let _e148 = (bitcast<i32>(_e144.member) != 0i);
-                if _e148 {
-                    let _e151 = local_5.member[_e144.member_1];
-                    let _e153 = -((_e151 - _e120));
-                    let _e154 = bitcast<u64>(_e153);
-                    if ((_e154 & 9218868437227405312lu) == 9218868437227405312lu) {
-                        phi_305_ = (_e153 < 0.0lf);
-                    } else {
-                        phi_305_ = true;
-                    }
-                    let _e159 = phi_305_;
-                    if _e159 {
-                        if (_e153 > 0.0lf) {
-                            phi_323_ = bitcast<f64>((_e154 + 1lu));
+                let _e140 = phi_261_;
+                let _e142 = phi_262_;
+                if _e142 {
+                    phi_268_ = array<u32, 2>(_e120, (_e122 | 2147483648u));
+                } else {
+                    phi_268_ = _e140;
+                }
+                let _e146 = phi_268_;
+                let _e148 = local_7[_e112.member_1];
+                let _e149 = bitcast<u64>(_e148);
+                let _e150 = u32(_e149);
+                let _e152 = u32((_e149 / 4294967296lu));
+                if ((_e152 >> bitcast<u32>(31i)) == 0u) {
+                    phi_303_ = array<u32, 2>();
+                    phi_304_ = true;
+                } else {
+                    if (_e152 == 2147483648u) {
+                        if (_e150 == 0u) {
+                            phi_293_ = false;
                         } else {
-                            if (_e153 < 0.0lf) {
-                                phi_322_ = bitcast<f64>((_e154 - 1lu));
-                            } else {
-                                phi_322_ = 5e-324lf;
-                            }
-                            let _e165 = phi_322_;
-                            phi_323_ = _e165;
+                            phi_293_ = true;
                         }
-                        let _e169 = phi_323_;
-                        phi_324_ = _e169;
+                        let _e159 = phi_293_;
+                        phi_294_ = _e159;
                     } else {
-                        phi_324_ = _e153;
+                        phi_294_ = true;
                     }
-                    let _e171 = phi_324_;
-                    local_5.member[_e144.member_1] = -(_e171);
-                    let _e177 = local_5.member_1[_e144.member_1];
-                    let _e178 = (_e177 + _e120);
-                    let _e179 = bitcast<u64>(_e178);
-                    if ((_e179 & 9218868437227405312lu) == 9218868437227405312lu) {
-                        phi_351_ = (_e178 < 0.0lf);
+                    let _e161 = phi_294_;
+                    if _e161 {
+                        phi_301_ = array<u32, 2>(~(_e150), ~(_e152));
+                        phi_302_ = false;
                     } else {
-                        phi_351_ = true;
+                        phi_301_ = array<u32, 2>();
+                        phi_302_ = true;
                     }
-                    let _e184 = phi_351_;
-                    if _e184 {
-                        if (_e178 > 0.0lf) {
-                            phi_369_ = bitcast<f64>((_e179 + 1lu));
+                    let _e166 = phi_301_;
+                    let _e168 = phi_302_;
+                    phi_303_ = _e166;
+                    phi_304_ = _e168;
+                }
+                let _e170 = phi_303_;
+                let _e172 = phi_304_;
+                if _e172 {
+                    phi_310_ = array<u32, 2>(_e150, (_e152 | 2147483648u));
+                } else {
+                    phi_310_ = _e170;
+                }
+                let _e176 = phi_310_;
+                if (_e146[1] > _e176[1]) {
+                    phi_327_ = true;
+                } else {
+                    if (_e146[1] == _e176[1]) {
+                        phi_326_ = (_e146[0] > _e176[0]);
+                    } else {
+                        phi_326_ = false;
+                    }
+                    let _e187 = phi_326_;
+                    phi_327_ = _e187;
+                }
+                let _e189 = phi_327_;
+                if _e189 {
+                    let _e191 = local_7[_e112.member_1];
+                    local_8.member[_e112.member_1] = _e191;
+                    let _e195 = local_6[_e112.member_1];
+                    local_8.member_1[_e112.member_1] = _e195;
+                }
+            }
+            continue;
+            continuing {
+                phi_195_ = _e110;
+                break if !(_e116);
+            }
+        }
+        let _e200 = params.member.member.member_9;
+        let _e207 = bitcast<f64>(((u64(_e200[1]) * 4294967296lu) + u64(_e200[0])));
+        if (_e207 > f64(0f)) {
+            let _e211 = local_8;
+            local_5 = _e211;
+            phi_374_ = type_9(0u, 3u);
+            loop {
+                let _e213 = phi_374_;
+                if (_e213.member < _e213.member_1) {
+                    phi_375_ = type_9((_e213.member + 1u), _e213.member_1);
+                    phi_398_ = type_9(1u, _e213.member);
+                } else {
+                    phi_375_ = _e213;
+                    phi_398_ = type_9(0u, type_9().member_1);
+                }
+                let _e225 = phi_375_;
+                let _e227 = phi_398_;
+                let _e231 = (bitcast<i32>(_e227.member) != 0i);
+                if _e231 {
+                    let _e234 = local_5.member[_e227.member_1];
+                    let _e236 = -((_e234 - _e207));
+                    let _e237 = bitcast<u64>(_e236);
+                    if ((_e237 & 9218868437227405312lu) == 9218868437227405312lu) {
+                        phi_425_ = (_e236 < 0.0lf);
+                    } else {
+                        phi_425_ = true;
+                    }
+                    let _e242 = phi_425_;
+                    if _e242 {
+                        if (_e236 > 0.0lf) {
+                            phi_443_ = bitcast<f64>((_e237 + 1lu));
                         } else {
-                            if (_e178 < 0.0lf) {
-                                phi_368_ = bitcast<f64>((_e179 - 1lu));
+                            if (_e236 < 0.0lf) {
+                                phi_442_ = bitcast<f64>((_e237 - 1lu));
                             } else {
-                                phi_368_ = 5e-324lf;
+                                phi_442_ = 5e-324lf;
                             }
-                            let _e190 = phi_368_;
-                            phi_369_ = _e190;
+                            let _e248 = phi_442_;
+                            phi_443_ = _e248;
                         }
-                        let _e194 = phi_369_;
-                        phi_370_ = _e194;
+                        let _e252 = phi_443_;
+                        phi_444_ = _e252;
                     } else {
-                        phi_370_ = _e178;
+                        phi_444_ = _e236;
                     }
-                    let _e196 = phi_370_;
-                    local_5.member_1[_e144.member_1] = _e196;
+                    let _e254 = phi_444_;
+                    local_5.member[_e227.member_1] = -(_e254);
+                    let _e260 = local_5.member_1[_e227.member_1];
+                    let _e261 = (_e260 + _e207);
+                    let _e262 = bitcast<u64>(_e261);
+                    if ((_e262 & 9218868437227405312lu) == 9218868437227405312lu) {
+                        phi_471_ = (_e261 < 0.0lf);
+                    } else {
+                        phi_471_ = true;
+                    }
+                    let _e267 = phi_471_;
+                    if _e267 {
+                        if (_e261 > 0.0lf) {
+                            phi_489_ = bitcast<f64>((_e262 + 1lu));
+                        } else {
+                            if (_e261 < 0.0lf) {
+                                phi_488_ = bitcast<f64>((_e262 - 1lu));
+                            } else {
+                                phi_488_ = 5e-324lf;
+                            }
+                            let _e273 = phi_488_;
+                            phi_489_ = _e273;
+                        }
+                        let _e277 = phi_489_;
+                        phi_490_ = _e277;
+                    } else {
+                        phi_490_ = _e261;
+                    }
+                    let _e279 = phi_490_;
+                    local_5.member_1[_e227.member_1] = _e279;
                 }
                 continue;
                 continuing {
-                    phi_254_ = _e142;
-                    break if !(_e148);
+                    phi_374_ = _e225;
+                    break if !(_e231);
                 }
             }
         } else {
-            local_5 = type_32(array<f64, 3>(_e86, _e91, _e96), array<f64, 3>(_e101, _e106, _e111));
+            let _e210 = local_8;
+            local_5 = _e210;
         }
-        let _e200 = local_5;
-        local_6 = _e200;
-        local_2 = array<f64, 3>(_e74[0], _e74[1], _e74[2]);
-        local_3 = array<f64, 3>(_e80[0], _e80[1], _e80[2]);
+        let _e283 = local_5;
+        local_9 = _e283;
+        local_2 = array<f64, 3>(_e77[0], _e77[1], _e77[2]);
+        local_3 = array<f64, 3>(_e83[0], _e83[1], _e83[2]);
         local_4.member = array<f32, 4>(0f, 0f, 0f, 0f);
         local_4.member_1 = array<f32, 4>(0f, 0f, 0f, 0f);
-        phi_425_ = type_9(0u, 3u);
+        phi_534_ = type_9(0u, 3u);
         loop {
-            let _e213 = phi_425_;
-            if (_e213.member < _e213.member_1) {
-                phi_426_ = type_9((_e213.member + 1u), _e213.member_1);
-                phi_449_ = type_9(1u, _e213.member);
+            let _e296 = phi_534_;
+            if (_e296.member < _e296.member_1) {
+                phi_535_ = type_9((_e296.member + 1u), _e296.member_1);
+                phi_558_ = type_9(1u, _e296.member);
             } else {
-                phi_426_ = _e213;
-                phi_449_ = type_9(0u, type_9().member_1);
+                phi_535_ = _e296;
+                phi_558_ = type_9(0u, type_9().member_1);
             }
-            let _e225 = phi_426_;
-            let _e227 = phi_449_;
-            let _e231 = (bitcast<i32>(_e227.member) != 0i);
-            if _e231 {
-                let _e234 = params.member.member.member_8[_e227.member_1];
-                let _e241 = bitcast<f64>(((u64(_e234[1]) * 4294967296lu) + u64(_e234[0])));
-                let _e243 = params.member.member.member_10;
-                let _e250 = bitcast<f64>(((u64(_e243[1]) * 4294967296lu) + u64(_e243[0])));
-                let _e252 = local_2[_e227.member_1];
-                let _e254 = ((_e252 - _e241) * _e250);
-                let _e255 = bitcast<u64>(_e254);
-                let _e256 = u32(_e255);
-                let _e258 = u32((_e255 / 4294967296lu));
-                let _e259 = (_e258 & 2147483648u);
-                let _e262 = ((_e258 >> bitcast<u32>(20i)) & 2047u);
-                let _e268 = (((_e258 & 1048575u) << bitcast<u32>(3i)) | (_e256 >> bitcast<u32>(29i)));
-                let _e269 = (_e256 & 536870911u);
-                if (_e262 == 2047u) {
-                    phi_542_ = false;
-                    phi_543_ = (2139095040u | _e268);
+            let _e308 = phi_535_;
+            let _e310 = phi_558_;
+            let _e314 = (bitcast<i32>(_e310.member) != 0i);
+            if _e314 {
+                let _e317 = params.member.member.member_8[_e310.member_1];
+                let _e324 = bitcast<f64>(((u64(_e317[1]) * 4294967296lu) + u64(_e317[0])));
+                let _e326 = params.member.member.member_10;
+                let _e333 = bitcast<f64>(((u64(_e326[1]) * 4294967296lu) + u64(_e326[0])));
+                let _e335 = local_2[_e310.member_1];
+                let _e337 = ((_e335 - _e324) * _e333);
+                let _e338 = bitcast<u64>(_e337);
+                let _e339 = u32(_e338);
+                let _e341 = u32((_e338 / 4294967296lu));
+                let _e342 = (_e341 & 2147483648u);
+                let _e345 = ((_e341 >> bitcast<u32>(20i)) & 2047u);
+                let _e351 = (((_e341 & 1048575u) << bitcast<u32>(3i)) | (_e339 >> bitcast<u32>(29i)));
+                let _e352 = (_e339 & 536870911u);
+                if (_e345 == 2047u) {
+                    phi_651_ = false;
+                    phi_652_ = (2139095040u | _e351);
                 } else {
-                    if (_e262 > 1150u) {
-                        phi_540_ = true;
-                        phi_541_ = 2139095039u;
-                    } else {
-                        if (_e262 > 896u) {
-                            phi_538_ = (_e269 != 0u);
-                            phi_539_ = (((_e262 - 896u) << bitcast<u32>(23i)) | _e268);
-                        } else {
-                            if (_e262 >= 873u) {
-                                let _e277 = (8388608u | _e268);
-                                let _e278 = (897u - _e262);
-                                phi_536_ = (((_e277 & ((1u << bitcast<u32>((_e278 & 31u))) - 1u)) | _e269) != 0u);
-                                phi_537_ = (_e277 >> bitcast<u32>((_e278 & 31u)));
-                            } else {
-                                phi_536_ = (((_e258 & 2147483647u) | _e256) != 0u);
-                                phi_537_ = 0u;
-                            }
-                            let _e290 = phi_536_;
-                            let _e292 = phi_537_;
-                            phi_538_ = _e290;
-                            phi_539_ = _e292;
-                        }
-                        let _e299 = phi_538_;
-                        let _e301 = phi_539_;
-                        phi_540_ = _e299;
-                        phi_541_ = _e301;
-                    }
-                    let _e303 = phi_540_;
-                    let _e305 = phi_541_;
-                    phi_542_ = _e303;
-                    phi_543_ = _e305;
-                }
-                let _e308 = phi_542_;
-                let _e310 = phi_543_;
-                let _e312 = bitcast<f32>((_e259 | _e310));
-                let _e316 = bitcast<f32>(((_e259 | _e310) + select(0u, 1u, _e308)));
-                if (_e259 == 0u) {
-                    phi_556_ = type_14(_e312, _e316);
-                } else {
-                    phi_556_ = type_14(_e316, _e312);
-                }
-                let _e321 = phi_556_;
-                let _e323 = bitcast<u64>(_e254);
-                let _e324 = u32(_e323);
-                let _e326 = u32((_e323 / 4294967296lu));
-                let _e327 = (_e326 & 2147483648u);
-                let _e330 = ((_e326 >> bitcast<u32>(20i)) & 2047u);
-                let _e336 = (((_e326 & 1048575u) << bitcast<u32>(3i)) | (_e324 >> bitcast<u32>(29i)));
-                let _e337 = (_e324 & 536870911u);
-                if (_e330 == 2047u) {
-                    phi_610_ = false;
-                    phi_611_ = (2139095040u | _e336);
-                } else {
-                    if (_e330 > 1150u) {
-                        phi_608_ = true;
-                        phi_609_ = 2139095039u;
-                    } else {
-                        if (_e330 > 896u) {
-                            phi_606_ = (_e337 != 0u);
-                            phi_607_ = (((_e330 - 896u) << bitcast<u32>(23i)) | _e336);
-                        } else {
-                            if (_e330 >= 873u) {
-                                let _e345 = (8388608u | _e336);
-                                let _e346 = (897u - _e330);
-                                phi_604_ = (((_e345 & ((1u << bitcast<u32>((_e346 & 31u))) - 1u)) | _e337) != 0u);
-                                phi_605_ = (_e345 >> bitcast<u32>((_e346 & 31u)));
-                            } else {
-                                phi_604_ = (((_e326 & 2147483647u) | _e324) != 0u);
-                                phi_605_ = 0u;
-                            }
-                            let _e358 = phi_604_;
-                            let _e360 = phi_605_;
-                            phi_606_ = _e358;
-                            phi_607_ = _e360;
-                        }
-                        let _e367 = phi_606_;
-                        let _e369 = phi_607_;
-                        phi_608_ = _e367;
-                        phi_609_ = _e369;
-                    }
-                    let _e371 = phi_608_;
-                    let _e373 = phi_609_;
-                    phi_610_ = _e371;
-                    phi_611_ = _e373;
-                }
-                let _e376 = phi_610_;
-                let _e378 = phi_611_;
-                let _e380 = bitcast<f32>((_e327 | _e378));
-                let _e384 = bitcast<f32>(((_e327 | _e378) + select(0u, 1u, _e376)));
-                if (_e327 == 0u) {
-                    phi_624_ = type_14(_e380, _e384);
-                } else {
-                    phi_624_ = type_14(_e384, _e380);
-                }
-                let _e389 = phi_624_;
-                let _e392 = (_e254 - f64(_e321.member));
-                let _e394 = (f64(_e389.member_1) - _e254);
-                if (_e392 < _e394) {
-                    phi_650_ = true;
-                } else {
-                    if (_e392 == _e394) {
-                        if ((bitcast<u32>(_e321.member) & 1u) == 0u) {
-                            phi_644_ = false;
-                        } else {
-                            phi_644_ = true;
-                        }
-                        let _e401 = phi_644_;
-                        phi_645_ = _e401;
-                    } else {
-                        phi_645_ = true;
-                    }
-                    let _e403 = phi_645_;
-                    if _e403 {
-                        phi_649_ = false;
-                    } else {
+                    if (_e345 > 1150u) {
                         phi_649_ = true;
-                    }
-                    let _e405 = phi_649_;
-                    phi_650_ = _e405;
-                }
-                let _e407 = phi_650_;
-                if _e407 {
-                    phi_654_ = _e321.member;
-                } else {
-                    phi_654_ = _e389.member_1;
-                }
-                let _e409 = phi_654_;
-                local_4.member[_e227.member_1] = _e409;
-                let _e413 = local_3[_e227.member_1];
-                let _e415 = ((_e413 - _e241) * _e250);
-                let _e416 = bitcast<u64>(_e415);
-                let _e417 = u32(_e416);
-                let _e419 = u32((_e416 / 4294967296lu));
-                let _e420 = (_e419 & 2147483648u);
-                let _e423 = ((_e419 >> bitcast<u32>(20i)) & 2047u);
-                let _e429 = (((_e419 & 1048575u) << bitcast<u32>(3i)) | (_e417 >> bitcast<u32>(29i)));
-                let _e430 = (_e417 & 536870911u);
-                if (_e423 == 2047u) {
-                    phi_722_ = false;
-                    phi_723_ = (2139095040u | _e429);
-                } else {
-                    if (_e423 > 1150u) {
-                        phi_720_ = true;
-                        phi_721_ = 2139095039u;
+                        phi_650_ = 2139095039u;
                     } else {
-                        if (_e423 > 896u) {
-                            phi_718_ = (_e430 != 0u);
-                            phi_719_ = (((_e423 - 896u) << bitcast<u32>(23i)) | _e429);
+                        if (_e345 > 896u) {
+                            phi_647_ = (_e352 != 0u);
+                            phi_648_ = (((_e345 - 896u) << bitcast<u32>(23i)) | _e351);
                         } else {
-                            if (_e423 >= 873u) {
-                                let _e438 = (8388608u | _e429);
-                                let _e439 = (897u - _e423);
-                                phi_716_ = (((_e438 & ((1u << bitcast<u32>((_e439 & 31u))) - 1u)) | _e430) != 0u);
-                                phi_717_ = (_e438 >> bitcast<u32>((_e439 & 31u)));
+                            if (_e345 >= 873u) {
+                                let _e360 = (8388608u | _e351);
+                                let _e361 = (897u - _e345);
+                                phi_645_ = (((_e360 & ((1u << bitcast<u32>((_e361 & 31u))) - 1u)) | _e352) != 0u);
+                                phi_646_ = (_e360 >> bitcast<u32>((_e361 & 31u)));
                             } else {
-                                phi_716_ = (((_e419 & 2147483647u) | _e417) != 0u);
-                                phi_717_ = 0u;
+                                phi_645_ = (((_e341 & 2147483647u) | _e339) != 0u);
+                                phi_646_ = 0u;
                             }
-                            let _e451 = phi_716_;
-                            let _e453 = phi_717_;
-                            phi_718_ = _e451;
-                            phi_719_ = _e453;
+                            let _e373 = phi_645_;
+                            let _e375 = phi_646_;
+                            phi_647_ = _e373;
+                            phi_648_ = _e375;
                         }
-                        let _e460 = phi_718_;
-                        let _e462 = phi_719_;
-                        phi_720_ = _e460;
-                        phi_721_ = _e462;
+                        let _e382 = phi_647_;
+                        let _e384 = phi_648_;
+                        phi_649_ = _e382;
+                        phi_650_ = _e384;
                     }
-                    let _e464 = phi_720_;
-                    let _e466 = phi_721_;
-                    phi_722_ = _e464;
-                    phi_723_ = _e466;
+                    let _e386 = phi_649_;
+                    let _e388 = phi_650_;
+                    phi_651_ = _e386;
+                    phi_652_ = _e388;
                 }
-                let _e469 = phi_722_;
-                let _e471 = phi_723_;
-                let _e473 = bitcast<f32>((_e420 | _e471));
-                let _e477 = bitcast<f32>(((_e420 | _e471) + select(0u, 1u, _e469)));
-                if (_e420 == 0u) {
-                    phi_736_ = type_14(_e473, _e477);
+                let _e391 = phi_651_;
+                let _e393 = phi_652_;
+                let _e395 = bitcast<f32>((_e342 | _e393));
+                let _e399 = bitcast<f32>(((_e342 | _e393) + select(0u, 1u, _e391)));
+                if (_e342 == 0u) {
+                    phi_665_ = type_14(_e395, _e399);
                 } else {
-                    phi_736_ = type_14(_e477, _e473);
+                    phi_665_ = type_14(_e399, _e395);
                 }
-                let _e482 = phi_736_;
-                let _e484 = bitcast<u64>(_e415);
-                let _e485 = u32(_e484);
-                let _e487 = u32((_e484 / 4294967296lu));
-                let _e488 = (_e487 & 2147483648u);
-                let _e491 = ((_e487 >> bitcast<u32>(20i)) & 2047u);
-                let _e497 = (((_e487 & 1048575u) << bitcast<u32>(3i)) | (_e485 >> bitcast<u32>(29i)));
-                let _e498 = (_e485 & 536870911u);
-                if (_e491 == 2047u) {
-                    phi_790_ = false;
-                    phi_791_ = (2139095040u | _e497);
+                let _e404 = phi_665_;
+                let _e406 = bitcast<u64>(_e337);
+                let _e407 = u32(_e406);
+                let _e409 = u32((_e406 / 4294967296lu));
+                let _e410 = (_e409 & 2147483648u);
+                let _e413 = ((_e409 >> bitcast<u32>(20i)) & 2047u);
+                let _e419 = (((_e409 & 1048575u) << bitcast<u32>(3i)) | (_e407 >> bitcast<u32>(29i)));
+                let _e420 = (_e407 & 536870911u);
+                if (_e413 == 2047u) {
+                    phi_719_ = false;
+                    phi_720_ = (2139095040u | _e419);
                 } else {
-                    if (_e491 > 1150u) {
-                        phi_788_ = true;
-                        phi_789_ = 2139095039u;
+                    if (_e413 > 1150u) {
+                        phi_717_ = true;
+                        phi_718_ = 2139095039u;
                     } else {
-                        if (_e491 > 896u) {
-                            phi_786_ = (_e498 != 0u);
-                            phi_787_ = (((_e491 - 896u) << bitcast<u32>(23i)) | _e497);
+                        if (_e413 > 896u) {
+                            phi_715_ = (_e420 != 0u);
+                            phi_716_ = (((_e413 - 896u) << bitcast<u32>(23i)) | _e419);
                         } else {
-                            if (_e491 >= 873u) {
-                                let _e506 = (8388608u | _e497);
-                                let _e507 = (897u - _e491);
-                                phi_784_ = (((_e506 & ((1u << bitcast<u32>((_e507 & 31u))) - 1u)) | _e498) != 0u);
-                                phi_785_ = (_e506 >> bitcast<u32>((_e507 & 31u)));
+                            if (_e413 >= 873u) {
+                                let _e428 = (8388608u | _e419);
+                                let _e429 = (897u - _e413);
+                                phi_713_ = (((_e428 & ((1u << bitcast<u32>((_e429 & 31u))) - 1u)) | _e420) != 0u);
+                                phi_714_ = (_e428 >> bitcast<u32>((_e429 & 31u)));
                             } else {
-                                phi_784_ = (((_e487 & 2147483647u) | _e485) != 0u);
-                                phi_785_ = 0u;
+                                phi_713_ = (((_e409 & 2147483647u) | _e407) != 0u);
+                                phi_714_ = 0u;
                             }
-                            let _e519 = phi_784_;
-                            let _e521 = phi_785_;
-                            phi_786_ = _e519;
-                            phi_787_ = _e521;
+                            let _e441 = phi_713_;
+                            let _e443 = phi_714_;
+                            phi_715_ = _e441;
+                            phi_716_ = _e443;
                         }
-                        let _e528 = phi_786_;
-                        let _e530 = phi_787_;
-                        phi_788_ = _e528;
-                        phi_789_ = _e530;
+                        let _e450 = phi_715_;
+                        let _e452 = phi_716_;
+                        phi_717_ = _e450;
+                        phi_718_ = _e452;
                     }
-                    let _e532 = phi_788_;
-                    let _e534 = phi_789_;
-                    phi_790_ = _e532;
-                    phi_791_ = _e534;
+                    let _e454 = phi_717_;
+                    let _e456 = phi_718_;
+                    phi_719_ = _e454;
+                    phi_720_ = _e456;
                 }
-                let _e537 = phi_790_;
-                let _e539 = phi_791_;
-                let _e541 = bitcast<f32>((_e488 | _e539));
-                let _e545 = bitcast<f32>(((_e488 | _e539) + select(0u, 1u, _e537)));
-                if (_e488 == 0u) {
-                    phi_804_ = type_14(_e541, _e545);
+                let _e459 = phi_719_;
+                let _e461 = phi_720_;
+                let _e463 = bitcast<f32>((_e410 | _e461));
+                let _e467 = bitcast<f32>(((_e410 | _e461) + select(0u, 1u, _e459)));
+                if (_e410 == 0u) {
+                    phi_733_ = type_14(_e463, _e467);
                 } else {
-                    phi_804_ = type_14(_e545, _e541);
+                    phi_733_ = type_14(_e467, _e463);
                 }
-                let _e550 = phi_804_;
-                let _e553 = (_e415 - f64(_e482.member));
-                let _e555 = (f64(_e550.member_1) - _e415);
-                if (_e553 < _e555) {
-                    phi_830_ = true;
+                let _e472 = phi_733_;
+                let _e475 = (_e337 - f64(_e404.member));
+                let _e477 = (f64(_e472.member_1) - _e337);
+                if (_e475 < _e477) {
+                    phi_759_ = true;
                 } else {
-                    if (_e553 == _e555) {
-                        if ((bitcast<u32>(_e482.member) & 1u) == 0u) {
-                            phi_824_ = false;
+                    if (_e475 == _e477) {
+                        if ((bitcast<u32>(_e404.member) & 1u) == 0u) {
+                            phi_753_ = false;
                         } else {
-                            phi_824_ = true;
+                            phi_753_ = true;
                         }
-                        let _e562 = phi_824_;
-                        phi_825_ = _e562;
+                        let _e484 = phi_753_;
+                        phi_754_ = _e484;
                     } else {
-                        phi_825_ = true;
+                        phi_754_ = true;
                     }
-                    let _e564 = phi_825_;
-                    if _e564 {
-                        phi_829_ = false;
+                    let _e486 = phi_754_;
+                    if _e486 {
+                        phi_758_ = false;
                     } else {
+                        phi_758_ = true;
+                    }
+                    let _e488 = phi_758_;
+                    phi_759_ = _e488;
+                }
+                let _e490 = phi_759_;
+                if _e490 {
+                    phi_763_ = _e404.member;
+                } else {
+                    phi_763_ = _e472.member_1;
+                }
+                let _e492 = phi_763_;
+                local_4.member[_e310.member_1] = _e492;
+                let _e496 = local_3[_e310.member_1];
+                let _e498 = ((_e496 - _e324) * _e333);
+                let _e499 = bitcast<u64>(_e498);
+                let _e500 = u32(_e499);
+                let _e502 = u32((_e499 / 4294967296lu));
+                let _e503 = (_e502 & 2147483648u);
+                let _e506 = ((_e502 >> bitcast<u32>(20i)) & 2047u);
+                let _e512 = (((_e502 & 1048575u) << bitcast<u32>(3i)) | (_e500 >> bitcast<u32>(29i)));
+                let _e513 = (_e500 & 536870911u);
+                if (_e506 == 2047u) {
+                    phi_831_ = false;
+                    phi_832_ = (2139095040u | _e512);
+                } else {
+                    if (_e506 > 1150u) {
                         phi_829_ = true;
+                        phi_830_ = 2139095039u;
+                    } else {
+                        if (_e506 > 896u) {
+                            phi_827_ = (_e513 != 0u);
+                            phi_828_ = (((_e506 - 896u) << bitcast<u32>(23i)) | _e512);
+                        } else {
+                            if (_e506 >= 873u) {
+                                let _e521 = (8388608u | _e512);
+                                let _e522 = (897u - _e506);
+                                phi_825_ = (((_e521 & ((1u << bitcast<u32>((_e522 & 31u))) - 1u)) | _e513) != 0u);
+                                phi_826_ = (_e521 >> bitcast<u32>((_e522 & 31u)));
+                            } else {
+                                phi_825_ = (((_e502 & 2147483647u) | _e500) != 0u);
+                                phi_826_ = 0u;
+                            }
+                            let _e534 = phi_825_;
+                            let _e536 = phi_826_;
+                            phi_827_ = _e534;
+                            phi_828_ = _e536;
+                        }
+                        let _e543 = phi_827_;
+                        let _e545 = phi_828_;
+                        phi_829_ = _e543;
+                        phi_830_ = _e545;
                     }
-                    let _e566 = phi_829_;
-                    phi_830_ = _e566;
+                    let _e547 = phi_829_;
+                    let _e549 = phi_830_;
+                    phi_831_ = _e547;
+                    phi_832_ = _e549;
                 }
-                let _e568 = phi_830_;
-                if _e568 {
-                    phi_834_ = _e482.member;
+                let _e552 = phi_831_;
+                let _e554 = phi_832_;
+                let _e556 = bitcast<f32>((_e503 | _e554));
+                let _e560 = bitcast<f32>(((_e503 | _e554) + select(0u, 1u, _e552)));
+                if (_e503 == 0u) {
+                    phi_845_ = type_14(_e556, _e560);
                 } else {
-                    phi_834_ = _e550.member_1;
+                    phi_845_ = type_14(_e560, _e556);
                 }
-                let _e570 = phi_834_;
-                local_4.member_1[_e227.member_1] = _e570;
+                let _e565 = phi_845_;
+                let _e567 = bitcast<u64>(_e498);
+                let _e568 = u32(_e567);
+                let _e570 = u32((_e567 / 4294967296lu));
+                let _e571 = (_e570 & 2147483648u);
+                let _e574 = ((_e570 >> bitcast<u32>(20i)) & 2047u);
+                let _e580 = (((_e570 & 1048575u) << bitcast<u32>(3i)) | (_e568 >> bitcast<u32>(29i)));
+                let _e581 = (_e568 & 536870911u);
+                if (_e574 == 2047u) {
+                    phi_899_ = false;
+                    phi_900_ = (2139095040u | _e580);
+                } else {
+                    if (_e574 > 1150u) {
+                        phi_897_ = true;
+                        phi_898_ = 2139095039u;
+                    } else {
+                        if (_e574 > 896u) {
+                            phi_895_ = (_e581 != 0u);
+                            phi_896_ = (((_e574 - 896u) << bitcast<u32>(23i)) | _e580);
+                        } else {
+                            if (_e574 >= 873u) {
+                                let _e589 = (8388608u | _e580);
+                                let _e590 = (897u - _e574);
+                                phi_893_ = (((_e589 & ((1u << bitcast<u32>((_e590 & 31u))) - 1u)) | _e581) != 0u);
+                                phi_894_ = (_e589 >> bitcast<u32>((_e590 & 31u)));
+                            } else {
+                                phi_893_ = (((_e570 & 2147483647u) | _e568) != 0u);
+                                phi_894_ = 0u;
+                            }
+                            let _e602 = phi_893_;
+                            let _e604 = phi_894_;
+                            phi_895_ = _e602;
+                            phi_896_ = _e604;
+                        }
+                        let _e611 = phi_895_;
+                        let _e613 = phi_896_;
+                        phi_897_ = _e611;
+                        phi_898_ = _e613;
+                    }
+                    let _e615 = phi_897_;
+                    let _e617 = phi_898_;
+                    phi_899_ = _e615;
+                    phi_900_ = _e617;
+                }
+                let _e620 = phi_899_;
+                let _e622 = phi_900_;
+                let _e624 = bitcast<f32>((_e571 | _e622));
+                let _e628 = bitcast<f32>(((_e571 | _e622) + select(0u, 1u, _e620)));
+                if (_e571 == 0u) {
+                    phi_913_ = type_14(_e624, _e628);
+                } else {
+                    phi_913_ = type_14(_e628, _e624);
+                }
+                let _e633 = phi_913_;
+                let _e636 = (_e498 - f64(_e565.member));
+                let _e638 = (f64(_e633.member_1) - _e498);
+                if (_e636 < _e638) {
+                    phi_939_ = true;
+                } else {
+                    if (_e636 == _e638) {
+                        if ((bitcast<u32>(_e565.member) & 1u) == 0u) {
+                            phi_933_ = false;
+                        } else {
+                            phi_933_ = true;
+                        }
+                        let _e645 = phi_933_;
+                        phi_934_ = _e645;
+                    } else {
+                        phi_934_ = true;
+                    }
+                    let _e647 = phi_934_;
+                    if _e647 {
+                        phi_938_ = false;
+                    } else {
+                        phi_938_ = true;
+                    }
+                    let _e649 = phi_938_;
+                    phi_939_ = _e649;
+                }
+                let _e651 = phi_939_;
+                if _e651 {
+                    phi_943_ = _e565.member;
+                } else {
+                    phi_943_ = _e633.member_1;
+                }
+                let _e653 = phi_943_;
+                local_4.member_1[_e310.member_1] = _e653;
             }
             continue;
             continuing {
-                phi_425_ = _e225;
-                break if !(_e231);
+                phi_534_ = _e308;
+                break if !(_e314);
             }
         }
-        let _e574 = local_4;
-        paths.member[_e66] = type_16(array<f32, 4>(_e574.member[0], _e574.member[1], _e574.member[2], _e574.member[3]), array<f32, 4>(_e574.member_1[0], _e574.member_1[1], _e574.member_1[2], _e574.member_1[3]));
-        let _e590 = local_6.member;
-        let _e595 = local_6.member_1;
-        let _e599 = bitcast<u64>(_e590[0]);
-        let _e600 = u32(_e599);
-        let _e602 = u32((_e599 / 4294967296lu));
-        if ((_e602 >> bitcast<u32>(31i)) == 0u) {
-            phi_898_ = array<u32, 2>();
-            phi_899_ = true;
+        let _e657 = local_4;
+        paths.member[_e69] = type_16(array<f32, 4>(_e657.member[0], _e657.member[1], _e657.member[2], _e657.member[3]), array<f32, 4>(_e657.member_1[0], _e657.member_1[1], _e657.member_1[2], _e657.member_1[3]));
+        let _e673 = local_9.member;
+        let _e678 = local_9.member_1;
+        let _e682 = bitcast<u64>(_e673[0]);
+        let _e683 = u32(_e682);
+        let _e685 = u32((_e682 / 4294967296lu));
+        if ((_e685 >> bitcast<u32>(31i)) == 0u) {
+            phi_1007_ = array<u32, 2>();
+            phi_1008_ = true;
         } else {
-            if (_e602 == 2147483648u) {
-                if (_e600 == 0u) {
-                    phi_888_ = false;
+            if (_e685 == 2147483648u) {
+                if (_e683 == 0u) {
+                    phi_997_ = false;
                 } else {
-                    phi_888_ = true;
+                    phi_997_ = true;
                 }
-                let _e609 = phi_888_;
-                phi_889_ = _e609;
+                let _e692 = phi_997_;
+                phi_998_ = _e692;
             } else {
-                phi_889_ = true;
+                phi_998_ = true;
             }
-            let _e611 = phi_889_;
-            if _e611 {
-                phi_896_ = array<u32, 2>(~(_e600), ~(_e602));
-                phi_897_ = false;
+            let _e694 = phi_998_;
+            if _e694 {
+                phi_1005_ = array<u32, 2>(~(_e683), ~(_e685));
+                phi_1006_ = false;
             } else {
-                phi_896_ = array<u32, 2>();
-                phi_897_ = true;
+                phi_1005_ = array<u32, 2>();
+                phi_1006_ = true;
             }
-            let _e616 = phi_896_;
-            let _e618 = phi_897_;
-            phi_898_ = _e616;
-            phi_899_ = _e618;
+            let _e699 = phi_1005_;
+            let _e701 = phi_1006_;
+            phi_1007_ = _e699;
+            phi_1008_ = _e701;
         }
-        let _e620 = phi_898_;
-        let _e622 = phi_899_;
-        if _e622 {
-            phi_905_ = array<u32, 2>(_e600, (_e602 | 2147483648u));
+        let _e703 = phi_1007_;
+        let _e705 = phi_1008_;
+        if _e705 {
+            phi_1014_ = array<u32, 2>(_e683, (_e685 | 2147483648u));
         } else {
-            phi_905_ = _e620;
+            phi_1014_ = _e703;
         }
-        let _e626 = phi_905_;
-        let _e627 = bitcast<u64>(_e590[1]);
-        let _e628 = u32(_e627);
-        let _e630 = u32((_e627 / 4294967296lu));
-        if ((_e630 >> bitcast<u32>(31i)) == 0u) {
-            phi_934_ = array<u32, 2>();
-            phi_935_ = true;
+        let _e709 = phi_1014_;
+        let _e710 = bitcast<u64>(_e673[1]);
+        let _e711 = u32(_e710);
+        let _e713 = u32((_e710 / 4294967296lu));
+        if ((_e713 >> bitcast<u32>(31i)) == 0u) {
+            phi_1043_ = array<u32, 2>();
+            phi_1044_ = true;
         } else {
-            if (_e630 == 2147483648u) {
-                if (_e628 == 0u) {
-                    phi_924_ = false;
+            if (_e713 == 2147483648u) {
+                if (_e711 == 0u) {
+                    phi_1033_ = false;
                 } else {
-                    phi_924_ = true;
+                    phi_1033_ = true;
                 }
-                let _e637 = phi_924_;
-                phi_925_ = _e637;
+                let _e720 = phi_1033_;
+                phi_1034_ = _e720;
             } else {
-                phi_925_ = true;
+                phi_1034_ = true;
             }
-            let _e639 = phi_925_;
-            if _e639 {
-                phi_932_ = array<u32, 2>(~(_e628), ~(_e630));
-                phi_933_ = false;
+            let _e722 = phi_1034_;
+            if _e722 {
+                phi_1041_ = array<u32, 2>(~(_e711), ~(_e713));
+                phi_1042_ = false;
             } else {
-                phi_932_ = array<u32, 2>();
-                phi_933_ = true;
+                phi_1041_ = array<u32, 2>();
+                phi_1042_ = true;
             }
-            let _e644 = phi_932_;
-            let _e646 = phi_933_;
-            phi_934_ = _e644;
-            phi_935_ = _e646;
+            let _e727 = phi_1041_;
+            let _e729 = phi_1042_;
+            phi_1043_ = _e727;
+            phi_1044_ = _e729;
         }
-        let _e648 = phi_934_;
-        let _e650 = phi_935_;
-        if _e650 {
-            phi_941_ = array<u32, 2>(_e628, (_e630 | 2147483648u));
+        let _e731 = phi_1043_;
+        let _e733 = phi_1044_;
+        if _e733 {
+            phi_1050_ = array<u32, 2>(_e711, (_e713 | 2147483648u));
         } else {
-            phi_941_ = _e648;
+            phi_1050_ = _e731;
         }
-        let _e654 = phi_941_;
-        let _e655 = bitcast<u64>(_e590[2]);
-        let _e656 = u32(_e655);
-        let _e658 = u32((_e655 / 4294967296lu));
-        if ((_e658 >> bitcast<u32>(31i)) == 0u) {
-            phi_970_ = array<u32, 2>();
-            phi_971_ = true;
+        let _e737 = phi_1050_;
+        let _e738 = bitcast<u64>(_e673[2]);
+        let _e739 = u32(_e738);
+        let _e741 = u32((_e738 / 4294967296lu));
+        if ((_e741 >> bitcast<u32>(31i)) == 0u) {
+            phi_1079_ = array<u32, 2>();
+            phi_1080_ = true;
         } else {
-            if (_e658 == 2147483648u) {
-                if (_e656 == 0u) {
-                    phi_960_ = false;
+            if (_e741 == 2147483648u) {
+                if (_e739 == 0u) {
+                    phi_1069_ = false;
                 } else {
-                    phi_960_ = true;
+                    phi_1069_ = true;
                 }
-                let _e665 = phi_960_;
-                phi_961_ = _e665;
+                let _e748 = phi_1069_;
+                phi_1070_ = _e748;
             } else {
-                phi_961_ = true;
+                phi_1070_ = true;
             }
-            let _e667 = phi_961_;
-            if _e667 {
-                phi_968_ = array<u32, 2>(~(_e656), ~(_e658));
-                phi_969_ = false;
+            let _e750 = phi_1070_;
+            if _e750 {
+                phi_1077_ = array<u32, 2>(~(_e739), ~(_e741));
+                phi_1078_ = false;
             } else {
-                phi_968_ = array<u32, 2>();
-                phi_969_ = true;
+                phi_1077_ = array<u32, 2>();
+                phi_1078_ = true;
             }
-            let _e672 = phi_968_;
-            let _e674 = phi_969_;
-            phi_970_ = _e672;
-            phi_971_ = _e674;
+            let _e755 = phi_1077_;
+            let _e757 = phi_1078_;
+            phi_1079_ = _e755;
+            phi_1080_ = _e757;
         }
-        let _e676 = phi_970_;
-        let _e678 = phi_971_;
-        if _e678 {
-            phi_977_ = array<u32, 2>(_e656, (_e658 | 2147483648u));
+        let _e759 = phi_1079_;
+        let _e761 = phi_1080_;
+        if _e761 {
+            phi_1086_ = array<u32, 2>(_e739, (_e741 | 2147483648u));
         } else {
-            phi_977_ = _e676;
+            phi_1086_ = _e759;
         }
-        let _e682 = phi_977_;
-        let _e683 = bitcast<u64>(_e595[0]);
-        let _e684 = u32(_e683);
-        let _e686 = u32((_e683 / 4294967296lu));
-        if ((_e686 >> bitcast<u32>(31i)) == 0u) {
-            phi_1006_ = array<u32, 2>();
-            phi_1007_ = true;
+        let _e765 = phi_1086_;
+        let _e766 = bitcast<u64>(_e678[0]);
+        let _e767 = u32(_e766);
+        let _e769 = u32((_e766 / 4294967296lu));
+        if ((_e769 >> bitcast<u32>(31i)) == 0u) {
+            phi_1115_ = array<u32, 2>();
+            phi_1116_ = true;
         } else {
-            if (_e686 == 2147483648u) {
-                if (_e684 == 0u) {
-                    phi_996_ = false;
+            if (_e769 == 2147483648u) {
+                if (_e767 == 0u) {
+                    phi_1105_ = false;
                 } else {
-                    phi_996_ = true;
+                    phi_1105_ = true;
                 }
-                let _e693 = phi_996_;
-                phi_997_ = _e693;
+                let _e776 = phi_1105_;
+                phi_1106_ = _e776;
             } else {
-                phi_997_ = true;
+                phi_1106_ = true;
             }
-            let _e695 = phi_997_;
-            if _e695 {
-                phi_1004_ = array<u32, 2>(~(_e684), ~(_e686));
-                phi_1005_ = false;
+            let _e778 = phi_1106_;
+            if _e778 {
+                phi_1113_ = array<u32, 2>(~(_e767), ~(_e769));
+                phi_1114_ = false;
             } else {
-                phi_1004_ = array<u32, 2>();
-                phi_1005_ = true;
+                phi_1113_ = array<u32, 2>();
+                phi_1114_ = true;
             }
-            let _e700 = phi_1004_;
-            let _e702 = phi_1005_;
-            phi_1006_ = _e700;
-            phi_1007_ = _e702;
+            let _e783 = phi_1113_;
+            let _e785 = phi_1114_;
+            phi_1115_ = _e783;
+            phi_1116_ = _e785;
         }
-        let _e704 = phi_1006_;
-        let _e706 = phi_1007_;
-        if _e706 {
-            phi_1013_ = array<u32, 2>(_e684, (_e686 | 2147483648u));
+        let _e787 = phi_1115_;
+        let _e789 = phi_1116_;
+        if _e789 {
+            phi_1122_ = array<u32, 2>(_e767, (_e769 | 2147483648u));
         } else {
-            phi_1013_ = _e704;
+            phi_1122_ = _e787;
         }
-        let _e710 = phi_1013_;
-        let _e711 = bitcast<u64>(_e595[1]);
-        let _e712 = u32(_e711);
-        let _e714 = u32((_e711 / 4294967296lu));
-        if ((_e714 >> bitcast<u32>(31i)) == 0u) {
-            phi_1042_ = array<u32, 2>();
-            phi_1043_ = true;
+        let _e793 = phi_1122_;
+        let _e794 = bitcast<u64>(_e678[1]);
+        let _e795 = u32(_e794);
+        let _e797 = u32((_e794 / 4294967296lu));
+        if ((_e797 >> bitcast<u32>(31i)) == 0u) {
+            phi_1151_ = array<u32, 2>();
+            phi_1152_ = true;
         } else {
-            if (_e714 == 2147483648u) {
-                if (_e712 == 0u) {
-                    phi_1032_ = false;
+            if (_e797 == 2147483648u) {
+                if (_e795 == 0u) {
+                    phi_1141_ = false;
                 } else {
-                    phi_1032_ = true;
+                    phi_1141_ = true;
                 }
-                let _e721 = phi_1032_;
-                phi_1033_ = _e721;
+                let _e804 = phi_1141_;
+                phi_1142_ = _e804;
             } else {
-                phi_1033_ = true;
+                phi_1142_ = true;
             }
-            let _e723 = phi_1033_;
-            if _e723 {
-                phi_1040_ = array<u32, 2>(~(_e712), ~(_e714));
-                phi_1041_ = false;
+            let _e806 = phi_1142_;
+            if _e806 {
+                phi_1149_ = array<u32, 2>(~(_e795), ~(_e797));
+                phi_1150_ = false;
             } else {
-                phi_1040_ = array<u32, 2>();
-                phi_1041_ = true;
+                phi_1149_ = array<u32, 2>();
+                phi_1150_ = true;
             }
-            let _e728 = phi_1040_;
-            let _e730 = phi_1041_;
-            phi_1042_ = _e728;
-            phi_1043_ = _e730;
+            let _e811 = phi_1149_;
+            let _e813 = phi_1150_;
+            phi_1151_ = _e811;
+            phi_1152_ = _e813;
         }
-        let _e732 = phi_1042_;
-        let _e734 = phi_1043_;
-        if _e734 {
-            phi_1049_ = array<u32, 2>(_e712, (_e714 | 2147483648u));
+        let _e815 = phi_1151_;
+        let _e817 = phi_1152_;
+        if _e817 {
+            phi_1158_ = array<u32, 2>(_e795, (_e797 | 2147483648u));
         } else {
-            phi_1049_ = _e732;
+            phi_1158_ = _e815;
         }
-        let _e738 = phi_1049_;
-        let _e739 = bitcast<u64>(_e595[2]);
-        let _e740 = u32(_e739);
-        let _e742 = u32((_e739 / 4294967296lu));
-        if ((_e742 >> bitcast<u32>(31i)) == 0u) {
-            phi_1078_ = array<u32, 2>();
-            phi_1079_ = true;
+        let _e821 = phi_1158_;
+        let _e822 = bitcast<u64>(_e678[2]);
+        let _e823 = u32(_e822);
+        let _e825 = u32((_e822 / 4294967296lu));
+        if ((_e825 >> bitcast<u32>(31i)) == 0u) {
+            phi_1187_ = array<u32, 2>();
+            phi_1188_ = true;
         } else {
-            if (_e742 == 2147483648u) {
-                if (_e740 == 0u) {
-                    phi_1068_ = false;
+            if (_e825 == 2147483648u) {
+                if (_e823 == 0u) {
+                    phi_1177_ = false;
                 } else {
-                    phi_1068_ = true;
+                    phi_1177_ = true;
                 }
-                let _e749 = phi_1068_;
-                phi_1069_ = _e749;
+                let _e832 = phi_1177_;
+                phi_1178_ = _e832;
             } else {
-                phi_1069_ = true;
+                phi_1178_ = true;
             }
-            let _e751 = phi_1069_;
-            if _e751 {
-                phi_1076_ = array<u32, 2>(~(_e740), ~(_e742));
-                phi_1077_ = false;
+            let _e834 = phi_1178_;
+            if _e834 {
+                phi_1185_ = array<u32, 2>(~(_e823), ~(_e825));
+                phi_1186_ = false;
             } else {
-                phi_1076_ = array<u32, 2>();
-                phi_1077_ = true;
+                phi_1185_ = array<u32, 2>();
+                phi_1186_ = true;
             }
-            let _e756 = phi_1076_;
-            let _e758 = phi_1077_;
-            phi_1078_ = _e756;
-            phi_1079_ = _e758;
+            let _e839 = phi_1185_;
+            let _e841 = phi_1186_;
+            phi_1187_ = _e839;
+            phi_1188_ = _e841;
         }
-        let _e760 = phi_1078_;
-        let _e762 = phi_1079_;
-        if _e762 {
-            phi_1085_ = array<u32, 2>(_e740, (_e742 | 2147483648u));
+        let _e843 = phi_1187_;
+        let _e845 = phi_1188_;
+        if _e845 {
+            phi_1194_ = array<u32, 2>(_e823, (_e825 | 2147483648u));
         } else {
-            phi_1085_ = _e760;
+            phi_1194_ = _e843;
         }
-        let _e766 = phi_1085_;
-        keys.member[_e66] = array<array<u32, 2>, 6>(_e626, _e654, _e682, _e710, _e738, _e766);
+        let _e849 = phi_1194_;
+        keys.member[_e69] = array<array<u32, 2>, 6>(_e709, _e737, _e765, _e793, _e821, _e849);
         local_1 = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_1091_ = type_9(0u, 3u);
+        phi_1200_ = type_9(0u, 3u);
         loop {
-            let _e770 = phi_1091_;
-            if (_e770.member < _e770.member_1) {
-                phi_1092_ = type_9((_e770.member + 1u), _e770.member_1);
-                phi_1115_ = type_9(1u, _e770.member);
+            let _e853 = phi_1200_;
+            if (_e853.member < _e853.member_1) {
+                phi_1201_ = type_9((_e853.member + 1u), _e853.member_1);
+                phi_1224_ = type_9(1u, _e853.member);
             } else {
-                phi_1092_ = _e770;
-                phi_1115_ = type_9(0u, type_9().member_1);
+                phi_1201_ = _e853;
+                phi_1224_ = type_9(0u, type_9().member_1);
             }
-            let _e782 = phi_1092_;
-            let _e784 = phi_1115_;
-            let _e788 = (bitcast<i32>(_e784.member) != 0i);
-            if _e788 {
-                let _e791 = local_6.member[_e784.member_1];
-                let _e792 = bitcast<u64>(_e791);
-                let _e793 = u32(_e792);
-                let _e795 = u32((_e792 / 4294967296lu));
-                let _e796 = (_e795 & 2147483648u);
-                let _e799 = ((_e795 >> bitcast<u32>(20i)) & 2047u);
-                let _e805 = (((_e795 & 1048575u) << bitcast<u32>(3i)) | (_e793 >> bitcast<u32>(29i)));
-                let _e806 = (_e793 & 536870911u);
-                if (_e799 == 2047u) {
-                    phi_1182_ = false;
-                    phi_1183_ = (2139095040u | _e805);
+            let _e865 = phi_1201_;
+            let _e867 = phi_1224_;
+            let _e871 = (bitcast<i32>(_e867.member) != 0i);
+            if _e871 {
+                let _e874 = local_9.member[_e867.member_1];
+                let _e875 = bitcast<u64>(_e874);
+                let _e876 = u32(_e875);
+                let _e878 = u32((_e875 / 4294967296lu));
+                let _e879 = (_e878 & 2147483648u);
+                let _e882 = ((_e878 >> bitcast<u32>(20i)) & 2047u);
+                let _e888 = (((_e878 & 1048575u) << bitcast<u32>(3i)) | (_e876 >> bitcast<u32>(29i)));
+                let _e889 = (_e876 & 536870911u);
+                if (_e882 == 2047u) {
+                    phi_1291_ = false;
+                    phi_1292_ = (2139095040u | _e888);
                 } else {
-                    if (_e799 > 1150u) {
-                        phi_1180_ = true;
-                        phi_1181_ = 2139095039u;
+                    if (_e882 > 1150u) {
+                        phi_1289_ = true;
+                        phi_1290_ = 2139095039u;
                     } else {
-                        if (_e799 > 896u) {
-                            phi_1178_ = (_e806 != 0u);
-                            phi_1179_ = (((_e799 - 896u) << bitcast<u32>(23i)) | _e805);
+                        if (_e882 > 896u) {
+                            phi_1287_ = (_e889 != 0u);
+                            phi_1288_ = (((_e882 - 896u) << bitcast<u32>(23i)) | _e888);
                         } else {
-                            if (_e799 >= 873u) {
-                                let _e814 = (8388608u | _e805);
-                                let _e815 = (897u - _e799);
-                                phi_1176_ = (((_e814 & ((1u << bitcast<u32>((_e815 & 31u))) - 1u)) | _e806) != 0u);
-                                phi_1177_ = (_e814 >> bitcast<u32>((_e815 & 31u)));
+                            if (_e882 >= 873u) {
+                                let _e897 = (8388608u | _e888);
+                                let _e898 = (897u - _e882);
+                                phi_1285_ = (((_e897 & ((1u << bitcast<u32>((_e898 & 31u))) - 1u)) | _e889) != 0u);
+                                phi_1286_ = (_e897 >> bitcast<u32>((_e898 & 31u)));
                             } else {
-                                phi_1176_ = (((_e795 & 2147483647u) | _e793) != 0u);
-                                phi_1177_ = 0u;
+                                phi_1285_ = (((_e878 & 2147483647u) | _e876) != 0u);
+                                phi_1286_ = 0u;
                             }
-                            let _e827 = phi_1176_;
-                            let _e829 = phi_1177_;
-                            phi_1178_ = _e827;
-                            phi_1179_ = _e829;
+                            let _e910 = phi_1285_;
+                            let _e912 = phi_1286_;
+                            phi_1287_ = _e910;
+                            phi_1288_ = _e912;
                         }
-                        let _e836 = phi_1178_;
-                        let _e838 = phi_1179_;
-                        phi_1180_ = _e836;
-                        phi_1181_ = _e838;
+                        let _e919 = phi_1287_;
+                        let _e921 = phi_1288_;
+                        phi_1289_ = _e919;
+                        phi_1290_ = _e921;
                     }
-                    let _e840 = phi_1180_;
-                    let _e842 = phi_1181_;
-                    phi_1182_ = _e840;
-                    phi_1183_ = _e842;
+                    let _e923 = phi_1289_;
+                    let _e925 = phi_1290_;
+                    phi_1291_ = _e923;
+                    phi_1292_ = _e925;
                 }
-                let _e845 = phi_1182_;
-                let _e847 = phi_1183_;
-                let _e849 = bitcast<f32>((_e796 | _e847));
-                let _e853 = bitcast<f32>(((_e796 | _e847) + select(0u, 1u, _e845)));
-                if (_e796 == 0u) {
-                    phi_1196_ = type_14(_e849, _e853);
+                let _e928 = phi_1291_;
+                let _e930 = phi_1292_;
+                let _e932 = bitcast<f32>((_e879 | _e930));
+                let _e936 = bitcast<f32>(((_e879 | _e930) + select(0u, 1u, _e928)));
+                if (_e879 == 0u) {
+                    phi_1305_ = type_14(_e932, _e936);
                 } else {
-                    phi_1196_ = type_14(_e853, _e849);
+                    phi_1305_ = type_14(_e936, _e932);
                 }
-                let _e858 = phi_1196_;
-                let _e860 = -(290000000000000000000000000000000000000f);
-                if (_e858.member > _e860) {
-                    phi_1203_ = _e858.member;
+                let _e941 = phi_1305_;
+                let _e943 = -(290000000000000000000000000000000000000f);
+                if (_e941.member > _e943) {
+                    phi_1312_ = _e941.member;
                 } else {
-                    phi_1203_ = _e860;
+                    phi_1312_ = _e943;
                 }
-                let _e863 = phi_1203_;
-                if (_e863 < 290000000000000000000000000000000000000f) {
-                    phi_1208_ = _e863;
+                let _e946 = phi_1312_;
+                if (_e946 < 290000000000000000000000000000000000000f) {
+                    phi_1317_ = _e946;
                 } else {
-                    phi_1208_ = 290000000000000000000000000000000000000f;
+                    phi_1317_ = 290000000000000000000000000000000000000f;
                 }
-                let _e866 = phi_1208_;
-                local_1.member[_e784.member_1] = _e866;
-                let _e871 = local_6.member_1[_e784.member_1];
-                let _e872 = bitcast<u64>(_e871);
-                let _e873 = u32(_e872);
-                let _e875 = u32((_e872 / 4294967296lu));
-                let _e876 = (_e875 & 2147483648u);
-                let _e879 = ((_e875 >> bitcast<u32>(20i)) & 2047u);
-                let _e885 = (((_e875 & 1048575u) << bitcast<u32>(3i)) | (_e873 >> bitcast<u32>(29i)));
-                let _e886 = (_e873 & 536870911u);
-                if (_e879 == 2047u) {
-                    phi_1275_ = false;
-                    phi_1276_ = (2139095040u | _e885);
+                let _e949 = phi_1317_;
+                local_1.member[_e867.member_1] = _e949;
+                let _e954 = local_9.member_1[_e867.member_1];
+                let _e955 = bitcast<u64>(_e954);
+                let _e956 = u32(_e955);
+                let _e958 = u32((_e955 / 4294967296lu));
+                let _e959 = (_e958 & 2147483648u);
+                let _e962 = ((_e958 >> bitcast<u32>(20i)) & 2047u);
+                let _e968 = (((_e958 & 1048575u) << bitcast<u32>(3i)) | (_e956 >> bitcast<u32>(29i)));
+                let _e969 = (_e956 & 536870911u);
+                if (_e962 == 2047u) {
+                    phi_1384_ = false;
+                    phi_1385_ = (2139095040u | _e968);
                 } else {
-                    if (_e879 > 1150u) {
-                        phi_1273_ = true;
-                        phi_1274_ = 2139095039u;
+                    if (_e962 > 1150u) {
+                        phi_1382_ = true;
+                        phi_1383_ = 2139095039u;
                     } else {
-                        if (_e879 > 896u) {
-                            phi_1271_ = (_e886 != 0u);
-                            phi_1272_ = (((_e879 - 896u) << bitcast<u32>(23i)) | _e885);
+                        if (_e962 > 896u) {
+                            phi_1380_ = (_e969 != 0u);
+                            phi_1381_ = (((_e962 - 896u) << bitcast<u32>(23i)) | _e968);
                         } else {
-                            if (_e879 >= 873u) {
-                                let _e894 = (8388608u | _e885);
-                                let _e895 = (897u - _e879);
-                                phi_1269_ = (((_e894 & ((1u << bitcast<u32>((_e895 & 31u))) - 1u)) | _e886) != 0u);
-                                phi_1270_ = (_e894 >> bitcast<u32>((_e895 & 31u)));
+                            if (_e962 >= 873u) {
+                                let _e977 = (8388608u | _e968);
+                                let _e978 = (897u - _e962);
+                                phi_1378_ = (((_e977 & ((1u << bitcast<u32>((_e978 & 31u))) - 1u)) | _e969) != 0u);
+                                phi_1379_ = (_e977 >> bitcast<u32>((_e978 & 31u)));
                             } else {
-                                phi_1269_ = (((_e875 & 2147483647u) | _e873) != 0u);
-                                phi_1270_ = 0u;
+                                phi_1378_ = (((_e958 & 2147483647u) | _e956) != 0u);
+                                phi_1379_ = 0u;
                             }
-                            let _e907 = phi_1269_;
-                            let _e909 = phi_1270_;
-                            phi_1271_ = _e907;
-                            phi_1272_ = _e909;
+                            let _e990 = phi_1378_;
+                            let _e992 = phi_1379_;
+                            phi_1380_ = _e990;
+                            phi_1381_ = _e992;
                         }
-                        let _e916 = phi_1271_;
-                        let _e918 = phi_1272_;
-                        phi_1273_ = _e916;
-                        phi_1274_ = _e918;
+                        let _e999 = phi_1380_;
+                        let _e1001 = phi_1381_;
+                        phi_1382_ = _e999;
+                        phi_1383_ = _e1001;
                     }
-                    let _e920 = phi_1273_;
-                    let _e922 = phi_1274_;
-                    phi_1275_ = _e920;
-                    phi_1276_ = _e922;
+                    let _e1003 = phi_1382_;
+                    let _e1005 = phi_1383_;
+                    phi_1384_ = _e1003;
+                    phi_1385_ = _e1005;
                 }
-                let _e925 = phi_1275_;
-                let _e927 = phi_1276_;
-                let _e929 = bitcast<f32>((_e876 | _e927));
-                let _e933 = bitcast<f32>(((_e876 | _e927) + select(0u, 1u, _e925)));
-                if (_e876 == 0u) {
-                    phi_1289_ = type_14(_e929, _e933);
+                let _e1008 = phi_1384_;
+                let _e1010 = phi_1385_;
+                let _e1012 = bitcast<f32>((_e959 | _e1010));
+                let _e1016 = bitcast<f32>(((_e959 | _e1010) + select(0u, 1u, _e1008)));
+                if (_e959 == 0u) {
+                    phi_1398_ = type_14(_e1012, _e1016);
                 } else {
-                    phi_1289_ = type_14(_e933, _e929);
+                    phi_1398_ = type_14(_e1016, _e1012);
                 }
-                let _e938 = phi_1289_;
-                let _e940 = -(290000000000000000000000000000000000000f);
-                if (_e938.member_1 > _e940) {
-                    phi_1296_ = _e938.member_1;
+                let _e1021 = phi_1398_;
+                let _e1023 = -(290000000000000000000000000000000000000f);
+                if (_e1021.member_1 > _e1023) {
+                    phi_1405_ = _e1021.member_1;
                 } else {
-                    phi_1296_ = _e940;
+                    phi_1405_ = _e1023;
                 }
-                let _e943 = phi_1296_;
-                if (_e943 < 290000000000000000000000000000000000000f) {
-                    phi_1301_ = _e943;
+                let _e1026 = phi_1405_;
+                if (_e1026 < 290000000000000000000000000000000000000f) {
+                    phi_1410_ = _e1026;
                 } else {
-                    phi_1301_ = 290000000000000000000000000000000000000f;
+                    phi_1410_ = 290000000000000000000000000000000000000f;
                 }
-                let _e946 = phi_1301_;
-                local_1.member_1[_e784.member_1] = _e946;
+                let _e1029 = phi_1410_;
+                local_1.member_1[_e867.member_1] = _e1029;
             }
             continue;
             continuing {
-                phi_1091_ = _e782;
-                break if !(_e788);
+                phi_1200_ = _e865;
+                break if !(_e871);
             }
         }
-        let _e950 = local_1;
-        local = _e950;
-        phi_1334_ = type_9(0u, 3u);
+        let _e1033 = local_1;
+        local = _e1033;
+        phi_1443_ = type_9(0u, 3u);
         loop {
-            let _e952 = phi_1334_;
-            if (_e952.member < _e952.member_1) {
-                phi_1335_ = type_9((_e952.member + 1u), _e952.member_1);
-                phi_1358_ = type_9(1u, _e952.member);
+            let _e1035 = phi_1443_;
+            if (_e1035.member < _e1035.member_1) {
+                phi_1444_ = type_9((_e1035.member + 1u), _e1035.member_1);
+                phi_1467_ = type_9(1u, _e1035.member);
             } else {
-                phi_1335_ = _e952;
-                phi_1358_ = type_9(0u, type_9().member_1);
+                phi_1444_ = _e1035;
+                phi_1467_ = type_9(0u, type_9().member_1);
             }
-            let _e964 = phi_1335_;
-            let _e966 = phi_1358_;
-            let _e970 = (bitcast<i32>(_e966.member) != 0i);
-            if _e970 {
-                let _e973 = local.member[_e966.member_1];
-                if (_e973 < 0.000000000000000000000000000000000000011754944f) {
-                    phi_1379_ = (_e973 > -(0.000000000000000000000000000000000000011754944f));
+            let _e1047 = phi_1444_;
+            let _e1049 = phi_1467_;
+            let _e1053 = (bitcast<i32>(_e1049.member) != 0i);
+            if _e1053 {
+                let _e1056 = local.member[_e1049.member_1];
+                if (_e1056 < 0.000000000000000000000000000000000000011754944f) {
+                    phi_1488_ = (_e1056 > -(0.000000000000000000000000000000000000011754944f));
                 } else {
-                    phi_1379_ = false;
+                    phi_1488_ = false;
                 }
-                let _e978 = phi_1379_;
-                if _e978 {
-                    let _e984 = local_6.member[_e966.member_1];
-                    let _e986 = bitcast<u64>(-(_e984));
-                    let _e989 = u32((_e986 / 4294967296lu));
-                    if ((_e989 >> bitcast<u32>(31i)) == 0u) {
-                        phi_1402_ = ((u32(_e986) | _e989) != 0u);
+                let _e1061 = phi_1488_;
+                if _e1061 {
+                    let _e1067 = local_9.member[_e1049.member_1];
+                    let _e1069 = bitcast<u64>(-(_e1067));
+                    let _e1072 = u32((_e1069 / 4294967296lu));
+                    if ((_e1072 >> bitcast<u32>(31i)) == 0u) {
+                        phi_1511_ = ((u32(_e1069) | _e1072) != 0u);
                     } else {
-                        phi_1402_ = false;
+                        phi_1511_ = false;
                     }
-                    let _e996 = phi_1402_;
-                    if _e996 {
-                        phi_1406_ = 0.000000000000000000000000000000000000011754944f;
+                    let _e1079 = phi_1511_;
+                    if _e1079 {
+                        phi_1515_ = 0.000000000000000000000000000000000000011754944f;
                     } else {
-                        phi_1406_ = 0f;
+                        phi_1515_ = 0f;
                     }
-                    let _e998 = phi_1406_;
-                    phi_1415_ = -(_e998);
+                    let _e1081 = phi_1515_;
+                    phi_1524_ = -(_e1081);
                 } else {
-                    let _e981 = local.member[_e966.member_1];
-                    phi_1415_ = _e981;
+                    let _e1064 = local.member[_e1049.member_1];
+                    phi_1524_ = _e1064;
                 }
-                let _e1001 = phi_1415_;
-                local.member[_e966.member_1] = _e1001;
-                let _e1006 = local.member_1[_e966.member_1];
-                if (_e1006 < 0.000000000000000000000000000000000000011754944f) {
-                    phi_1436_ = (_e1006 > -(0.000000000000000000000000000000000000011754944f));
+                let _e1084 = phi_1524_;
+                local.member[_e1049.member_1] = _e1084;
+                let _e1089 = local.member_1[_e1049.member_1];
+                if (_e1089 < 0.000000000000000000000000000000000000011754944f) {
+                    phi_1545_ = (_e1089 > -(0.000000000000000000000000000000000000011754944f));
                 } else {
-                    phi_1436_ = false;
+                    phi_1545_ = false;
                 }
-                let _e1011 = phi_1436_;
-                if _e1011 {
-                    let _e1017 = local_6.member_1[_e966.member_1];
-                    let _e1018 = bitcast<u64>(_e1017);
-                    let _e1021 = u32((_e1018 / 4294967296lu));
-                    if ((_e1021 >> bitcast<u32>(31i)) == 0u) {
-                        phi_1459_ = ((u32(_e1018) | _e1021) != 0u);
+                let _e1094 = phi_1545_;
+                if _e1094 {
+                    let _e1100 = local_9.member_1[_e1049.member_1];
+                    let _e1101 = bitcast<u64>(_e1100);
+                    let _e1104 = u32((_e1101 / 4294967296lu));
+                    if ((_e1104 >> bitcast<u32>(31i)) == 0u) {
+                        phi_1568_ = ((u32(_e1101) | _e1104) != 0u);
                     } else {
-                        phi_1459_ = false;
+                        phi_1568_ = false;
                     }
-                    let _e1028 = phi_1459_;
-                    if _e1028 {
-                        phi_1463_ = 0.000000000000000000000000000000000000011754944f;
+                    let _e1111 = phi_1568_;
+                    if _e1111 {
+                        phi_1572_ = 0.000000000000000000000000000000000000011754944f;
                     } else {
-                        phi_1463_ = 0f;
+                        phi_1572_ = 0f;
                     }
-                    let _e1030 = phi_1463_;
-                    phi_1472_ = _e1030;
+                    let _e1113 = phi_1572_;
+                    phi_1581_ = _e1113;
                 } else {
-                    let _e1014 = local.member_1[_e966.member_1];
-                    phi_1472_ = _e1014;
+                    let _e1097 = local.member_1[_e1049.member_1];
+                    phi_1581_ = _e1097;
                 }
-                let _e1032 = phi_1472_;
-                local.member_1[_e966.member_1] = _e1032;
+                let _e1115 = phi_1581_;
+                local.member_1[_e1049.member_1] = _e1115;
             }
             continue;
             continuing {
-                phi_1334_ = _e964;
-                break if !(_e970);
+                phi_1443_ = _e1047;
+                break if !(_e1053);
             }
         }
-        let _e1036 = local;
-        boxes.member[_e66] = type_20(array<f32, 3>(_e1036.member[0], _e1036.member[1], _e1036.member[2]), array<f32, 3>(_e1036.member_1[0], _e1036.member_1[1], _e1036.member_1[2]));
+        let _e1119 = local;
+        boxes.member[_e69] = type_20(array<f32, 3>(_e1119.member[0], _e1119.member[1], _e1119.member[2]), array<f32, 3>(_e1119.member_1[0], _e1119.member_1[1], _e1119.member_1[2]));
     }
     return;
 }

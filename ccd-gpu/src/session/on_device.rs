@@ -92,9 +92,9 @@ impl Engine {
         Ok([vf, ee])
     }
 
-    /// The buffer of positions that [`Engine::record`] reads: one
-    /// [`ccd_core::records::Path`] per vertex. May be written by copies and by kernels.
-    /// Another mesh may bring another buffer.
+    /// The buffer of positions that [`Engine::record`] reads: one [`ccd_core::records::Path`] per
+    /// vertex. May be written by copies and by kernels; coordinates must be finite and at most 2^28
+    /// in size, which nothing checks. Another mesh may bring another buffer.
     ///
     /// Once this was called, [`Session::step_bodies`](session::Session::step_bodies) sends the
     /// positions of all vertices, as [`Session::step`](session::Session::step) does.

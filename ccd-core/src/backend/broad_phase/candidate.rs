@@ -116,7 +116,7 @@ fn overlap_on<const MIN: usize, const MAX: usize>(
 
 /// Whether the number of key `a` is greater than that of key `b`.
 #[inline(always)]
-fn above(a: [u32; 2], b: [u32; 2]) -> bool {
+pub fn above(a: [u32; 2], b: [u32; 2]) -> bool {
     a[1] > b[1] || (a[1] == b[1] && a[0] > b[0])
 }
 

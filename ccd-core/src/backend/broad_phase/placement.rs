@@ -4,8 +4,7 @@
 //! For devices with `f64`; a host does the same for the others. Positions of all vertices at the
 //! start of the step come first, then those at its end.
 
-use super::candidate::bound_key;
-use super::swept_box::swept;
+use super::candidate::{above, bound_key};
 use crate::kernel::memory::at;
 use crate::layout::{Frame, Path, join, split};
 use crate::math::aabb::Aabb;
@@ -29,10 +28,18 @@ pub fn path(p: [f64; 3], q: [f64; 3], frame: &Frame) -> Path {
     out
 }
 
-/// The box of a vertex in `f64`, grown by the margin.
+/// The box of a vertex in `f64`, grown by the margin. Its ends are compared as integers, because a
+/// device may compare as if denormals were zero, and boxes are compared by integers.
 #[inline(always)]
 pub fn exact_box(p: [f64; 3], q: [f64; 3], frame: &Frame) -> Aabb<f64> {
-    swept(p, q).inflated(join(frame.margin_bits))
+    let mut out = Aabb { min: p, max: q };
+    for k in 0..3 {
+        if above(bound_key(p[k]), bound_key(q[k])) {
+            out.min[k] = q[k];
+            out.max[k] = p[k];
+        }
+    }
+    out.inflated(join(frame.margin_bits))
 }
 
 /// Bounds of a box as integers of the same order: `min`, then `max`.

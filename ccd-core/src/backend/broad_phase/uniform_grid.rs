@@ -34,6 +34,7 @@
 //! `2^BITS`-th of the scene. Choose it for many boxes of few sizes that overlap few others.
 
 use crate::math::aabb::Aabb;
+use crate::math::real::Num;
 
 /// By how much a cell is larger than the largest box: 2^-8 of it, against rounding.
 pub const MARGIN: f32 = 0.003_906_25;
@@ -122,9 +123,10 @@ impl<const BITS: u32> UniformGrid<BITS> {
     pub(super) fn place(&self, b: &Aabb<f32>, k: usize) -> f32 {
         let origin = self.quarter_origin[k];
         // Half of the way from the origin to the centre. Quarters, because the sum of halves may
-        // not be finite.
-        let half = (b.min[k] * 0.25 - origin) + (b.max[k] * 0.25 - origin);
-        half * self.inverse[k]
+        // not be finite. The greater of each and 0, which it is: where a compiler may take sums in
+        // any order, it must not add the coordinates first, whose rounding cells do not allow for.
+        let from_origin = |x: f32| Num::max(x * 0.25 - origin, 0.0);
+        (from_origin(b.min[k]) + from_origin(b.max[k])) * self.inverse[k]
     }
 
     /// The cell of a place along an axis; NaN is in cell 0.
