@@ -48,7 +48,7 @@ fn count(
     pipeline: Pipeline,
     scheduling: Scheduling,
 ) -> Vec<usize> {
-    let step = crumpled_sheet(30, 1);
+    let step = crumpled_sheet(20, 1);
     let options = Options::default()
         .with_threads(threads)
         .with_broad_phase(broad_phase)

@@ -266,12 +266,12 @@ fn again_with(root: &Path, feature: &str, task: &Task) -> Result<(), String> {
         programs::skipped(&no_nightly);
         return tint::run(root);
     }
-    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", feature, "--"];
+    // Bindings are made as fast by a program that was not optimized, as this one is.
+    let profile: &[&str] = if feature == "web" { &[] } else { &["--release"] };
+    let build = ["--quiet", "-p", "xtask", "--features", feature, "--"];
     let args: Vec<String> = std::env::args().skip(1).collect();
-    programs::command(
-        root,
-        &build.into_iter().chain(args.iter().map(String::as_str)).collect::<Vec<_>>(),
-    )
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    programs::command(root, &[&["cargo", "run"], profile, &build, &args].concat())
 }
 
 fn run(root: &Path, task: Task) -> Result<(), String> {

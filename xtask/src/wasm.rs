@@ -9,9 +9,13 @@ use std::process::Command;
 const TARGET: &str = "wasm32-unknown-unknown";
 const PACKAGE: &str = "ccd-wasm-test";
 
-/// Vectors of WebAssembly, which all browsers have since 2023 (Safari 16.4 was the last).
+/// Vectors of WebAssembly, which all browsers have since 2023 (Safari 16.4 was the last). Nor are
+/// there warnings: what is built so is what a dependent compiles, the default methods alone.
 pub const SIMD: [(&str, &str); 1] =
-    [("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", "-C target-feature=+simd128")];
+    [("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", "-C target-feature=+simd128 -D warnings")];
+
+/// Little optimized: every method is compiled here, and the npm package's module as releases are.
+pub const QUICK: [(&str, &str); 1] = [("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")];
 
 /// Compares answers; `env` is for the build.
 pub fn run(root: &Path, env: &[(&str, &str)]) -> Result<(), String> {

@@ -130,9 +130,9 @@ fn trees_of_any_depth_are_searched() {
     let equal = |n: usize| vec![at(0.25, 0.75); n];
     let mut searches = Searches::new();
     let mut n_pairs = 0;
-    for n in [150, 0, 1, 2, 3, 9] {
+    for n in [150, 0, 1, 2, 3] {
         for a in [nested(n), apart(n), equal(n)] {
-            for m in [0, 1, 2, 60] {
+            for m in [1, 60] {
                 n_pairs += searches.check(&a, &nested(m))[0];
             }
             n_pairs += searches.check(&a, &equal(3))[0];
