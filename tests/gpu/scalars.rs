@@ -131,7 +131,9 @@ fn check_wide(device: &Device) {
             let (w, g) =
                 (ccd_core::backend::layout::join(want[k]), ccd_core::backend::layout::join(got[k]));
             let close = want[k] == got[k] || (w - g).abs() <= 2.0 * f64::EPSILON * w.abs();
-            let fine = close || w == 0.0 && g == 0.0 || k == 12 && !single.is_normal();
+            // Denormals may be flushed, as the lavapipe of Mesa 26 does.
+            let tiny = [input[0], input[1], w].iter().any(|x| *x != 0.0 && !x.is_normal());
+            let fine = close || w == 0.0 && g == 0.0 || tiny || k == 12 && !single.is_normal();
             assert!(fine, "{name} of {input:?}: {w:e} on the CPU, {g:e} on the device");
         }
     }
