@@ -48,7 +48,8 @@ fn count(
     pipeline: Pipeline,
     scheduling: Scheduling,
 ) -> Vec<usize> {
-    let step = crumpled_sheet(20, 1);
+    // More edges than two threads share out as one chunk.
+    let step = crumpled_sheet(28, 1);
     let options = Options::default()
         .with_threads(threads)
         .with_broad_phase(broad_phase)

@@ -9,7 +9,7 @@ struct type_11 {
 }
 
 struct type_13 {
-    member: array<array<u32, 26>>,
+    member: array<array<u32, 28>>,
 }
 
 struct type_16 {
@@ -33,41 +33,41 @@ var<storage> inputs: type_11;
 var<storage, read_write> results: type_13;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: array<u32, 26>;
-    var local_1: array<array<u32, 2>, 13>;
-    var phi_168_: f64;
-    var phi_178_: f64;
-    var phi_188_: f64;
-    var phi_219_: type_16;
-    var phi_222_: f64;
-    var phi_243_: bool;
-    var phi_249_: type_17;
+    var local: array<u32, 28>;
+    var local_1: array<array<u32, 2>, 14>;
+    var phi_169_: f64;
+    var phi_179_: f64;
+    var phi_189_: f64;
     var phi_220_: type_16;
-    var phi_263_: type_17;
     var phi_223_: f64;
+    var phi_244_: bool;
+    var phi_250_: type_17;
+    var phi_221_: type_16;
+    var phi_264_: type_17;
+    var phi_224_: f64;
     var local_2: f64;
-    var phi_212_: f64;
-    var phi_276_: f64;
-    var phi_292_: bool;
-    var phi_309_: f64;
+    var phi_213_: f64;
+    var phi_277_: f64;
+    var phi_293_: bool;
     var phi_310_: f64;
     var phi_311_: f64;
-    var phi_328_: bool;
-    var phi_345_: f64;
+    var phi_312_: f64;
+    var phi_329_: bool;
     var phi_346_: f64;
     var phi_347_: f64;
-    var phi_400_: bool;
-    var phi_401_: u32;
-    var phi_402_: bool;
-    var phi_403_: u32;
-    var phi_404_: bool;
-    var phi_405_: u32;
-    var phi_406_: bool;
-    var phi_407_: u32;
-    var phi_420_: type_18;
-    var phi_490_: type_4;
-    var phi_491_: type_4;
-    var phi_514_: type_4;
+    var phi_348_: f64;
+    var phi_401_: bool;
+    var phi_402_: u32;
+    var phi_403_: bool;
+    var phi_404_: u32;
+    var phi_405_: bool;
+    var phi_406_: u32;
+    var phi_407_: bool;
+    var phi_408_: u32;
+    var phi_421_: type_18;
+    var phi_498_: type_4;
+    var phi_499_: type_4;
+    var phi_522_: type_4;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -75,243 +75,244 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e62 = id_2;
-    let _e63 = n_2;
-    let _e64 = lane_2;
-    let _e75 = ((((_e62.y * _e63.x) + _e62.x) * 64u) + _e64);
-    if (_e75 < arrayLength((&inputs.member))) {
-        let _e78 = inputs.member[_e75];
-        let _e85 = bitcast<f64>(((u64(_e78[1]) * 4294967296lu) + u64(_e78[0])));
-        let _e92 = bitcast<f64>(((u64(_e78[3]) * 4294967296lu) + u64(_e78[2])));
-        let _e94 = bitcast<u64>((_e85 + _e92));
-        let _e99 = bitcast<u64>((_e85 - _e92));
-        let _e104 = bitcast<u64>((_e85 * _e92));
-        let _e109 = bitcast<u64>((_e85 / _e92));
-        if (_e85 < 0.0lf) {
-            phi_168_ = -(_e85);
+    let _e63 = id_2;
+    let _e64 = n_2;
+    let _e65 = lane_2;
+    let _e76 = ((((_e63.y * _e64.x) + _e63.x) * 64u) + _e65);
+    if (_e76 < arrayLength((&inputs.member))) {
+        let _e79 = inputs.member[_e76];
+        let _e86 = bitcast<f64>(((u64(_e79[1]) * 4294967296lu) + u64(_e79[0])));
+        let _e93 = bitcast<f64>(((u64(_e79[3]) * 4294967296lu) + u64(_e79[2])));
+        let _e95 = bitcast<u64>((_e86 + _e93));
+        let _e100 = bitcast<u64>((_e86 - _e93));
+        let _e105 = bitcast<u64>((_e86 * _e93));
+        let _e110 = bitcast<u64>((_e86 / _e93));
+        if (_e86 < 0.0lf) {
+            phi_169_ = -(_e86);
         } else {
-            phi_168_ = _e85;
+            phi_169_ = _e86;
         }
-        let _e116 = phi_168_;
-        let _e117 = bitcast<u64>(_e116);
-        if (_e85 < _e92) {
-            phi_178_ = _e85;
+        let _e117 = phi_169_;
+        let _e118 = bitcast<u64>(_e117);
+        if (_e86 < _e93) {
+            phi_179_ = _e86;
         } else {
-            phi_178_ = _e92;
+            phi_179_ = _e93;
         }
-        let _e123 = phi_178_;
-        let _e124 = bitcast<u64>(_e123);
-        if (_e85 > _e92) {
-            phi_188_ = _e85;
+        let _e124 = phi_179_;
+        let _e125 = bitcast<u64>(_e124);
+        if (_e86 > _e93) {
+            phi_189_ = _e86;
         } else {
-            phi_188_ = _e92;
+            phi_189_ = _e93;
         }
-        let _e130 = phi_188_;
-        let _e131 = bitcast<u64>(_e130);
-        if (_e85 <= 2.2250738585072014e-308lf) {
-            if (_e85 > 0.0lf) {
-                phi_212_ = (1.464336215552873e-154lf * 2.0lf);
+        let _e131 = phi_189_;
+        let _e132 = bitcast<u64>(_e131);
+        if (_e86 <= 2.2250738585072014e-308lf) {
+            if (_e86 > 0.0lf) {
+                phi_213_ = (1.464336215552873e-154lf * 2.0lf);
             } else {
-                phi_212_ = 0.0lf;
+                phi_213_ = 0.0lf;
             }
-            let _e190 = phi_212_;
-            phi_276_ = _e190;
+            let _e191 = phi_213_;
+            phi_277_ = _e191;
         } else {
-            phi_219_ = type_16(0i, 5i);
-            phi_222_ = bitcast<f64>(((bitcast<u64>(_e85) / 2lu) + 2303426169912950784lu));
+            phi_220_ = type_16(0i, 5i);
+            phi_223_ = bitcast<f64>(((bitcast<u64>(_e86) / 2lu) + 2303426169912950784lu));
             loop {
-                let _e145 = phi_219_;
-                let _e147 = phi_222_;
-                local_2 = _e147;
-                if (_e145.member < _e145.member_1) {
-                    let _e154 = (_e145.member + 1i);
-                    if ((false == (_e154 > _e145.member)) != false) {
-                        phi_243_ = true;
+                let _e146 = phi_220_;
+                let _e148 = phi_223_;
+                local_2 = _e148;
+                if (_e146.member < _e146.member_1) {
+                    let _e155 = (_e146.member + 1i);
+                    if ((false == (_e155 > _e146.member)) != false) {
+                        phi_244_ = true;
                     } else {
-                        phi_243_ = false;
+                        phi_244_ = false;
                     }
-                    let _e159 = phi_243_;
-                    if _e159 {
-                        phi_249_ = type_17(0u, type_17().member_1);
+                    let _e160 = phi_244_;
+                    if _e160 {
+                        phi_250_ = type_17(0u, type_17().member_1);
                     } else {
-                        phi_249_ = type_17(1u, _e154);
+                        phi_250_ = type_17(1u, _e155);
                     }
-                    let _e164 = phi_249_;
-                    phi_220_ = type_16(_e164.member_1, _e145.member_1);
-                    phi_263_ = type_17(1u, _e145.member);
+                    let _e165 = phi_250_;
+                    phi_221_ = type_16(_e165.member_1, _e146.member_1);
+                    phi_264_ = type_17(1u, _e146.member);
                 } else {
-                    phi_220_ = _e145;
-                    phi_263_ = type_17(0u, type_17().member_1);
+                    phi_221_ = _e146;
+                    phi_264_ = type_17(0u, type_17().member_1);
                 }
-                let _e170 = phi_220_;
-                let _e172 = phi_263_;
-                let _e175 = (bitcast<i32>(_e172.member) != 0i);
-                if _e175 {
-                    phi_223_ = (0.5lf * (_e147 + (_e85 / _e147)));
+                let _e171 = phi_221_;
+                let _e173 = phi_264_;
+                let _e176 = (bitcast<i32>(_e173.member) != 0i);
+                if _e176 {
+                    phi_224_ = (0.5lf * (_e148 + (_e86 / _e148)));
                 } else {
-                    phi_223_ = f64();
+                    phi_224_ = f64();
                 }
-                let _e180 = phi_223_;
+                let _e181 = phi_224_;
                 continue;
                 continuing {
-                    phi_219_ = _e170;
-                    phi_222_ = _e180;
-                    break if !(_e175);
+                    phi_220_ = _e171;
+                    phi_223_ = _e181;
+                    break if !(_e176);
                 }
             }
-            let _e185 = local_2;
-            phi_276_ = (_e185 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+            let _e186 = local_2;
+            phi_277_ = (_e186 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
         }
-        let _e192 = phi_276_;
-        let _e193 = bitcast<u64>(_e192);
-        let _e197 = bitcast<u64>(_e85);
-        if ((_e197 & 9218868437227405312lu) == 9218868437227405312lu) {
-            phi_292_ = (_e85 < 0.0lf);
+        let _e193 = phi_277_;
+        let _e194 = bitcast<u64>(_e193);
+        let _e198 = bitcast<u64>(_e86);
+        if ((_e198 & 9218868437227405312lu) == 9218868437227405312lu) {
+            phi_293_ = (_e86 < 0.0lf);
         } else {
-            phi_292_ = true;
+            phi_293_ = true;
         }
-        let _e202 = phi_292_;
-        if _e202 {
-            if (_e85 > 0.0lf) {
-                phi_310_ = bitcast<f64>((_e197 + 1lu));
+        let _e203 = phi_293_;
+        if _e203 {
+            if (_e86 > 0.0lf) {
+                phi_311_ = bitcast<f64>((_e198 + 1lu));
             } else {
-                if (_e85 < 0.0lf) {
-                    phi_309_ = bitcast<f64>((_e197 - 1lu));
+                if (_e86 < 0.0lf) {
+                    phi_310_ = bitcast<f64>((_e198 - 1lu));
                 } else {
-                    phi_309_ = 5e-324lf;
+                    phi_310_ = 5e-324lf;
                 }
-                let _e208 = phi_309_;
-                phi_310_ = _e208;
+                let _e209 = phi_310_;
+                phi_311_ = _e209;
             }
-            let _e212 = phi_310_;
-            phi_311_ = _e212;
+            let _e213 = phi_311_;
+            phi_312_ = _e213;
         } else {
-            phi_311_ = _e85;
+            phi_312_ = _e86;
         }
-        let _e214 = phi_311_;
-        let _e215 = bitcast<u64>(_e214);
-        let _e219 = -(_e85);
-        let _e220 = bitcast<u64>(_e219);
-        if ((_e220 & 9218868437227405312lu) == 9218868437227405312lu) {
-            phi_328_ = (_e219 < 0.0lf);
+        let _e215 = phi_312_;
+        let _e216 = bitcast<u64>(_e215);
+        let _e220 = -(_e86);
+        let _e221 = bitcast<u64>(_e220);
+        if ((_e221 & 9218868437227405312lu) == 9218868437227405312lu) {
+            phi_329_ = (_e220 < 0.0lf);
         } else {
-            phi_328_ = true;
+            phi_329_ = true;
         }
-        let _e225 = phi_328_;
-        if _e225 {
-            if (_e219 > 0.0lf) {
-                phi_346_ = bitcast<f64>((_e220 + 1lu));
+        let _e226 = phi_329_;
+        if _e226 {
+            if (_e220 > 0.0lf) {
+                phi_347_ = bitcast<f64>((_e221 + 1lu));
             } else {
-                if (_e219 < 0.0lf) {
-                    phi_345_ = bitcast<f64>((_e220 - 1lu));
+                if (_e220 < 0.0lf) {
+                    phi_346_ = bitcast<f64>((_e221 - 1lu));
                 } else {
-                    phi_345_ = 5e-324lf;
+                    phi_346_ = 5e-324lf;
                 }
-                let _e231 = phi_345_;
-                phi_346_ = _e231;
+                let _e232 = phi_346_;
+                phi_347_ = _e232;
             }
-            let _e235 = phi_346_;
-            phi_347_ = _e235;
+            let _e236 = phi_347_;
+            phi_348_ = _e236;
         } else {
-            phi_347_ = _e219;
+            phi_348_ = _e220;
         }
-        let _e237 = phi_347_;
-        let _e239 = bitcast<u64>(-(_e237));
-        let _e243 = bitcast<u64>(_e85);
-        let _e244 = u32(_e243);
-        let _e246 = u32((_e243 / 4294967296lu));
-        let _e247 = (_e246 & 2147483648u);
-        let _e250 = ((_e246 >> bitcast<u32>(20i)) & 2047u);
-        let _e256 = (((_e246 & 1048575u) << bitcast<u32>(3i)) | (_e244 >> bitcast<u32>(29i)));
-        let _e257 = (_e244 & 536870911u);
-        if (_e250 == 2047u) {
-            phi_406_ = false;
-            phi_407_ = (2139095040u | _e256);
+        let _e238 = phi_348_;
+        let _e240 = bitcast<u64>(-(_e238));
+        let _e244 = bitcast<u64>(_e86);
+        let _e245 = u32(_e244);
+        let _e247 = u32((_e244 / 4294967296lu));
+        let _e248 = (_e247 & 2147483648u);
+        let _e251 = ((_e247 >> bitcast<u32>(20i)) & 2047u);
+        let _e257 = (((_e247 & 1048575u) << bitcast<u32>(3i)) | (_e245 >> bitcast<u32>(29i)));
+        let _e258 = (_e245 & 536870911u);
+        if (_e251 == 2047u) {
+            phi_407_ = false;
+            phi_408_ = (2139095040u | _e257);
         } else {
-            if (_e250 > 1150u) {
-                phi_404_ = true;
-                phi_405_ = 2139095039u;
+            if (_e251 > 1150u) {
+                phi_405_ = true;
+                phi_406_ = 2139095039u;
             } else {
-                if (_e250 > 896u) {
-                    phi_402_ = (_e257 != 0u);
-                    phi_403_ = (((_e250 - 896u) << bitcast<u32>(23i)) | _e256);
+                if (_e251 > 896u) {
+                    phi_403_ = (_e258 != 0u);
+                    phi_404_ = (((_e251 - 896u) << bitcast<u32>(23i)) | _e257);
                 } else {
-                    if (_e250 >= 873u) {
-                        let _e265 = (8388608u | _e256);
-                        let _e266 = (897u - _e250);
-                        phi_400_ = (((_e265 & ((1u << bitcast<u32>((_e266 & 31u))) - 1u)) | _e257) != 0u);
-                        phi_401_ = (_e265 >> bitcast<u32>((_e266 & 31u)));
+                    if (_e251 >= 873u) {
+                        let _e266 = (8388608u | _e257);
+                        let _e267 = (897u - _e251);
+                        phi_401_ = (((_e266 & ((1u << bitcast<u32>((_e267 & 31u))) - 1u)) | _e258) != 0u);
+                        phi_402_ = (_e266 >> bitcast<u32>((_e267 & 31u)));
                     } else {
-                        phi_400_ = (((_e246 & 2147483647u) | _e244) != 0u);
-                        phi_401_ = 0u;
+                        phi_401_ = (((_e247 & 2147483647u) | _e245) != 0u);
+                        phi_402_ = 0u;
                     }
-                    let _e278 = phi_400_;
-                    let _e280 = phi_401_;
-                    phi_402_ = _e278;
-                    phi_403_ = _e280;
+                    let _e279 = phi_401_;
+                    let _e281 = phi_402_;
+                    phi_403_ = _e279;
+                    phi_404_ = _e281;
                 }
-                let _e287 = phi_402_;
-                let _e289 = phi_403_;
-                phi_404_ = _e287;
-                phi_405_ = _e289;
+                let _e288 = phi_403_;
+                let _e290 = phi_404_;
+                phi_405_ = _e288;
+                phi_406_ = _e290;
             }
-            let _e291 = phi_404_;
-            let _e293 = phi_405_;
-            phi_406_ = _e291;
-            phi_407_ = _e293;
+            let _e292 = phi_405_;
+            let _e294 = phi_406_;
+            phi_407_ = _e292;
+            phi_408_ = _e294;
         }
-        let _e296 = phi_406_;
-        let _e298 = phi_407_;
-        let _e300 = bitcast<f32>((_e247 | _e298));
-        let _e304 = bitcast<f32>(((_e247 | _e298) + select(0u, 1u, _e296)));
-        if (_e247 == 0u) {
-            phi_420_ = type_18(_e300, _e304);
+        let _e297 = phi_407_;
+        let _e299 = phi_408_;
+        let _e301 = bitcast<f32>((_e248 | _e299));
+        let _e305 = bitcast<f32>(((_e248 | _e299) + select(0u, 1u, _e297)));
+        if (_e248 == 0u) {
+            phi_421_ = type_18(_e301, _e305);
         } else {
-            phi_420_ = type_18(_e304, _e300);
+            phi_421_ = type_18(_e305, _e301);
         }
-        let _e309 = phi_420_;
-        let _e319 = bitcast<u64>(f64(bitcast<f32>(_e78[0])));
-        local_1[0u] = array<u32, 2>(u32(_e94), u32((_e94 / 4294967296lu)));
-        local_1[1u] = array<u32, 2>(u32(_e99), u32((_e99 / 4294967296lu)));
-        local_1[2u] = array<u32, 2>(u32(_e104), u32((_e104 / 4294967296lu)));
-        local_1[3u] = array<u32, 2>(u32(_e109), u32((_e109 / 4294967296lu)));
-        local_1[4u] = array<u32, 2>(u32(_e117), u32((_e117 / 4294967296lu)));
-        local_1[5u] = array<u32, 2>(u32(_e124), u32((_e124 / 4294967296lu)));
-        local_1[6u] = array<u32, 2>(u32(_e131), u32((_e131 / 4294967296lu)));
-        local_1[7u] = array<u32, 2>(select(0u, 1u, (_e85 < _e92)), select(0u, 1u, (_e85 <= _e92)));
-        local_1[8u] = array<u32, 2>(u32(_e193), u32((_e193 / 4294967296lu)));
-        local_1[9u] = array<u32, 2>(u32(_e215), u32((_e215 / 4294967296lu)));
-        local_1[10u] = array<u32, 2>(u32(_e239), u32((_e239 / 4294967296lu)));
-        local_1[11u] = array<u32, 2>(bitcast<u32>(_e309.member), select(0u, 1u, ((bitcast<u64>(_e85) & 9218868437227405312lu) != 9218868437227405312lu)));
-        local_1[12u] = array<u32, 2>(u32(_e319), u32((_e319 / 4294967296lu)));
-        local = array<u32, 26>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-        phi_490_ = type_4(0u, 13u);
+        let _e310 = phi_421_;
+        let _e320 = bitcast<u64>(f64(bitcast<f32>(_e79[0])));
+        local_1[0u] = array<u32, 2>(u32(_e95), u32((_e95 / 4294967296lu)));
+        local_1[1u] = array<u32, 2>(u32(_e100), u32((_e100 / 4294967296lu)));
+        local_1[2u] = array<u32, 2>(u32(_e105), u32((_e105 / 4294967296lu)));
+        local_1[3u] = array<u32, 2>(u32(_e110), u32((_e110 / 4294967296lu)));
+        local_1[4u] = array<u32, 2>(u32(_e118), u32((_e118 / 4294967296lu)));
+        local_1[5u] = array<u32, 2>(u32(_e125), u32((_e125 / 4294967296lu)));
+        local_1[6u] = array<u32, 2>(u32(_e132), u32((_e132 / 4294967296lu)));
+        local_1[7u] = array<u32, 2>(select(0u, 1u, (_e86 < _e93)), select(0u, 1u, (_e86 <= _e93)));
+        local_1[8u] = array<u32, 2>(u32(_e194), u32((_e194 / 4294967296lu)));
+        local_1[9u] = array<u32, 2>(u32(_e216), u32((_e216 / 4294967296lu)));
+        local_1[10u] = array<u32, 2>(u32(_e240), u32((_e240 / 4294967296lu)));
+        local_1[11u] = array<u32, 2>(bitcast<u32>(_e310.member), select(0u, 1u, ((bitcast<u64>(_e86) & 9218868437227405312lu) != 9218868437227405312lu)));
+        local_1[12u] = array<u32, 2>(u32(_e320), u32((_e320 / 4294967296lu)));
+        local_1[13u] = array<u32, 2>(bitcast<u32>(f32(_e86)), 0u);
+        local = array<u32, 28>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+        phi_498_ = type_4(0u, 14u);
         loop {
-            let _e350 = phi_490_;
-            if (_e350.member < _e350.member_1) {
-                phi_491_ = type_4((_e350.member + 1u), _e350.member_1);
-                phi_514_ = type_4(1u, _e350.member);
+            let _e355 = phi_498_;
+            if (_e355.member < _e355.member_1) {
+                phi_499_ = type_4((_e355.member + 1u), _e355.member_1);
+                phi_522_ = type_4(1u, _e355.member);
             } else {
-                phi_491_ = _e350;
-                phi_514_ = type_4(0u, type_4().member_1);
+                phi_499_ = _e355;
+                phi_522_ = type_4(0u, type_4().member_1);
             }
-            let _e362 = phi_491_;
-            let _e364 = phi_514_;
-            let _e368 = (bitcast<i32>(_e364.member) != 0i);
-            if _e368 {
-                let _e371 = local_1[_e364.member_1][0u];
-                local[(2u * _e364.member_1)] = _e371;
-                let _e376 = local_1[_e364.member_1][1u];
-                local[((2u * _e364.member_1) + 1u)] = _e376;
+            let _e367 = phi_499_;
+            let _e369 = phi_522_;
+            let _e373 = (bitcast<i32>(_e369.member) != 0i);
+            if _e373 {
+                let _e376 = local_1[_e369.member_1][0u];
+                local[(2u * _e369.member_1)] = _e376;
+                let _e381 = local_1[_e369.member_1][1u];
+                local[((2u * _e369.member_1) + 1u)] = _e381;
             }
             continue;
             continuing {
-                phi_490_ = _e362;
-                break if !(_e368);
+                phi_498_ = _e367;
+                break if !(_e373);
             }
         }
-        let _e381 = local;
-        results.member[_e75] = array<u32, 26>(_e381[0], _e381[1], _e381[2], _e381[3], _e381[4], _e381[5], _e381[6], _e381[7], _e381[8], _e381[9], _e381[10], _e381[11], _e381[12], _e381[13], _e381[14], _e381[15], _e381[16], _e381[17], _e381[18], _e381[19], _e381[20], _e381[21], _e381[22], _e381[23], _e381[24], _e381[25]);
+        let _e386 = local;
+        results.member[_e76] = array<u32, 28>(_e386[0], _e386[1], _e386[2], _e386[3], _e386[4], _e386[5], _e386[6], _e386[7], _e386[8], _e386[9], _e386[10], _e386[11], _e386[12], _e386[13], _e386[14], _e386[15], _e386[16], _e386[17], _e386[18], _e386[19], _e386[20], _e386[21], _e386[22], _e386[23], _e386[24], _e386[25], _e386[26], _e386[27]);
     }
     return;
 }

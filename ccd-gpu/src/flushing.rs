@@ -36,16 +36,18 @@ impl Device {
         if self.info().wide {
             let (normal, half) = (f64::MIN_POSITIVE, f64::MIN_POSITIVE / 2.0);
             let single = f32::from_bits(HALF) as f64;
-            let [[h, i], [n, o]] = [half, normal].map(split);
+            let [[h, i], [n, o], [s, t]] = [half, normal, single].map(split);
             let [l, m] = split(normal + half);
-            let inputs = [[h, i, n, o], [l, m, n, o], [HALF, 0, n, o]];
+            let inputs = [[h, i, n, o], [l, m, n, o], [s, t, n, o], [HALF, 0, n, o]];
             let mut kernel =
-                ProbeWide { inputs: cast_slice(&inputs).to_vec(), results: vec![0; 3 * 26 * 4] };
-            let [sum, difference, widened] = self.try_all::<_, [[u32; 26]; 3]>(&mut kernel)?;
+                ProbeWide { inputs: cast_slice(&inputs).to_vec(), results: vec![0; 4 * 28 * 4] };
+            let [sum, difference, narrowed, widened] =
+                self.try_all::<_, [[u32; 28]; 4]>(&mut kernel)?;
             let widened = join([widened[24], widened[25]]);
             found.extend([
                 ("operands of f64", sum[..2] != [l, m]),
                 ("results of f64", difference[2..4] != [h, i]),
+                ("f64 that become f32", narrowed[26] != HALF),
                 ("f32 that become f64", widened != single),
             ]);
         }

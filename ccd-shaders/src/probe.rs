@@ -45,7 +45,7 @@ pub fn probe_wide(
     #[spirv(num_workgroups)] n: UVec3,
     #[spirv(local_invocation_index)] lane: u32,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] inputs: &[[u32; 4]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] results: &mut [[u32; 26]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] results: &mut [[u32; 28]],
 ) {
     let i = (group(id, n) * THREADS + lane) as usize;
     if i < inputs.len() {

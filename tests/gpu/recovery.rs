@@ -162,14 +162,14 @@ fn check_sessions(device: &Device) {
         }
         let options = Options::default().with_scheduling(scheduling);
         // Trees with every second scheduling, one with a front and one without in turn, blocks and
-        // triangles with every sixth, where a GPU is emulated.
+        // triangles with every fifth, where a GPU is emulated.
         let emulated = device.info().adapter.device_type == DeviceType::Cpu;
         if (i + i / 2) % 2 == 1 || !emulated {
             check(&small, options.clone().with_broad_phase(aabb), &of_small, 0);
         }
-        if i % 6 == 1 || !emulated {
+        if i % 5 == 1 || !emulated {
             check(&of_blocks, options.clone(), &of_large, 0);
-            let k = (i + i / 6) % 2;
+            let k = (i + i / 5) % 2;
             let options = options.with_broad_phase([obb, aabb][k]);
             check(&small, options.with_pipeline(triangles), &of_triangles, k + 1);
         }

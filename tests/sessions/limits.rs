@@ -101,7 +101,7 @@ fn what_is_beyond_the_limit_of_memory_is_refused() {
                     Err(e) => assert!(matches!(e, Error::Memory { .. }), "{what}: {e}"),
                 }
                 // What fits is found as ever.
-                if more > 1 << 14 {
+                if more >= 1 << 17 {
                     assert_eq!(contacts(&mut session, &a, &b), few, "{what}");
                 }
             }

@@ -266,8 +266,9 @@ fn again_with(root: &Path, feature: &str, task: &Task) -> Result<(), String> {
         programs::skipped(&no_nightly);
         return tint::run(root);
     }
-    // Bindings are made as fast by a program that was not optimized, as this one is.
-    let profile: &[&str] = if feature == "web" { &[] } else { &["--release"] };
+    // Bindings need no optimized program. Windows does not replace this one while it runs.
+    let is_debug = feature == "web" && !cfg!(windows);
+    let profile: &[&str] = if is_debug { &[] } else { &["--release"] };
     let build = ["--quiet", "-p", "xtask", "--features", feature, "--"];
     let args: Vec<String> = std::env::args().skip(1).collect();
     let args: Vec<&str> = args.iter().map(String::as_str).collect();

@@ -161,7 +161,7 @@ pub fn kernels_are_kept() {
     let run = |cache: &Path| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_ccd"));
         command.args(["check", &a, &b, "--backend", "gpu"]).env_remove("XDG_RUNTIME_DIR");
-        // Mesa's own cache, of which nothing here depends: with it only the first one compiles.
+        // Mesa's own cache, on which nothing here depends: with it only the first run compiles.
         command.env("MESA_SHADER_CACHE_DIR", dir.path().join("mesa"));
         let output =
             command.env("XDG_CACHE_HOME", cache).env("HOME", "/dev/null").output().unwrap();

@@ -139,6 +139,7 @@ fn trees_of_any_depth_are_searched() {
             n_pairs += searches.check(&a, &apart(40))[0];
         }
     }
+    searches.check(&nested(150), &[]);
     assert!(n_pairs > 10_000, "{n_pairs} pairs show nothing");
 }
 

@@ -50,10 +50,10 @@ pub fn end_slot(i: usize, k: usize) -> usize {
 }
 
 /// A box, not of leaves but of nodes above them, that says whether all below it stands still: by
-/// the lowest bit of a bound, which is raised by one step where that is not it.
+/// the lowest bit of its greatest x, which is raised to a number with that bit.
 ///
-/// Where it does, pairs with others that do are no candidates ([`bodies_meet`]). A device that
-/// flushes such a bound takes it as one of what moves.
+/// Two boxes that say so are no candidates ([`bodies_meet`]). A device that stores such a bound as
+/// zero loses the bit, and the box is taken for one of what moves, which is safe.
 ///
 /// [`bodies_meet`]: super::candidate::bodies_meet
 #[inline(always)]

@@ -123,8 +123,9 @@ impl<const BITS: u32> UniformGrid<BITS> {
     pub(super) fn place(&self, b: &Aabb<f32>, k: usize) -> f32 {
         let origin = self.quarter_origin[k];
         // Half of the way from the origin to the centre. Quarters, because the sum of halves may
-        // not be finite. The greater of each and 0, which it is: where a compiler may take sums in
-        // any order, it must not add the coordinates first, whose rounding cells do not allow for.
+        // not be finite. None is below 0 where the box is in the scene; the maximum keeps a
+        // compiler that may reorder sums from adding coordinates first, whose rounding would be too
+        // large.
         let from_origin = |x: f32| Num::max(x * 0.25 - origin, 0.0);
         (from_origin(b.min[k]) + from_origin(b.max[k])) * self.inverse[k]
     }

@@ -148,7 +148,7 @@ pub fn scalars(input: [u32; 2]) -> [u32; 24] {
 }
 
 /// Names of what [`wide`] computes, in order; each is two words.
-pub const WIDE: [&str; 13] = [
+pub const WIDE: [&str; 14] = [
     "a + b",
     "a - b",
     "a * b",
@@ -162,12 +162,13 @@ pub const WIDE: [&str; 13] = [
     "next_down",
     "round_down, is_finite_number",
     "f32 to f64",
+    "f64 to f32",
 ];
 
 /// Every operation in `f64` that kernels use, of two numbers of two words each, and the conversion
-/// that they do without, of the first word.
+/// to `f64`, which they do without, of the first word.
 #[inline(always)]
-pub fn wide(input: [u32; 4]) -> [u32; 26] {
+pub fn wide(input: [u32; 4]) -> [u32; 28] {
     let (a, b) = (join([input[0], input[1]]), join([input[2], input[3]]));
     let results = [
         split(a + b),
@@ -183,9 +184,10 @@ pub fn wide(input: [u32; 4]) -> [u32; 26] {
         split(Real::next_down(a)),
         [a.round_down().to_bits(), a.is_finite_number() as u32],
         split(f32::from_bits(input[0]) as f64),
+        [(a as f32).to_bits(), 0],
     ];
-    let mut out = [0; 26];
-    for k in 0..13 {
+    let mut out = [0; 28];
+    for k in 0..14 {
         out[2 * k] = results[k][0];
         out[2 * k + 1] = results[k][1];
     }
