@@ -14,9 +14,6 @@ const PACKAGE: &str = "ccd-wasm-test";
 pub const SIMD: [(&str, &str); 1] =
     [("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", "-C target-feature=+simd128 -D warnings")];
 
-/// Little optimized: every method is compiled here, and the npm package's module as releases are.
-pub const QUICK: [(&str, &str); 1] = [("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")];
-
 /// Compares answers; `env` is for the build.
 pub fn run(root: &Path, env: &[(&str, &str)]) -> Result<(), String> {
     if !has_target(TARGET) {
