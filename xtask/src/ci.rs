@@ -7,9 +7,9 @@ use std::time::Instant;
 /// A target without a standard library or an operating system.
 const BARE_METAL: &str = "thumbv7em-none-eabihf";
 
-/// Features of this crate, off by default and one a task: clippy checks these, and
-/// [`long`] the others, of which the gate has compiled what it uses.
+/// Features of this crate, off by default and one a task, that clippy checks in the gate.
 const XTASK_FEATURES: [&str; 3] = ["report", "shaders", "soak"];
+/// The others: the gate compiles them, and clippy checks them in [`long`].
 const REST: [&str; 1] = ["web"];
 
 /// Runs the gate, or `whole`: that with nothing left out, and the searches that take long.
@@ -66,7 +66,7 @@ fn long(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "xtask", "shaders", "--check"])?;
     // The vectors that the npm package has, by every method.
     crate::wasm::run(root, &crate::wasm::SIMD)?;
-    // Kernels by the newer software adapter, which the gate has and all else here has not.
+    // The gate's own adapter; under `--whole` all other tests run on the system's.
     let newer = root.join("target/lavapipe/icd.json");
     if let Some(newer) = newer.to_str().filter(|_| newer.exists()) {
         crate::programs::test(root, "gpu", &[], &[("VK_ICD_FILENAMES", newer)])?;

@@ -269,7 +269,7 @@ fn again_with(root: &Path, feature: &str, task: &Task) -> Result<(), String> {
     // Bindings need no optimized program. Windows does not replace this one while it runs.
     let is_debug = feature == "web" && !cfg!(windows);
     let profile: &[&str] = if is_debug { &[] } else { &["--release"] };
-    let build = ["--quiet", "-p", "xtask", "--features", feature, "--"];
+    let build = ["-p", "xtask", "--features", feature, "--"];
     let args: Vec<String> = std::env::args().skip(1).collect();
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     programs::command(root, &[&["cargo", "run"], profile, &build, &args].concat())

@@ -9,8 +9,8 @@ use std::process::Command;
 const TARGET: &str = "wasm32-unknown-unknown";
 const PACKAGE: &str = "ccd-wasm-test";
 
-/// Vectors of WebAssembly, which all browsers have since 2023 (Safari 16.4 was the last). Nor are
-/// there warnings: what is built so is what a dependent compiles, the default methods alone.
+/// Vectors of WebAssembly, which all browsers have since 2023 (Safari 16.4 was the last). A warning
+/// is an error, because the npm package is what the gate compiles without the catalogue.
 pub const SIMD: [(&str, &str); 1] =
     [("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", "-C target-feature=+simd128 -D warnings")];
 
