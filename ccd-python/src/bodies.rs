@@ -168,10 +168,10 @@ fn with_rules(
     rules: &Bound<'_, PyDict>,
 ) -> PyResult<ccd::Bodies> {
     // Rules name bodies; an entry of a body that no vertex belongs to says nothing.
-    let n_bodies = names.iter().max().map_or(0, |&last| last + 1);
-    let mut there = vec![false; n_bodies as usize];
-    names.iter().for_each(|&body| there[body as usize] = true);
-    let of_bodies = |n: usize| (0..n as u32).filter(|&b| there.get(b as usize) == Some(&true));
+    let mut all = names.to_vec();
+    all.sort_unstable();
+    all.dedup();
+    let of_bodies = |n: usize| all.iter().copied().take_while(move |&body| (body as usize) < n);
     let (mut memberships, mut filters) = (Vec::new(), Vec::new());
     for (name, given) in rules.iter() {
         if given.is_none() {

@@ -9,14 +9,26 @@ use crate::process::MadeBy;
 use crate::report::Columns;
 use ccd::any;
 use ccd::{BodyMotion, Coordinate, Kind};
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use std::sync::Mutex;
 
 /// A session that threads of Python share, in the process that made it.
 pub struct Shared {
-    inner: Mutex<any::Session>,
+    inner: Mutex<Inner>,
     filter: Mutex<Option<Py<PyAny>>>,
     made_by: MadeBy,
+}
+
+/// How often a filter is asked again because another thread, or the filter, changed the session.
+const TURNS: usize = 16;
+
+/// What one thread has at a time.
+struct Inner {
+    session: any::Session,
+    /// How often something was done with the session besides calls: what a filter was asked about
+    /// may be another scene afterwards.
+    changes: u64,
 }
 
 /// Bodies, each with its positions at both ends of a step.
@@ -24,7 +36,8 @@ pub type Motions<'py> = Vec<(u32, Bound<'py, PyAny>, Bound<'py, PyAny>)>;
 
 impl Shared {
     pub fn new(session: any::Session) -> Self {
-        Self { inner: Mutex::new(session), filter: Mutex::default(), made_by: MadeBy::this() }
+        let inner = Mutex::new(Inner { session, changes: 0 });
+        Self { inner, filter: Mutex::default(), made_by: MadeBy::this() }
     }
 
     /// Makes a call.
@@ -49,36 +62,60 @@ impl Shared {
     ) -> PyResult<C::Found> {
         let x = x.map(|x| x.as_chunks().0);
         let filter = lock(&self.filter)?.as_ref().map(|filter| filter.clone_ref(py));
-        if let Some(filter) = filter {
-            let candidates = self.change(py, move |session| {
-                session.remove_filter();
-                call.candidates(session, x)
+        let Some(filter) = filter.filter(|_| C::ASKS) else {
+            return self.alone(py, move |inner| call.call(&mut inner.session, x).map_err(failed));
+        };
+        // The callback may take its time, and may call the session: nothing is locked meanwhile.
+        for _ in 0..TURNS {
+            let (candidates, changes) = self.alone(py, move |inner| {
+                Ok((call.candidates(&mut inner.session, x).map_err(failed)?, inner.changes))
             })?;
             let wanted = Wanted::new(py, &filter, candidates)?;
-            self.change(py, |session| session.set_filter(move |k, a, b| wanted.has(k, a, b)))?;
+            let found = self.alone(py, move |inner| {
+                if inner.changes != changes {
+                    return Ok(None);
+                }
+                inner.session.set_filter(move |k, a, b| wanted.has(k, a, b)).map_err(failed)?;
+                let found = call.call(&mut inner.session, x);
+                // Other calls are of other positions, or ask nobody.
+                inner.session.remove_filter();
+                found.map(Some).map_err(failed)
+            })?;
+            if let Some(found) = found {
+                return Ok(found);
+            }
         }
-        self.change(py, move |session| call.call(session, x))
+        let why = "the session was changed each time while its filter was asked";
+        Err(PyRuntimeError::new_err(why))
     }
 
-    /// Does something with the session.
+    /// Changes the session, or asks it for what is no call.
     pub fn change<R: Send>(
         &self,
         py: Python<'_>,
         change: impl FnOnce(&mut any::Session) -> Result<R, any::Error> + Send,
     ) -> PyResult<R> {
+        self.alone(py, |inner| {
+            inner.changes += 1;
+            change(&mut inner.session).map_err(failed)
+        })
+    }
+
+    /// Does something while no other thread does, without the interpreter.
+    fn alone<R: Send>(
+        &self,
+        py: Python<'_>,
+        act: impl FnOnce(&mut Inner) -> PyResult<R> + Send,
+    ) -> PyResult<R> {
         self.made_by.check("session")?;
-        py.detach(|| change(&mut *lock(&self.inner)?).map_err(failed))
+        py.detach(|| act(&mut *lock(&self.inner)?))
     }
 
     /// Has the next calls ask a callback which pairs they want; none has them want all.
-    pub fn set_filter(&self, py: Python<'_>, filter: Option<Py<PyAny>>) -> PyResult<()> {
-        if filter.is_none() {
-            self.change(py, |session| {
-                session.remove_filter();
-                Ok(())
-            })?;
-        }
-        *lock(&self.filter)? = filter;
+    pub fn set_filter(&self, filter: Option<Py<PyAny>>) -> PyResult<()> {
+        let before = std::mem::replace(&mut *lock(&self.filter)?, filter);
+        // Python runs its finalizer now, which may call the session: nothing is locked.
+        drop(before);
         Ok(())
     }
 
@@ -100,7 +137,7 @@ impl Shared {
             })
         });
         let motions: Vec<BodyMotion> = motions.collect::<PyResult<_>>()?;
-        self.change(py, |session| call(session, &motions))
+        self.alone(py, |inner| call(&mut inner.session, &motions).map_err(failed))
     }
 }
 
@@ -113,6 +150,8 @@ fn motion<'a, T: Coordinate>(body: u32, x: [&'a [T]; 2]) -> BodyMotion<'a> {
 pub trait Call: Send + Copy {
     /// What is found.
     type Found: Send;
+    /// Whether a filter says which pairs count.
+    const ASKS: bool = true;
 
     /// Makes it, for the positions at both ends of a step.
     fn call<T: Coordinate>(
@@ -157,13 +196,14 @@ impl Call for MakeSet {
 }
 
 macro_rules! calls {
-    ($($name:ident $(($of:ty))?, |$this:pat_param, $session:ident, $x0:ident, $x1:ident|
+    ($($name:ident $(($of:ty))? $(asks: $asks:literal)?, |$this:pat_param, $session:ident, $x0:ident, $x1:ident|
         -> $found:ty { $($body:tt)* })*) => {$(
         #[derive(Clone, Copy)]
         pub struct $name $((pub $of))?;
 
         impl Call for $name {
             type Found = $found;
+            $(const ASKS: bool = $asks;)?
 
             fn call<T: Coordinate>(
                 self,
@@ -184,15 +224,15 @@ calls! {
     }
     EarliestToi, |_, session, x0, x1| -> Option<f64> { session.earliest_toi(x0, x1) }
     FirstContact, |_, session, x0, x1| -> Option<ccd::Hit> { session.first_contact(x0, x1) }
-    SetPositions, |_, session, x0, _x1| -> () { Ok(session.set_positions(x0)?) }
+    SetPositions asks: false, |_, session, x0, _x1| -> () { Ok(session.set_positions(x0)?) }
     ListCandidates, |_, session, x0, x1| -> [Vec<u32>; 4] {
         let all = session.candidates(x0, x1)?;
         let kinds = [all.vf, all.ee, all.ve, all.vv];
         Ok(kinds.map(|pairs| pairs.iter().flat_map(|p| [p.a, p.b]).collect()))
     }
-    Intersect, |_, session, x0, _x1| -> Vec<u32> {
+    Intersect asks: false, |_, session, x0, _x1| -> Vec<u32> {
         let all = session.intersections(x0)?;
         Ok(all.iter().flat_map(|found| [found.edge, found.face]).collect())
     }
-    Intersects, |_, session, x0, _x1| -> bool { Ok(session.has_intersections(x0)?) }
+    Intersects asks: false, |_, session, x0, _x1| -> bool { Ok(session.has_intersections(x0)?) }
 }

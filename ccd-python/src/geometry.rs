@@ -23,6 +23,12 @@ pub struct Geometry {
     distance: Py<PyArray1<f64>>,
 }
 
+/// The kind of a number, in the order of `Kind`.
+pub fn kind(number: u8) -> PyResult<Kind> {
+    let kind = Kind::ALL.get(usize::from(number));
+    kind.copied().ok_or_else(|| refused(format!("{number} is no kind of contact")))
+}
+
 /// Columns that say which contacts.
 pub struct Contacts<'py> {
     kind: PyReadonlyArray1<'py, u8>,
@@ -70,6 +76,18 @@ impl<'py> Contacts<'py> {
         let kind = self.kind.as_slice().map_err(refused)?;
         let (a, b) = (self.a.as_slice().map_err(refused)?, self.b.as_slice().map_err(refused)?);
         let toi = self.toi.as_slice().map_err(refused)?;
+        // The columns of a report can be written to.
+        for ((&number, &a), &b) in kind.iter().zip(a).zip(b) {
+            let [of_a, of_b] = match self::kind(number)? {
+                Kind::VertexFace => [mesh.n_vertices(), mesh.faces().len()],
+                Kind::EdgeEdge => [mesh.edges().len(); 2],
+                Kind::VertexEdge => [mesh.n_vertices(), mesh.edges().len()],
+                Kind::VertexVertex => [mesh.n_vertices(); 2],
+            };
+            if a as usize >= of_a || b as usize >= of_b {
+                return Err(refused(format!("the mesh has no pair {a}, {b} of kind {number}")));
+            }
+        }
         let [point, normal, weights, on_a, on_b, distance] = py.detach(|| {
             let mut columns: [Vec<f64>; 6] = Default::default();
             for (((&kind, &a), &b), &toi) in kind.iter().zip(a).zip(b).zip(toi) {

@@ -1,6 +1,7 @@
 //! Report of a step: arrays with one entry per contact.
 
 use crate::arrays::rows;
+use crate::errors::refused;
 use crate::geometry::{Contacts, Geometry};
 use crate::hit::state_number;
 use crate::mesh::Mesh;
@@ -99,10 +100,12 @@ impl Report {
 
     /// Numbers of contacts of each kind in the order of `Kind`.
     #[getter]
-    fn n_contacts(&self, py: Python<'_>) -> (u64, u64, u64, u64) {
+    fn n_contacts(&self, py: Python<'_>) -> PyResult<(u64, u64, u64, u64)> {
         let mut n = [0; 4];
-        self.kind.bind(py).readonly().as_array().iter().for_each(|&k| n[usize::from(k)] += 1);
-        n.into()
+        for &kind in self.kind.bind(py).try_readonly().map_err(refused)?.as_array() {
+            n[crate::geometry::kind(kind)? as usize] += 1;
+        }
+        Ok(n.into())
     }
 
     /// Points, normals and weights of all contacts, from the positions of the step.

@@ -98,10 +98,16 @@ impl Session {
     }
 
     /// A report of each step of an animation: from each of these positions to the next. `frames`
-    /// is an array of shape (n_frames, n_vertices, 3), or anything that yields arrays of shape
-    /// (n_vertices, 3), which are asked for one after the other.
+    /// is an array of shape (n_frames, n_vertices, 3), a sequence of arrays of shape (n_vertices,
+    /// 3), or anything that yields such arrays one after the other; those are copied, so that it
+    /// may yield the same one again with other positions in it.
     fn step_many(&self, py: Python<'_>, frames: &Bound<'_, PyAny>) -> PyResult<Vec<Report>> {
-        let mut frames = frames.try_iter()?;
+        let keeps = frames.len().is_ok();
+        let array = py.import("numpy")?.getattr("array")?;
+        let mut frames = frames.try_iter()?.map(|frame| {
+            let frame = frame?;
+            if keeps { Ok(frame) } else { array.call1((frame,)) }
+        });
         let Some(mut before) = frames.next().transpose()? else { return Ok(Vec::new()) };
         let mut reports = Vec::new();
         for frame in frames {
@@ -250,7 +256,8 @@ impl Session {
             Some(bodies) => session.set_mesh_and_bodies(topology, bodies),
             None => session.set_mesh(topology),
         })?;
-        *lock(&self.mesh)? = mesh;
+        let before = std::mem::replace(&mut *lock(&self.mesh)?, mesh);
+        drop(before);
         Ok(())
     }
 
@@ -320,10 +327,10 @@ impl Session {
 
     /// From now on `filter(kind, pairs)` says which candidates count: asked once a call for each
     /// `Kind` that has some, with an array of shape (n, 2), it returns n of bool. None: all count.
-    /// Candidates are listed for it, which costs time. On the CPU; steps of bodies do not ask it.
+    /// Candidates are listed for it, which costs time. On the CPU; in steps of bodies all count.
     #[pyo3(signature = (filter=None))]
-    fn set_filter(&self, py: Python<'_>, filter: Option<Py<PyAny>>) -> PyResult<()> {
-        self.shared.set_filter(py, filter)
+    fn set_filter(&self, filter: Option<Py<PyAny>>) -> PyResult<()> {
+        self.shared.set_filter(filter)
     }
 
     /// The mesh of the next step.

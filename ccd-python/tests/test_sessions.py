@@ -3,6 +3,8 @@
 import multiprocessing
 import os
 import pickle
+import sys
+import threading
 
 import numpy as np
 import pytest
@@ -162,6 +164,101 @@ def test_a_filter_says_which_pairs_count():
         session.step(x0, x1)
     session.set_filter()
     assert same(session.step(x0, x1), want)
+
+
+def everything(kind, pairs):
+    return np.ones(len(pairs), bool)
+
+
+def test_a_filter_does_not_answer_for_other_positions():
+    bodies = Bodies(BODIES, fixed=[True, False])
+    session = Session(Mesh(FACES), bodies=bodies)
+    session.set_positions(X0)
+    motion = [(1, X0[4:], X1[4:])]
+    want = session.step_bodies(motion)
+    assert len(want) > 0
+    session.set_filter(everything)
+    # Nothing is near anything else there.
+    session.step(X0, X0)
+    session.set_positions(X0)
+    assert same(session.step_bodies(motion), want)
+    session.set_positions(X0)
+    assert session.earliest_toi_of_bodies(motion) == want.earliest_toi
+    session.set_positions(X0)
+    assert session.first_contact_of_bodies(motion).toi == want.earliest_toi
+
+
+def test_threads_with_one_filter_do_not_mix_their_steps():
+    session = Session(Mesh(FACES))
+    session.set_filter(everything)
+    want = [session.earliest_toi(*x) for x in ((X0, X1), (X1, X0))]
+    assert None not in want
+    wrong = []
+
+    def call(x, toi):
+        for _ in range(500):
+            found = session.earliest_toi(*x)
+            if found != toi:
+                wrong.append(found)
+
+    # One of them at rest: what is a candidate there is not enough for the others.
+    steps = [((X0, X1), want[0]), ((X1, X0), want[1]), ((X0, X0), session.earliest_toi(X0, X0))]
+    threads = [threading.Thread(target=call, args=step) for step in steps]
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    sys.setswitchinterval(interval)
+    assert wrong == []
+
+
+def test_a_filter_may_call_its_session_and_so_may_its_finalizer():
+    session, ended = Session(Mesh(FACES)), []
+
+    class Filter:
+        def __call__(self, kind, pairs):
+            session.set_min_distance(0.0)
+            return np.ones(len(pairs), bool)
+
+        def __del__(self):
+            ended.append(session.place)
+
+    session.set_filter(Filter())
+    with pytest.raises(RuntimeError, match="changed each time"):
+        session.step(X0, X1)
+    session.set_filter()
+    assert len(ended) == 1
+
+
+def test_frames_may_come_in_one_array_again_and_again():
+    session = Session(Mesh(FACES))
+
+    def frames():
+        x = np.array(X0, float)
+        yield x
+        x[:] = X1
+        yield x
+
+    (found,) = session.step_many(frames())
+    assert len(found) > 0 and same(found, session.step(X0, X1))
+
+
+def test_columns_that_were_written_to_are_refused():
+    report = Session(Mesh(FACES)).step(X0, X1)
+    report.a[0] = 99
+    with pytest.raises(ValueError, match="99"):
+        report.geometry(X0, X1)
+    report.kind[0] = 9
+    for ask in (lambda: report.n_contacts, lambda: report.geometry(X0, X1)):
+        with pytest.raises(ValueError, match="9 is no kind"):
+            ask()
+
+
+def test_bodies_have_any_numbers():
+    names = np.array([4294967295] * 7, "u4")
+    assert Session(Mesh(FACES), bodies=Bodies(names, fixed=[True])).step(X0, X1)
 
 
 def test_every_method_finds_the_same():
