@@ -196,7 +196,8 @@ impl Call for MakeSet {
 }
 
 macro_rules! calls {
-    ($($name:ident $(($of:ty))? $(asks: $asks:literal)?, |$this:pat_param, $session:ident, $x0:ident, $x1:ident|
+    ($($name:ident $(($of:ty))? $(asks: $asks:literal)?,
+        |$this:pat_param, $session:ident, $x0:ident, $x1:ident|
         -> $found:ty { $($body:tt)* })*) => {$(
         #[derive(Clone, Copy)]
         pub struct $name $((pub $of))?;
