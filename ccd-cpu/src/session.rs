@@ -22,7 +22,7 @@ use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Options;
-use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, Moved, State};
+use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, Kept, Moved, State};
 use passes::{collect, detect, drop_repeated, least_toi, prepare};
 use std::sync::Arc;
 
@@ -150,6 +150,10 @@ impl session::Engine for Engine {
         &self.state
     }
 
+    fn kept(&mut self) -> &mut Kept {
+        &mut self.state.kept
+    }
+
     fn clear(&mut self) {
         self.state.report.clear();
     }
@@ -275,7 +279,7 @@ impl Engine {
     fn run(&mut self, mut x: Positions, earliest: bool) -> Result<(), Error> {
         let window = [x.from, x.until];
         let Self { state, threads, prepared, method, workers, order, codimensional, .. } = self;
-        let State { mesh, options, report } = state;
+        let State { mesh, options, report, .. } = state;
         let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &self.selection);
         threads.enter(|| {
             let start = Instant::now();

@@ -17,7 +17,7 @@ use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Mode;
 use ccd_core::model::positions::Gathered;
 use ccd_core::model::precision::{Given, Precision};
-use ccd_core::model::session::{self, Ask, Change, Moved, On, State};
+use ccd_core::model::session::{self, Ask, Change, Kept, Moved, On, State};
 use ccd_core::narrow_phase::decide;
 use in_flight::{Copied, Flight, Sought};
 use std::task::{Context, Poll, ready};
@@ -98,6 +98,10 @@ impl session::Engine for Engine {
 
     fn state(&self) -> &State {
         &self.state
+    }
+
+    fn kept(&mut self) -> &mut Kept {
+        &mut self.state.kept
     }
 
     fn clear(&mut self) {
@@ -248,7 +252,7 @@ impl Engine {
         self.device.check_lost()?;
         self.frames.upload(&self.device, mesh, (given, moved), options.min_distance)?;
         session::Engine::clear(self);
-        let State { mesh, options, report } = &mut self.state;
+        let State { mesh, options, report, .. } = &mut self.state;
         report.set_mesh(mesh);
         let uploaded = start.elapsed();
         let Sought { goal, window, .. } = sought;
@@ -284,7 +288,7 @@ impl Engine {
 
     /// Decides what the device left open, and makes the report.
     fn take(&mut self, mut found: Found, (goal, window): (Goal, [f64; 2]), given: Given) {
-        let State { mesh, options, report } = &mut self.state;
+        let State { mesh, options, report, .. } = &mut self.state;
         let decider = &Decider::new(options, window);
         let contacts = &mut report.contacts;
         let mut open = std::mem::take(&mut found.open);
@@ -337,7 +341,7 @@ impl Engine {
         given: Given,
     ) -> Result<(), Error> {
         let Self { state, codimensional: Some(found), frames, .. } = self else { return Ok(()) };
-        let State { mesh, options, report } = state;
+        let State { mesh, options, report, .. } = state;
         found.list(mesh, (frames.buffers.rules.as_ref(), options.min_distance), given)?;
         let [ve, vv] = found.pairs.each_ref().map(|pairs| pairs.len() as u64);
         (report.candidates.ve, report.candidates.vv) = (ve, vv);

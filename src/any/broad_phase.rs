@@ -62,7 +62,7 @@ impl BroadPhase {
     /// a GPU alone, what that refuses.
     pub fn self_pairs(&mut self, boxes: &[Aabb<f32>]) -> Result<Pairs<'_>, Error> {
         let &mut Self { threads, method, scheduling, .. } = self;
-        let on_cpu = |_: &_| crate::BroadPhase::scheduled(threads, method, scheduling);
+        let on_cpu = |_: &mut _| crate::BroadPhase::scheduled(threads, method, scheduling);
         match self.on.run(|on| on.self_pairs(boxes), on_cpu)? {
             Turn::Done(pairs) => Ok(Pairs::owned(pairs)),
             Turn::Cpu(on) => Ok(Pairs::lent(on.self_pairs(boxes)?)),
@@ -76,7 +76,7 @@ impl BroadPhase {
     /// a GPU alone, what that refuses.
     pub fn pairs(&mut self, a: &[Aabb<f32>], b: &[Aabb<f32>]) -> Result<Pairs<'_>, Error> {
         let &mut Self { threads, method, scheduling, .. } = self;
-        let on_cpu = |_: &_| crate::BroadPhase::scheduled(threads, method, scheduling);
+        let on_cpu = |_: &mut _| crate::BroadPhase::scheduled(threads, method, scheduling);
         match self.on.run(|on| on.pairs(a, b), on_cpu)? {
             Turn::Done(pairs) => Ok(Pairs::owned(pairs)),
             Turn::Cpu(on) => Ok(Pairs::lent(on.pairs(a, b)?)),

@@ -270,7 +270,7 @@ impl<C, G> Either<C, G> {
     fn run<R>(
         &mut self,
         work: impl Fn(&mut G) -> Result<R, Error>,
-        on_cpu: impl Fn(&G) -> Result<C, crate::Error>,
+        on_cpu: impl Fn(&mut G) -> Result<C, crate::Error>,
     ) -> Result<Turn<'_, C, R>, Error> {
         loop {
             match self {

@@ -4,7 +4,7 @@
 use crate::method::{BroadPhaseMethod, Scheduling};
 use crate::{Aabb, CancelToken, Pair};
 use ccd_core::model::precision::Given;
-use ccd_core::model::session::{self, Ask, Change, Moved, On, State};
+use ccd_core::model::session::{self, Ask, Change, Kept, Moved, On, State};
 
 /// Why the work was not done. With the feature `gpu` this is `ccd::gpu::Error`, which has more
 /// variants and these two.
@@ -79,6 +79,10 @@ impl session::Engine for Engine {
     }
 
     fn state(&self) -> &State {
+        match *self {}
+    }
+
+    fn kept(&mut self) -> &mut Kept {
         match *self {}
     }
 

@@ -4,7 +4,8 @@ use super::{Choice, Either, Error, Pairs, Place, Turn, gpu};
 use crate::method::BroadPhaseMethod;
 use crate::{AsPositions, CancelToken, CandidateSet, Intersection};
 use ccd_core::model::precision::Given;
-use ccd_core::model::session::{self, Ask, Change, Intersects, Moved, On, State};
+use ccd_core::model::session::Engine as _;
+use ccd_core::model::session::{self, Ask, Change, Intersects, Kept, Moved, On, State};
 
 /// Continuous collision detection of one mesh over many steps, on the CPU or on a GPU: the calls
 /// of [`crate::Session`], and those of [`Engine`].
@@ -58,6 +59,13 @@ impl session::Engine for Engine {
         match &self.0 {
             Either::Cpu(on) => on.state(),
             Either::Gpu { on, .. } => on.state(),
+        }
+    }
+
+    fn kept(&mut self) -> &mut Kept {
+        match &mut self.0 {
+            Either::Cpu(on) => on.kept(),
+            Either::Gpu { on, .. } => on.kept(),
         }
     }
 
@@ -176,10 +184,11 @@ impl Engine {
     }
 }
 
-/// The session on the CPU that takes over from a GPU.
-fn on_cpu(on: &gpu::Session) -> Result<crate::Session, crate::Error> {
+/// The session on the CPU that takes over from a GPU, with the bodies where they are.
+fn on_cpu(on: &mut gpu::Session) -> Result<crate::Session, crate::Error> {
     let mut session = crate::Session::new(on.mesh().clone(), on.options().clone())?;
     session.set_cancel_token(on.cancel_token().cloned());
+    *session.kept() = std::mem::take(on.kept());
     Ok(session)
 }
 

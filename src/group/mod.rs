@@ -12,7 +12,7 @@ mod threads;
 use crate::positions::Precision;
 use crate::{CancelToken, Contact, Error, Kind, Mesh, Options, Pair, Report};
 use ccd_core::model::precision::Given;
-use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Moved, State};
+use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Kept, Moved, State};
 pub use member::Member;
 use member::{Asked, InGroup};
 use merge::merge;
@@ -109,6 +109,10 @@ impl<E: Member> session::Engine for Engine<E> {
             Division::Whole => self.members[0].engine.state(),
             _ => &self.state,
         }
+    }
+
+    fn kept(&mut self) -> &mut Kept {
+        &mut self.state.kept
     }
 
     fn clear(&mut self) {

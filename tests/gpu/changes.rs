@@ -17,6 +17,7 @@ pub const TESTS: crate::Tests = &[
     ("changes_that_are_refused", check_refused),
     ("forms_of_positions", check_forms),
     ("paths_that_were_written", check_written),
+    ("paths_written_in_flight", check_written_in_flight),
 ];
 
 /// Contacts and candidates of a session are those of a new one; returns how many contacts.
@@ -169,4 +170,26 @@ fn check_written(device: &Device) {
         write(&kept);
     }
     assert!(n_contacts > 100, "{n_contacts}");
+}
+
+/// Also while a step is in flight, which may be submitted again because lists were too short.
+fn check_written_in_flight(device: &Device) {
+    let step = triangle_soup(600, 0.3, 5);
+    let [x0, x1] = step.rounded();
+    let session = || Session::new(device, &step.mesh, Options::default()).expect("a session");
+    let want = session().step(&x0, &x1).expect("a step").contacts.clone();
+    assert!(want.len() > 1000, "{}", want.len());
+    let (mut session, still) = (session(), vec![Path::default(); x0.len()]);
+    let paths = session.paths().clone();
+    session.submit(&x0, &x1).expect("submitted");
+    device.queue().write_buffer(&paths, 0, bytemuck::cast_slice(&still));
+    device.queue().submit([]);
+    let found = loop {
+        match session.poll().expect("a step") {
+            Some(report) => break report,
+            None => std::thread::yield_now(),
+        }
+    };
+    assert!(found.contacts == want, "{} contacts of {}", found.contacts.len(), want.len());
+    assert!(*session.paths() == paths, "another buffer");
 }

@@ -213,3 +213,33 @@ fn bodies_move_in_the_precision_of_the_mesh() {
     session.set_mesh(Mesh::new(4, &[[0, 2, 1]]).unwrap()).unwrap();
     assert_eq!(session.step_bodies(&[]).err(), Some(ccd::Error::NoPositions));
 }
+
+/// A session of either backend lends its session on the CPU: both know of each other's calls.
+#[test]
+fn two_sessions_over_one_engine_know_of_each_other() {
+    let bodies = Bodies::new(&[0, 0, 0, 1]).with_fixed(0, true).with_self_contacts(false);
+    let options = ccd::Options::default().with_bodies(bodies);
+    let (choice, mesh) =
+        (ccd::any::Backend::Cpu.choose(0).unwrap(), Mesh::new(4, &[[0, 1, 2]]).unwrap());
+    let mut session = ccd::any::Session::new(&choice, mesh, options).unwrap();
+    let at = |floor: f64, y: f64| {
+        [[0.0, floor, 0.0], [1.0, floor, 0.0], [0.0, floor, 1.0], [0.2, y, 0.2]]
+    };
+    let ways = [[[0.2, 5.0, 0.2]], [[0.2, 4.0, 0.2]], [[0.2, -1.0, 0.2]], [[0.2, -3.0, 0.2]]];
+    let [high, lower, below, far_below] = &ways;
+    session.set_positions(&at(0.0, 5.0)).unwrap();
+    assert_eq!(session.step_bodies(&[BodyMotion::new(1, high, lower)]).unwrap().toi, None);
+    let inner = session.cpu().unwrap();
+    inner.set_positions(&at(-2.0, -1.0)).unwrap();
+    let falls = [BodyMotion::new(1, below, far_below)];
+    assert_eq!(inner.step_bodies(&falls).unwrap().contacts.len(), 1);
+    // Which is where they are for both; and bodies are those that either was given last.
+    assert_eq!(session.step_bodies(&falls).unwrap().contacts.len(), 1);
+    let renamed = Bodies::new(&[1, 1, 1, 0]).with_fixed(1, true).with_self_contacts(false);
+    session.cpu().unwrap().set_bodies(renamed).unwrap();
+    let falls = [BodyMotion::new(0, below, far_below)];
+    assert_eq!(session.step_bodies(&falls).unwrap().contacts.len(), 1);
+    session.cpu().unwrap().set_mesh(Mesh::new(4, &[[0, 2, 1]]).unwrap()).unwrap();
+    let error = session.step_bodies(&falls).err();
+    assert!(matches!(error, Some(ccd::any::Error::Input(ccd::Error::NoPositions))));
+}

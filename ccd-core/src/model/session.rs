@@ -10,7 +10,7 @@ mod moving;
 pub use candidates::{Candidates, Intersection};
 pub use engine::{Ask, Change, Engine, Filter, Intersects, Moved, State};
 pub use first_contact::Hit;
-pub use moving::BodyMotion;
+pub use moving::{BodyMotion, Kept};
 
 use super::cancel::CancelToken;
 use super::error::{Error, check_window};
@@ -22,8 +22,8 @@ use super::report::Report;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
+use core::mem;
 use core::ops::{Deref, DerefMut};
-use moving::Kept;
 
 /// Continuous collision detection of one mesh over many steps.
 ///
@@ -43,7 +43,6 @@ use moving::Kept;
 pub struct Session<E, P = ()> {
     engine: E,
     gathered: Gathered,
-    kept: Kept,
     place: PhantomData<fn() -> P>,
 }
 
@@ -79,8 +78,7 @@ impl<E: Engine, P> Session<E, P> {
     fn of(on: &E::On, mesh: Arc<Mesh>, options: Options) -> Result<Self, E::Error> {
         options.check(&mesh)?;
         let engine = E::new(on, State::new(mesh, options))?;
-        let (gathered, kept) = (Gathered::default(), Kept::default());
-        Ok(Self { engine, gathered, kept, place: PhantomData })
+        Ok(Self { engine, gathered: Gathered::default(), place: PhantomData })
     }
 
     /// The mesh of the next step. [`Report::mesh`] is that of the last one.
@@ -93,7 +91,8 @@ impl<E: Engine, P> Session<E, P> {
         &self.engine.state().options
     }
 
-    /// What the last call found; empty if that ended with an error.
+    /// What the last step or search for the first contact found; empty if that ended with an error.
+    /// Listing candidates and changes of the session may empty it.
     pub fn report(&self) -> &Report {
         &self.engine.state().report
     }
@@ -200,8 +199,8 @@ impl<E: Engine, P> Session<E, P> {
     where
         A: AsPositions + ?Sized,
     {
-        let Self { engine, kept, .. } = self;
-        kept.set(&engine.state().mesh, ends(x, x))
+        let mesh = self.mesh().clone();
+        self.engine.kept().set(&mesh, ends(x, x))
     }
 
     /// Every contact of a step in which these bodies move and all others stand where the last call
@@ -331,18 +330,22 @@ impl<E: Engine, P> Session<E, P> {
     ) -> Result<T, E::Error> {
         /// Bodies on their way: they stand where they stood unless `find` ends well, also if it
         /// unwinds.
-        struct Moving<'a> {
-            kept: &'a mut Kept,
+        struct Moving<'a, E: Engine> {
+            engine: &'a mut E,
+            kept: Kept,
             fails: bool,
         }
-        impl Drop for Moving<'_> {
+        impl<E: Engine> Drop for Moving<'_, E> {
             fn drop(&mut self) {
                 self.kept.end(self.fails);
+                *self.engine.kept() = mem::take(&mut self.kept);
             }
         }
-        let Self { engine, kept, .. } = self;
-        let mut moving = Moving { kept, fails: true };
-        let begun = moving.kept.begin(engine.state().options.bodies.as_ref(), motions);
+        let engine = &mut self.engine;
+        let kept = mem::take(engine.kept());
+        let mut moving = Moving { engine, kept, fails: true };
+        let Moving { engine, kept, .. } = &mut moving;
+        let begun = kept.begin(engine.state().options.bodies.as_ref(), motions);
         let done = begun
             .map_err(E::Error::from)
             .and_then(|(given, moved)| find(engine, given, Some(moved)));

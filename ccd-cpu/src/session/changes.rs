@@ -11,6 +11,7 @@ use ccd_core::backend::rules::Rules;
 use ccd_core::model::bodies::Bodies;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
+use ccd_core::model::report::Report;
 use std::sync::Arc;
 
 impl Engine {
@@ -87,6 +88,6 @@ impl Engine {
     fn drop_lists(&mut self) {
         (self.workers, self.order) = Default::default();
         (self.listers, self.runs) = Default::default();
-        self.state.report.contacts = Vec::new();
+        self.state.report = Report::default();
     }
 }

@@ -37,14 +37,15 @@ use ccd_core::model::session;
 pub struct OnDevice<'a> {
     /// Contacts: entries are [`Touch`](ccd_core::records::Touch).
     pub contacts: &'a List,
-    /// Pairs of vertices and faces, and of edges, that `f32` could not decide, to be treated as
-    /// contacts; empty where `f64` is used on the device.
+    /// Pairs of vertices and faces, and of edges, that a device without `f64` could not decide, to
+    /// be treated as contacts. Where `f64` is used they are among the contacts, with state 1.
     pub undecided: [&'a List; 2],
     /// Every list of the frame, also those between stages: if the first word of any of them exceeds
     /// its capacity, or the third is not 0, results are incomplete.
     pub lists: Vec<&'a List>,
     /// By kind, one word: the bits of the earliest time of impact as `f32`, rounded down; greater
-    /// than those of 1 if there is none. Without the undecided pairs.
+    /// than those of 1 if there is none. Without the undecided pairs, in these lists or, unless
+    /// there is a minimum distance, among the contacts: who steps by it looks for those as well.
     pub earliest: [&'a wgpu::Buffer; 2],
 }
 
@@ -96,8 +97,8 @@ impl Engine {
     /// vertex. May be written by copies and by kernels; coordinates must be finite and at most 2^28
     /// in size, which nothing checks. Another mesh may bring another buffer.
     ///
-    /// Once this was called, [`Session::step_bodies`](session::Session::step_bodies) sends the
-    /// positions of all vertices, as [`Session::step`](session::Session::step) does.
+    /// It is the caller's from now on: steps of the session have another, also one that is in
+    /// flight.
     pub fn paths(&self) -> &wgpu::Buffer {
         self.frames.buffers.positions.lend_paths()
     }

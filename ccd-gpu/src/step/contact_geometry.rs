@@ -80,7 +80,7 @@ fn dispatch(
     wide: bool,
 ) {
     let frame = Frame { path_error: buffers.positions.path_error(), ..*frame };
-    let (paths, positions) = (&buffers.positions.paths, &buffers.positions.wide);
+    let (paths, positions) = (buffers.positions.paths(), &buffers.positions.wide);
     let (edges, faces, contacts) = (&buffers.edges, &buffers.faces, buffers.contacts.buffer());
     for dispatch in parts(buffers.contacts.capacity(), DISPATCH_LIMIT, 0) {
         let groups = buffers.groups.min(dispatch.n.div_ceil(Id::ContactGeometry.threads()));

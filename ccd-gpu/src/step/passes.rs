@@ -29,7 +29,7 @@ impl Buffers {
         let contact_order = self.order.as_ref().filter(|_| self.to_order > 0);
         contact_order.inspect(|order| order.clear(recorder, frame));
         recorder.stage("boxes");
-        let mut paths = &self.positions.paths;
+        let mut paths = self.positions.paths();
         self.sweep(recorder, frame, paths, self.positions.boxes);
         let whole = frame.from <= 0.0 && frame.until >= 1.0;
         let window = if whole { *frame } else { self.shorten(recorder, frame) };
@@ -62,7 +62,7 @@ impl Buffers {
     /// Cuts paths to the times that matter, up to the earliest time found, and sweeps them. Returns
     /// what a frame then says.
     fn shorten(&self, recorder: &mut Recorder, frame: &Frame) -> Frame {
-        let paths = &self.positions.paths;
+        let paths = self.positions.paths();
         let error = self.positions.path_error() + swept_box::end_error(self.positions.reach);
         let cut = Frame {
             path_error: error,
@@ -147,7 +147,8 @@ impl Buffers {
         let kept = if wide { open } else { &self.candidates[kind] };
         let keep = frame.has(Frame::FLAG_KEEP);
         let contacts = if keep { &self.contacts } else { kept }.buffer();
-        let Positions { paths, wide: positions, .. } = &self.positions;
+        let paths = self.positions.paths();
+        let Positions { wide: positions, .. } = &self.positions;
         let (elements, args) =
             (self.elements(kind), Decision { kind: kind as u32, capacity_open: open.capacity() });
         let capacity = input.capacity();

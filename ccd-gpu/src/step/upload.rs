@@ -19,9 +19,15 @@ use wgpu::BufferUsages as U;
 
 /// Positions on the device.
 pub struct Positions {
-    pub paths: wgpu::Buffer,
-    /// Whether a caller was given that buffer, and so may write it at any time.
-    lent: AtomicBool,
+    /// Paths of steps, which uploads write.
+    own: wgpu::Buffer,
+    /// Whether a caller was given that buffer, and so may write it at any time. The next upload
+    /// leaves it to the caller and makes another.
+    lends: AtomicBool,
+    /// The buffer that was left to the caller.
+    lent: Option<wgpu::Buffer>,
+    /// Whether the paths are those that the caller has written.
+    of_caller: bool,
     /// As given, in `f64`: all at the start of the step, then all at its end.
     pub wide: wgpu::Buffer,
     pub keys: wgpu::Buffer,
@@ -66,15 +72,19 @@ impl Positions {
     pub fn new(device: &Device, n: usize, old: Option<&Self>) -> Result<Self, Error> {
         let usage = U::STORAGE | U::COPY_DST | U::COPY_SRC;
         let buffer = |old, what, bytes| device.buffer_or(old, what, bytes, usage);
-        let [paths, wide, keys] = match old {
-            Some(old) => [&old.paths, &old.wide, &old.keys].map(Some),
+        let [own, wide, keys] = match old {
+            Some(old) => [&old.own, &old.wide, &old.keys].map(Some),
             None => [None; 3],
         };
-        let paths = buffer(paths, "paths", (n * size_of::<Path>()) as u64)?;
-        let lent = old.is_some_and(|old| old.lent.load(Relaxed) && old.paths == paths);
+        let bytes = (n * size_of::<Path>()) as u64;
+        let own = buffer(own, "paths", bytes)?;
+        let lends = old.is_some_and(|old| old.lends.load(Relaxed) && old.own == own);
+        let lent = old.and_then(|old| old.lent.clone()).filter(|lent| lent.size() >= bytes);
         Ok(Self {
-            paths,
-            lent: AtomicBool::new(lent),
+            own,
+            lends: AtomicBool::new(lends),
+            lent,
+            of_caller: false,
             // Grow when they are needed.
             wide: buffer(wide, "positions in f64", 0)?,
             keys: buffer(keys, "keys of exact boxes", 0)?,
@@ -90,11 +100,32 @@ impl Positions {
         })
     }
 
-    /// The buffer of paths for a caller. From now on every upload sends all of them, because nobody
-    /// says when they were written.
+    /// The paths that frames read.
+    pub fn paths(&self) -> &wgpu::Buffer {
+        self.lent.as_ref().filter(|_| self.of_caller).unwrap_or(&self.own)
+    }
+
+    /// The buffer of paths for a caller.
     pub fn lend_paths(&self) -> &wgpu::Buffer {
-        self.lent.store(true, Relaxed);
-        &self.paths
+        self.lent.as_ref().unwrap_or_else(|| {
+            self.lends.store(true, Relaxed);
+            &self.own
+        })
+    }
+
+    /// Has steps have paths that no caller writes, also while they are in flight: a frame whose
+    /// lists were too short is submitted again, and reads them again. Returns whether these are
+    /// new.
+    fn keep_apart(&mut self, device: &Device, n: usize) -> Result<bool, Error> {
+        let lends = *self.lends.get_mut();
+        if lends {
+            let usage = U::STORAGE | U::COPY_DST | U::COPY_SRC;
+            let own = device.buffer("paths", (n * size_of::<Path>()) as u64, usage)?;
+            self.lent = Some(std::mem::replace(&mut self.own, own));
+            self.lends = AtomicBool::new(false);
+        }
+        self.of_caller = false;
+        Ok(lends)
     }
 
     /// Checks and uploads. Returns whether a buffer was replaced. `boxes`: where boxes of vertices
@@ -142,8 +173,8 @@ impl Positions {
         scan.check(x0, x1)?;
         let table = scan.table(true);
         let before = std::mem::replace(&mut self.table, table);
-        let is_lent = self.lent.load(Relaxed);
-        let paths_before = self.boxes != Boxes::OfPositions && before == table && !is_lent;
+        let are_new = self.keep_apart(device, x0.len())?;
+        let paths_before = self.boxes != Boxes::OfPositions && before == table && !are_new;
         self.exact = table == Table::AS_GIVEN;
         let extent = (0..3).fold(0.0, |m: f64, k| m.max(scan.bounds.max[k] - scan.bounds.min[k]));
         self.reach = if self.exact { scan.greatest() } else { extent * table.scale }.round_up();
@@ -157,11 +188,10 @@ impl Positions {
         };
         // Integers read positions as they were given.
         self.given = self.boxes == Boxes::Sent && !self.exact && min_distance == 0.0;
-        let replaced = if self.given || self.boxes == Boxes::OfPositions {
-            self.send_given(device, [x0, x1])?
-        } else {
-            false
-        };
+        let mut replaced = are_new;
+        if self.given || self.boxes == Boxes::OfPositions {
+            replaced |= self.send_given(device, [x0, x1])?;
+        }
         if self.boxes == Boxes::OfPositions {
             let keys = (x0.len() * size_of::<[[u32; 2]; 6]>()) as u64;
             let replaced = reserve(device, "keys of exact boxes", &mut self.keys, keys)? | replaced;
@@ -176,10 +206,10 @@ impl Positions {
             for run in runs {
                 let (first, n) = (run.start as usize, run.len());
                 let at = (first * size_of::<Path>()) as u64;
-                self.staging.write(device, "paths", (&self.paths, at), n, |i| path(first + i))?;
+                self.staging.write(device, "paths", (&self.own, at), n, |i| path(first + i))?;
             }
         } else {
-            self.staging.write(device, "paths", (&self.paths, 0), x0.len(), path)?;
+            self.staging.write(device, "paths", (&self.own, 0), x0.len(), path)?;
         }
         if self.boxes == Boxes::OfPaths {
             return Ok(replaced);
@@ -231,6 +261,7 @@ impl Positions {
         self.given = false;
         self.call = None;
         self.slack = 0.0;
+        self.of_caller = true;
     }
 
     /// Sets what kernels read of the positions.

@@ -42,7 +42,7 @@ impl<E: Engine, P> Session<E, P> {
         options.check(&mesh)?;
         let same = Arc::ptr_eq(&mesh, self.mesh());
         self.engine.change(Change::Mesh(mesh, options))?;
-        self.kept.forget(!same);
+        self.engine.kept().forget(!same);
         Ok(())
     }
 
@@ -119,7 +119,7 @@ impl<E: Engine, P> Session<E, P> {
         }
         bodies.as_ref().map_or(Ok(()), |bodies| bodies.check(self.mesh()))?;
         self.engine.change(Change::Bodies(bodies))?;
-        self.kept.forget(false);
+        self.engine.kept().forget(false);
         Ok(())
     }
 

@@ -1,6 +1,6 @@
 //! What a backend does for its sessions: the few operations that all calls come down to.
 
-use super::Intersection;
+use super::{Intersection, Kept};
 use crate::model::bodies::Bodies;
 use crate::model::cancel::CancelToken;
 use crate::model::contact::Kind;
@@ -32,6 +32,10 @@ pub trait Engine: Sized {
 
     /// What every engine has of its session.
     fn state(&self) -> &State;
+
+    /// Where the bodies of its session are. It is with the engine, not with the session, so that
+    /// all sessions over one engine know of each other's calls.
+    fn kept(&mut self) -> &mut Kept;
 
     /// Empties the report, after a call has failed.
     fn clear(&mut self);
@@ -81,12 +85,14 @@ pub struct State {
     pub options: Options,
     /// What the last call found.
     pub report: Report,
+    /// Where bodies are, of calls that say which of them move.
+    pub kept: Kept,
 }
 
 impl State {
     /// Before the first step.
     pub fn new(mesh: Arc<Mesh>, options: Options) -> Self {
-        Self { mesh, options, report: Report::default() }
+        Self { mesh, options, report: Report::default(), kept: Kept::default() }
     }
 }
 
