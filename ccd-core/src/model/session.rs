@@ -8,9 +8,9 @@ mod first_contact;
 mod moving;
 
 pub use candidates::{Candidates, Intersection};
-pub use engine::{Ask, Change, Engine, Filter, Intersects, Moved, State};
+pub use engine::{Ask, Change, Engine, Filter, Intersects, State};
 pub use first_contact::Hit;
-pub use moving::{BodyMotion, Kept};
+pub use moving::{BodyMotion, Kept, Moved};
 
 use super::cancel::CancelToken;
 use super::error::{Error, check_window};

@@ -1,6 +1,6 @@
 //! What a backend does for its sessions: the few operations that all calls come down to.
 
-use super::{Intersection, Kept};
+use super::{Intersection, Kept, Moved};
 use crate::model::bodies::Bodies;
 use crate::model::cancel::CancelToken;
 use crate::model::contact::Kind;
@@ -11,7 +11,6 @@ use crate::model::precision::Given;
 use crate::model::report::Report;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
-use core::ops::Range;
 
 /// The work of a [`Session`](super::Session) on a backend.
 pub trait Engine: Sized {
@@ -93,24 +92,6 @@ impl State {
     /// Before the first step.
     pub fn new(mesh: Arc<Mesh>, options: Options) -> Self {
         Self { mesh, options, report: Report::default(), kept: Kept::default() }
-    }
-}
-
-/// What is known of a step's positions from the call before it.
-#[derive(Clone, Copy, Debug)]
-pub struct Moved<'a> {
-    /// Vertices with other positions, at either end, than in the call before; all others are the
-    /// same, and do not move.
-    pub runs: &'a [Range<u32>],
-    /// The number of this call. The one before it has the number before.
-    pub call: u64,
-}
-
-impl Moved<'_> {
-    /// Whether it holds for an engine that completed call `last` as its last one: that before this
-    /// call, or another part of this one.
-    pub fn follows(&self, last: Option<u64>) -> bool {
-        last.is_some_and(|last| last == self.call || last + 1 == self.call)
     }
 }
 

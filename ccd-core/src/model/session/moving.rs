@@ -1,6 +1,5 @@
 //! Positions that a session keeps, so that a step is told only those of bodies that move.
 
-use super::engine::Moved;
 use crate::model::bodies::Bodies;
 use crate::model::error::Error;
 use crate::model::mesh::Mesh;
@@ -40,6 +39,24 @@ impl<'a> BodyMotion<'a> {
         B: AsPositions<Scalar = A::Scalar> + ?Sized,
     {
         Self { body, ends: ends(x0, x1) }
+    }
+}
+
+/// What is known of a step's positions from the call before it.
+#[derive(Clone, Copy, Debug)]
+pub struct Moved<'a> {
+    /// Vertices with other positions, at either end, than in the call before; all others are the
+    /// same, and do not move.
+    pub runs: &'a [Range<u32>],
+    /// The number of this call. The one before it has the number before.
+    pub call: u64,
+}
+
+impl Moved<'_> {
+    /// Whether it holds for an engine that completed call `last` as its last one: that before this
+    /// call, or another part of this one.
+    pub fn follows(&self, last: Option<u64>) -> bool {
+        last.is_some_and(|last| last == self.call || last + 1 == self.call)
     }
 }
 
