@@ -59,7 +59,7 @@
 //! on is listed in the README; how it is done, in ARCHITECTURE.md.
 //!
 //! # Features
-//! None is there by default. `gpu` adds the GPU backend, `io` the readers, `scenes` generated
+//! None is enabled by default. `gpu` adds the GPU backend, `io` the readers, `scenes` generated
 //! scenes, `glam` its vectors and matrices as positions, `serde` meshes, options, contacts and
 //! reports as data, `catalogue` all methods beside those of the default ([`method`]).
 //!
@@ -138,17 +138,17 @@ pub mod gpu {
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// So are those of a page.
+/// The examples of docs/solver.md.
 #[cfg(all(doctest, feature = "gpu"))]
 #[doc = include_str!("../docs/solver.md")]
 struct SolverPage;
 
-/// And that of another.
+/// The example of docs/coming-from.md.
 #[cfg(all(doctest, feature = "gpu"))]
 #[doc = include_str!("../docs/coming-from.md")]
 struct ComingFromPage;
 
-/// And that of one more; its programs in Python are run by their tests.
+/// The Rust example of docs/cluster.md; its programs in Python are run by their tests.
 #[cfg(all(doctest, feature = "gpu"))]
 #[doc = include_str!("../docs/cluster.md")]
 struct ClusterPage;

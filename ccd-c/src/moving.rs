@@ -1,9 +1,9 @@
 //! Steps in which bodies move while all others stand where they stood.
 
-use crate::memory::{list, write};
+use crate::memory::list;
 use crate::mesh::{CcdPositions, Ends, ends};
 use crate::results::{CcdHit, CcdReport};
-use crate::session::{CcdSession, Inner, asked};
+use crate::session::{CcdSession, Inner, asked, asked_for};
 use crate::status::{CcdStatus, Failure};
 use ccd::BodyMotion;
 use ccd::positions::Precision;
@@ -135,8 +135,7 @@ unsafe fn asked_of_bodies<T>(
 ) -> CcdStatus {
     // SAFETY: the caller's duty.
     unsafe {
-        asked(session, |of| {
-            write(output, name, nothing)?;
+        asked_for(session, (output, name, nothing), |of| {
             let motions = list(motions, motion_count, "motions")?;
             let x: Vec<Ends> =
                 motions.iter().map(|of| ends(&of.x0, &of.x1)).collect::<Result<_, _>>()?;
@@ -145,8 +144,7 @@ unsafe fn asked_of_bodies<T>(
                 Precision::F64([x0, x1]) => BodyMotion::new(of.body, x0, x1),
             });
             let motions: Vec<BodyMotion> = motions.collect();
-            let answer = ask(of, &motions)?;
-            write(output, name, answer)
+            ask(of, &motions)
         })
     }
 }

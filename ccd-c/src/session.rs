@@ -174,9 +174,12 @@ pub unsafe extern "C" fn ccd_session_contact_geometry(
 ) -> CcdStatus {
     // SAFETY: the caller's pointers, by the header's first comment.
     unsafe {
+        let before = guard(|| write(count, "count", 0));
+        if before != CcdStatus::Ok {
+            return before;
+        }
         let mut found = 0;
         let done = asked_of_step(session, [x0, x1], (geometry, "geometry", null()), |of, x| {
-            write(count, "count", 0)?;
             let Inner { session, results, .. } = of;
             let (report, mesh) = (session.report(), session.report().mesh());
             let (data, n) = with_ends!(x, |x0, x1| {
@@ -278,10 +281,9 @@ pub unsafe extern "C" fn ccd_session_place(
 ) -> CcdStatus {
     // SAFETY: the caller's pointers, by the header's first comment.
     unsafe {
-        asked(session, |of| {
-            write(place, "place", null())?;
+        asked_for(session, (place, "place", null()), |of| {
             of.place = CString::new(of.session.place().to_string()).unwrap_or_default();
-            write(place, "place", of.place.as_ptr())
+            Ok(of.place.as_ptr())
         })
     }
 }
@@ -337,13 +339,26 @@ unsafe fn asked_of_step<T>(
     (output, name, nothing): (*mut T, &str, T),
     ask: impl FnOnce(&mut Inner, Ends) -> Result<T, Failure>,
 ) -> CcdStatus {
+    // SAFETY: the caller's duty.
+    unsafe { asked_for(session, (output, name, nothing), |of| ask(of, ends(&x0, &x1)?)) }
+}
+
+/// Asks something, and writes the answer to an output, with its name; before anything can fail,
+/// nothing.
+///
+/// # Safety
+/// The caller's pointers, by the header's first comment.
+pub(crate) unsafe fn asked_for<T>(
+    session: *mut CcdSession,
+    (output, name, nothing): (*mut T, &str, T),
+    ask: impl FnOnce(&mut Inner) -> Result<T, Failure>,
+) -> CcdStatus {
     guard(|| {
         // SAFETY: the caller's duty.
         unsafe {
             write(output, name, nothing)?;
-            let x = ends(&x0, &x1)?;
             let of = shared(session, "session")?;
-            let answer = ask(&mut *lock(&of.inner, "session")?, x)?;
+            let answer = ask(&mut *lock(&of.inner, "session")?)?;
             write(output, name, answer)
         }
     })

@@ -216,6 +216,25 @@ fn what_is_wrong_is_refused() {
     }
 }
 
+/// Also where no session is found, or another call has it.
+#[test]
+fn outputs_are_nothing_after_a_failure() {
+    let none = null_mut();
+    let (mut toi, mut count, mut place) = (0.25, 7, c"stale".as_ptr());
+    let (mut geometry, mut report) = (8 as *const CcdGeometry, 8 as *const CcdReport);
+    let (end, invalid) = (after(), CcdStatus::InvalidArgument);
+    let (x0, x1) = (positions(&BEFORE), positions(&end));
+    // SAFETY: outputs are variables of this function; the session is NULL.
+    unsafe {
+        assert_eq!(ccd_session_earliest_toi_of_bodies(none, null(), 0, &mut toi), invalid);
+        assert_eq!(ccd_session_step_bodies(none, null(), 0, &mut report), invalid);
+        assert_eq!(ccd_session_place(none, &mut place), invalid);
+        let status = ccd_session_contact_geometry(none, x0, x1, &mut geometry, &mut count);
+        assert_eq!(status, invalid);
+    }
+    assert!(toi == 0.0 && count == 0 && place.is_null() && geometry.is_null() && report.is_null());
+}
+
 #[test]
 fn options_of_other_sizes() {
     let size = size_of::<CcdOptions>();

@@ -103,6 +103,9 @@ impl BackendOptions {
         if self.backend == Backend::Cpu && self.adapter.is_named() {
             return Err(Failure("--adapter names a GPU, --backend cpu uses none".into()));
         }
+        if self.backend == Backend::Cpu && self.adapter.shaders.is_some() {
+            return Err(Failure("--shaders are for a GPU, --backend cpu uses none".into()));
+        }
         let choice = self.backend.choose_with(size, &self.adapter.of_device());
         let option = if self.adapter.is_named() { "--adapter" } else { "--backend gpu" };
         let choice = choice.map_err(|e| Failure(format!("{option}: {e}")))?;

@@ -14,15 +14,15 @@ pub struct BodyOptions {
     /// bodies, numbered in the order of their first vertices.
     #[arg(long, value_name = "FILE", help_heading = INPUT)]
     bodies: Option<PathBuf>,
-    /// Leave out contacts within one body
+    /// Leave out contacts within one body, or one connected part if no bodies are given
     #[arg(long, help_heading = QUESTION)]
     no_self_contact: bool,
-    /// Bodies that do not move
+    /// Bodies that do not move, as 0,3
     ///
     /// Contacts between two of them are left out.
     #[arg(long, value_name = "BODY", value_delimiter = ',', help_heading = INPUT)]
     fixed: Vec<u32>,
-    /// Layers that a body is in (M) and touches (F), as bits
+    /// Layers that a body is in (M) and touches (F), as bits: 3=1/6,4=2/1
     ///
     /// Two bodies touch if each is in a layer that the other one touches; without this a body is
     /// in all layers and touches all.
@@ -112,9 +112,9 @@ fn read(path: &Path, n_vertices: usize) -> Result<Vec<u32>, Failure> {
             let body = word.parse().ok().filter(|&body: &u32| body < MOST_BODIES);
             bodies.push(body.ok_or_else(|| {
                 let (line, word) = (line + 1, word.chars().take(20).collect::<String>());
-                let what =
-                    format!("line {line}: `{word}` is no body; 0 to {} are", MOST_BODIES - 1);
-                in_file(path, what)
+                let most = MOST_BODIES - 1;
+                let what = format!("`{word}` is not a body, a whole number from 0 to {most}");
+                in_file(path, format_args!("line {line}: {what}"))
             })?);
         }
     }

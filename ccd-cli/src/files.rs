@@ -1,7 +1,7 @@
 //! The files that commands write: opened before any work, `-` for standard output, and none that is
 //! read or written otherwise. Each is written beside its place, and put there once it is whole.
 
-use super::output::ended;
+use super::output::{ended, unfinished};
 use super::{Failure, in_file, interrupt};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
@@ -23,8 +23,7 @@ pub fn create(path: &Path, extension: &str) -> Result<Output, Failure> {
         return Ok(Output { to: Box::new(io::stdout()), places: None });
     }
     if !has_extension(path, &[extension]) {
-        let what = "a name that ends so is expected";
-        return Err(in_file(path, format_args!("is written as .{extension}; {what}")));
+        return Err(in_file(path, format_args!("the name must end in .{extension}")));
     }
     Output::beside(path).map_err(|e| in_file(path, e))
 }
@@ -67,6 +66,7 @@ impl Output {
                 Err(e) if e.kind() == ErrorKind::AlreadyExists && attempt < 100 => attempt += 1,
                 other => {
                     let to = other?;
+                    unfinished().push(beside.clone());
                     if let Some(existing) = existing {
                         to.set_permissions(existing.permissions())?;
                     }
@@ -107,6 +107,7 @@ impl Drop for Output {
         if let Some([beside, _]) = &self.places {
             // After it was renamed there is none.
             let _ = fs::remove_file(beside);
+            unfinished().retain(|path| path != beside);
         }
     }
 }

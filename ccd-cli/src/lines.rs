@@ -46,6 +46,23 @@ pub struct Share {
     #[serde(flatten)]
     pub part: Part,
     pub all_steps: usize,
+    /// Of parts that are joined: digests of what was asked, and of the frames that the part begins
+    /// and ends with, which are those that its neighbours end and begin with.
+    #[serde(default)]
+    pub asked: u64,
+    #[serde(default)]
+    pub frames: [u64; 2],
+}
+
+/// A digest of bytes, FNV-1a, as a number that JSON holds.
+pub fn digest(bytes: impl Iterator<Item = u8>) -> u64 {
+    let next = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    bytes.fold(0xcbf2_9ce4_8422_2325, next) >> 11
+}
+
+/// A digest of positions.
+pub fn digest_of(positions: &[[f64; 3]]) -> u64 {
+    digest(positions.iter().flatten().flat_map(|x| x.to_le_bytes()))
 }
 
 #[derive(Serialize, Deserialize)]

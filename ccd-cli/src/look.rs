@@ -22,7 +22,7 @@ pub enum Zoom {
 #[derive(Args, Clone, Copy)]
 pub struct Look {
     /// What the picture shows
-    #[arg(long, value_enum, default_value_t = Zoom::Auto)]
+    #[arg(long, value_enum, default_value_t = Zoom::Auto, requires = "picture")]
     #[arg(hide_short_help = true, help_heading = OUTPUT)]
     pub zoom: Zoom,
     /// Draw the picture as seen from this direction
@@ -34,7 +34,7 @@ pub struct Look {
     pub view: Option<[f64; 3]>,
     /// Width and height of the picture in pixels, 640 to 4096
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "1280x1020")]
-    #[arg(hide_short_help = true, help_heading = OUTPUT)]
+    #[arg(requires = "picture", hide_short_help = true, help_heading = OUTPUT)]
     pub size: [usize; 2],
 }
 

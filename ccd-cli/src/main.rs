@@ -42,7 +42,7 @@ mod toi;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use failure::{Failure, in_file};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Continuous collision detection for triangle meshes.
@@ -81,8 +81,8 @@ enum Command {
     #[command(after_help = SEQUENCES, after_long_help = format!("{SEQUENCES}\n\n{CSV}"))]
     Sequence(sequence::Sequence),
     /// What the parts of a sequence printed as lines of JSON, or wrote as contacts, joined
-    #[command(after_help = "EXAMPLES:\n  ccd merge *.jsonl > all.jsonl\n  \
-        ccd merge *.csv > all.csv\n\n\
+    #[command(after_help = "EXAMPLES:\n  ccd merge part-*.jsonl > all.jsonl\n  \
+        ccd merge part-*.csv > all.csv\n\n\
         Lines of JSON say which part they are of: none may be missing or there twice.\n\
         Files whose names end in .csv are contacts (sequence --contacts): sorted by their steps\n\
         under one head. Rows do not say whether a part is missing; lines of JSON do.")]
@@ -104,7 +104,7 @@ enum Command {
     Boxes(boxes::Boxes),
     /// A cloth falls on a sphere; needs no file (the experiment of Tian and Wan)
     Demo(demo::Demo),
-    /// The ways to find pairs: broad phases; builders, traversals, volumes of trees; pipelines
+    /// The ways to find pairs: broad phases, trees, pipelines, schedulers, fronts
     List(method::List),
     /// The processor, the GPU that would be used and how, and which others there are
     Info(info::InfoCommand),
@@ -124,7 +124,7 @@ const CHECKS: &str = "EXAMPLES:\n  ccd check before.ply after.ply\n  \
 
 const SEQUENCES: &str = "EXAMPLES:\n  ccd sequence frames --picture times.png\n  \
     ccd sequence cloth.npz --mesh cloth.obj\n  \
-    ccd sequence 'frames/*.ply' --json-lines --part 2/8 > 2.jsonl";
+    ccd sequence 'frames/*.ply' --json-lines --part 2/8 > part-2.jsonl";
 
 /// Help on the columns of contacts.
 const CSV: &str = "COLUMNS OF --contacts (sequence: frame first, the number of the step):
@@ -194,8 +194,8 @@ struct StepOptions {
     mode: Mode,
     /// Leave out contacts at the start whose features separate
     ///
-    /// Where they certainly do, what counts is their next contact. What touches with --min-distance
-    /// 0 is not certain to separate.
+    /// Where they certainly do, what counts is their next contact. Without a --min-distance it is
+    /// never certain that what touches separates.
     #[arg(long, help_heading = QUESTION)]
     leave_contact: bool,
     /// How early a certain time of impact may be, in units of the step
@@ -258,8 +258,8 @@ impl StepOptions {
     fn check_outputs(
         &self,
         json: Option<&str>,
-        candidates: Option<&std::path::Path>,
-        meshes: &[&std::path::Path],
+        candidates: Option<&Path>,
+        meshes: &[&Path],
     ) -> Result<(), Failure> {
         let written = [
             ("--contacts", self.contacts.as_deref()),
@@ -267,7 +267,20 @@ impl StepOptions {
             ("--picture", self.picture.as_deref()),
         ];
         let read: Vec<_> = self.bodies.file().into_iter().chain(meshes.iter().copied()).collect();
-        files::check(json.or(self.json.then_some("--json")), &written, &read)
+        files::check(json.or(self.json.then_some("--json")), &written, &read)?;
+        let is_file = |path: &Path| !files::is_standard(path);
+        if self.fail_on_contact || written.iter().any(|(_, path)| path.is_some_and(is_file)) {
+            output::go_on();
+        }
+        Ok(())
+    }
+
+    /// A digest of what is asked of each step: parts of one sequence have the same.
+    fn asked(&self, options: &ccd::Options) -> u64 {
+        let ccd::Options { min_distance, mode, leave_contact, tolerance, bodies, .. } = options;
+        let precision = self.precision.name();
+        let all = (min_distance, mode, leave_contact, tolerance, bodies, precision);
+        lines::digest(format!("{all:?}").bytes())
     }
 
     /// Whether text is printed: not with JSON, nor if a file goes to standard output.

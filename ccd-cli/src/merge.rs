@@ -68,7 +68,7 @@ fn read(path: &Path) -> Result<Output<'_>, Failure> {
     let Some(last) = last else {
         let what = match is_one_object(&lines) {
             true => "was printed by --json; what --json-lines prints can be joined",
-            false => "does not end with a summary: the run was not finished",
+            false => "does not end with a summary: not the output of --json-lines, or cut off",
         };
         return Err(in_file(path, what));
     };
@@ -110,7 +110,7 @@ fn check(parts: &[Output]) -> Result<(), Failure> {
     let (of, all) = (first.share.part.of, first.share.all_steps);
     for other in parts {
         let (path, whose) = (other.path, first.path.display());
-        let Share { part, all_steps } = other.share;
+        let Share { part, all_steps, asked, .. } = other.share;
         if (part.of, all_steps) != (of, all) {
             let what = format!(
                 "is one of {} parts of {all_steps} steps, {whose} one of {of} of {all}",
@@ -121,6 +121,10 @@ fn check(parts: &[Output]) -> Result<(), Failure> {
         if other.mesh != first.mesh {
             return Err(in_file(path, format_args!("has {}, {whose} {}", other.mesh, first.mesh)));
         }
+        if asked != first.share.asked {
+            let what = "was made with other options, bodies or precision than";
+            return Err(in_file(path, format_args!("{what} {whose}")));
+        }
     }
     if let Some(pair) = parts.windows(2).find(|w| w[0].share.part == w[1].share.part) {
         let (index, other) = (pair[0].share.part.index, pair[1].path.display());
@@ -129,7 +133,12 @@ fn check(parts: &[Output]) -> Result<(), Failure> {
     let is_there = |index: &usize| parts.iter().any(|part| part.share.part.index == *index);
     let missing: Vec<usize> = (1..=of).filter(|index| !is_there(index)).take(11).collect();
     if missing.is_empty() {
-        return Ok(());
+        let meet = |pair: &&[Output]| pair[0].share.frames[1] != pair[1].share.frames[0];
+        return parts.windows(2).find(meet).map_or(Ok(()), |pair| {
+            let what = "begins with other positions than those that part";
+            let (index, whose) = (pair[0].share.part.index, pair[0].path.display());
+            Err(in_file(pair[1].path, format_args!("{what} {index}, {whose}, ends with")))
+        });
     }
     let more = if missing.len() > 10 { " and more" } else { "" };
     let names: Vec<String> = missing.iter().take(10).map(usize::to_string).collect();

@@ -276,8 +276,8 @@ impl List {
             let users = "of blocks, and of trees by pairs of nodes";
             print::<Scheduler>(&format!("Schedulers {users}, --scheduler NAME"), &all.schedulers);
             print::<Front>(&format!("Fronts {users}, --front NAME"), &all.fronts);
-            output::say!("* what is used without the option");
-            output::say!("+ in this command; of the library by the feature `catalogue` alone");
+            output::say!("* what is used without the option (a GPU uses the scheduler frontier)");
+            output::say!("+ always in this command; the library needs the feature `catalogue`");
         }
         output::flush();
         Ok(false)
@@ -294,7 +294,7 @@ fn print<T: Catalogued + Default>(title: &str, entries: &[Entry]) {
             false if *name == default => '*',
             false => ' ',
         };
-        output::say!("{mark} {name:<19} {:<8} {about}{source}", backends.join(" "));
+        output::say!("{mark} {name:<23} {:<8} {about}{source}", backends.join(" "));
     }
     output::say!("");
 }

@@ -3,7 +3,6 @@
 use super::{Failure, files, in_file, output};
 use ccd::Mesh;
 use ccd::io::{Frame, read_frame, read_frame_from};
-use std::convert::Infallible;
 use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -28,15 +27,15 @@ impl Files {
 }
 
 impl FromStr for Files {
-    type Err = Infallible;
+    type Err = String;
 
     /// A name, or two with a comma between them.
-    fn from_str(text: &str) -> Result<Self, Infallible> {
-        let (start, end) = match text.split_once(',') {
-            Some((start, end)) => (start, Some(end.into())),
-            None => (text, None),
-        };
-        Ok(Self { start: start.into(), end })
+    fn from_str(text: &str) -> Result<Self, String> {
+        let mut names = text.split(',').map(PathBuf::from);
+        match [names.next(), names.next(), names.next()] {
+            [Some(start), end, None] => Ok(Self { start, end }),
+            _ => Err("one file, or two with a comma between them".into()),
+        }
     }
 }
 

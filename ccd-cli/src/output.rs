@@ -6,8 +6,9 @@ use ccd::method::{FrontCounts, TriangleCounts};
 use ccd::{Mesh, PerKind, Report};
 use serde::{Deserialize, Serialize};
 use std::io::{ErrorKind, Write};
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Prints a line as `println!` does, but ends the program as [`ended`] says where that panics;
 /// nothing with `--quiet`.
@@ -42,16 +43,48 @@ pub fn is_quiet() -> bool {
     QUIET.load(Relaxed)
 }
 
+/// Whether more is wanted than what is printed, and whether nobody reads that any more.
+static GOES_ON: AtomicBool = AtomicBool::new(false);
+static UNREAD: AtomicBool = AtomicBool::new(false);
+/// Unfinished files, which nobody wants if the program ends where it is.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// From now on a reader of standard output that goes away does not end the program: its exit status
+/// is wanted as well, or files are.
+pub fn go_on() {
+    GOES_ON.store(true, Relaxed);
+}
+
+/// The files that are removed if the program ends where it is.
+pub fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// Prints a line to standard output.
 pub fn print(text: std::fmt::Arguments) {
-    if let Err(e) = writeln!(anstream::stdout(), "{text}") {
-        ended(&e);
+    if UNREAD.load(Relaxed) {
+        return;
     }
+    match writeln!(anstream::stdout(), "{text}") {
+        Ok(()) => {}
+        Err(e) if is_unread(&e) => {}
+        Err(e) => ended(&e),
+    }
+}
+
+/// Whether nobody reads any more, and the work goes on.
+fn is_unread(e: &std::io::Error) -> bool {
+    let is_unread = e.kind() == ErrorKind::BrokenPipe && GOES_ON.load(Relaxed);
+    UNREAD.fetch_or(is_unread, Relaxed);
+    is_unread
 }
 
 /// Nothing can be printed any more. A reader that has gone away has seen what it wanted; all else
 /// is an error.
 pub fn ended(e: &std::io::Error) -> ! {
+    for path in unfinished().iter() {
+        let _ = std::fs::remove_file(path);
+    }
     if e.kind() == ErrorKind::BrokenPipe {
         std::process::exit(0);
     }
@@ -300,7 +333,9 @@ pub fn processor() -> String {
 
 /// Flushes standard output.
 pub fn flush() {
-    if let Err(e) = std::io::stdout().flush() {
-        ended(&e);
+    match std::io::stdout().flush() {
+        Ok(()) => {}
+        Err(e) if is_unread(&e) => {}
+        Err(e) => ended(&e),
     }
 }

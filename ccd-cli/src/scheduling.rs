@@ -14,18 +14,17 @@ pub struct SchedulingOptions {
     #[arg(long, value_name = "NAME", value_parser = named::<Scheduler>())]
     #[arg(hide_possible_values = true, hide_short_help = true)]
     scheduler: Option<Scheduler>,
-    /// Whether a step begins at the pairs of nodes where the one before ended, by the same
+    /// Whether a step begins at the pairs of nodes where the one before ended; for the methods of
+    /// --scheduler
     #[arg(long, value_name = "NAME", value_parser = named::<Front>(), hide_short_help = true)]
     front: Option<Front>,
-    /// Steps p after which --front on compares the length of the front with that of p steps before
+    /// Compare the front's length with its length N steps before
     #[arg(long, value_name = "N", hide_short_help = true)]
     front_period: Option<u32>,
-    /// Percentage rt of that length below which --front on gives the front up, as one that does
-    /// not change; 0: never
+    /// Give the front up if it is then below N percent of that length; 0: never
     #[arg(long, value_name = "N", hide_short_help = true)]
     front_threshold: Option<u32>,
-    /// Percentage of its length after a step from the roots beyond which --front on gives the
-    /// front up
+    /// Give the front up if it is longer than N percent of its length after a step from the roots
     #[arg(long, value_name = "N", hide_short_help = true)]
     front_growth: Option<u32>,
     /// Most memory of all fronts in MiB; a longer one is given up

@@ -2,7 +2,7 @@
 
 use super::check::{self, step};
 use super::frames::Frames;
-use super::lines::{LastLine, Share, Step, Summary, step_ms, summarise};
+use super::lines::{LastLine, Share, Step, Summary, digest_of, step_ms, summarise};
 use super::output::{self, MeshSize, TimesMs};
 use super::part::Part;
 use super::plot::Series;
@@ -61,7 +61,8 @@ impl Sequence {
             output::notice!("the frames are not in the order of the numbers in their names");
         }
         let all_steps = frames.len() - 1;
-        let share = self.part.map(|part| Share { part, all_steps });
+        let share =
+            self.part.map(|part| Share { part, all_steps, asked: 0, frames: Default::default() });
         let todo = self.part.map_or(0..all_steps, |part| part.steps(all_steps));
         let load_start = Instant::now();
         let (mut before, mesh) = frames.first(todo.start)?;
@@ -71,6 +72,10 @@ impl Sequence {
         let precision = self.options.precision;
         let is_first = self.part.is_none_or(|part| part.index == 1);
         let first = frames.name(0);
+        let share = share.map(|share| {
+            let frames = [digest_of(&before.positions); 2];
+            Share { asked: self.options.asked(session.options()), frames, ..share }
+        });
         let start = is_first.then(|| {
             check::look_at_start(&mut session, precision, &before, |_, vertex| (&first, vertex))
         });
@@ -120,6 +125,10 @@ impl Sequence {
             load = 0.0;
         }
         bar.finish_and_clear();
+        let share = share.map(|share| {
+            let last = digest_of(&before.positions);
+            Share { frames: [share.frames[0], last], ..share }
+        });
         file.map_or(Ok(()), rows::Rows::done)?;
         let ends = [frames.name(todo.start), frames.name(todo.end)];
         self.finish(&mut session, [&ends[0], &ends[1]], todo.start, steps, share, start)
@@ -141,7 +150,7 @@ impl Sequence {
             let contacts: Vec<f64> = steps.iter().map(|s| s.contacts.total() as f64).collect();
             let tois: Vec<f64> = steps.iter().map(|s| s.toi.unwrap_or(f64::NAN)).collect();
             let mut title = output::title(&ends, self.options.min_distance, &session.place());
-            if let Some(Share { part, all_steps }) = part {
+            if let Some(Share { part, all_steps, .. }) = part {
                 title += &format!("; part {} of {} of {all_steps} steps", part.index, part.of);
             }
             let series = [
@@ -216,7 +225,7 @@ fn name(step: &Step) -> std::borrow::Cow<'_, str> {
 
 fn print_head(session: &Session, share: Option<Share>) {
     output::line("mesh", MeshSize::of(session.mesh()));
-    if let Some(Share { part, all_steps }) = share {
+    if let Some(Share { part, all_steps, .. }) = share {
         let steps = part.steps(all_steps);
         let text = match steps.is_empty() {
             true => "no step".into(),

@@ -56,12 +56,16 @@ class GpuSession {
   /** Copies positions. */
   place(x, wide) {
     const places = this.raw.positions(wide);
-    const all = places.all();
+    this.places = places.all();
     places.free();
-    const Type = wide ? Float64Array : Float32Array;
-    x.forEach((from, i) => (
-      new Type(this.memory.buffer, all[2 * i], all[2 * i + 1]).set(from)
-    ));
+    this.Type = wide ? Float64Array : Float32Array;
+    this.placed().forEach((to, i) => to.set(x[i]));
+  }
+
+  /** Those copies: they stay where they are, and a call that failed leaves them there. */
+  placed() {
+    const { Type, places: at, memory } = this;
+    return [0, 2].map((i) => new Type(memory.buffer, at[i], at[i + 1]));
   }
 
   async step(wide, { window = [0, 1], geometry = false }) {

@@ -9,7 +9,10 @@
 /** Positions: three numbers a vertex, x y z. If one array is f64, both are taken as f64. */
 export type Positions = Float32Array | Float64Array;
 
-/** Ids, flat or as a list of lists: `[0, 1, 2]` or `[[0, 1, 2]]`. */
+/**
+ * Ids, flat or as a list of lists: `[0, 1, 2]` or `[[0, 1, 2]]`. Inner lists of edges, faces and
+ * pairs have as many ids as one of these: polygons have to be cut into triangles first.
+ */
 export type Ids = Uint32Array | readonly number[] | readonly (readonly number[])[];
 
 /** `vf`: vertex and face; `ee`: two edges; `ve`: particle and rod; `vv`: two particles. */
@@ -53,7 +56,7 @@ export class Mesh {
    * @param nVertices Number of vertices.
    * @param edges Edges of no face (rods), two ids each; those of faces are added.
    * @param faces Triangles, three ids each.
-   * @throws Error if an id names no vertex.
+   * @throws Error if an id names no vertex, or a row has another number of ids.
    */
   constructor(nVertices: number, edges: Ids | null | undefined, faces: Ids);
   readonly nVertices: number;
@@ -161,7 +164,8 @@ export type Backend = "cpu" | "gpu";
 export interface OpenOptions extends Options {
   /**
    * `gpu`: WebGPU, or an error. `auto`, the default: WebGPU where there is a GPU and the mesh has
-   * 20,000 edges or more, else the CPU, which also takes over if the GPU fails later.
+   * 20,000 edges or more, else the CPU, which also takes over if the GPU fails later; not for input
+   * that the CPU refuses as well.
    */
   device?: "auto" | Backend;
 }
@@ -229,9 +233,11 @@ export class Session {
 
   /**
    * The session's own buffers for positions at the start and at the end of a step. Written there
-   * and given to a call, positions are not copied. They are views of the module's memory: ask for
-   * them again before each use, which costs nothing, because a view has length 0 after that memory
-   * has grown.
+   * and given to a call as `x0` and `x1`, or `x0` to one that takes one array, positions are not
+   * copied. No call changes what they show: from this call on, those that are given other arrays of
+   * this type, or these in other places as in `step(x1, x0)`, put back what was here, which costs
+   * copies. They are views of the module's memory: ask for them again before each use, which costs
+   * nothing, because a view has length 0 after that memory has grown.
    */
   positions(type: Float32ArrayConstructor): { x0: Float32Array; x1: Float32Array };
   positions(type: Float64ArrayConstructor): { x0: Float64Array; x1: Float64Array };
@@ -243,15 +249,16 @@ export class Session {
   step(x0: Positions, x1: Positions, options?: StepOptions): Report;
 
   /**
-   * The same on the session's device, without blocking where that is a GPU. Positions are copied at
-   * once. One call of a session at a time; changes have to wait for it, too.
+   * The same on the session's device, without blocking where that is a GPU. Positions are read
+   * before the call returns its promise, and may be overwritten then. One call of a session at a
+   * time; changes have to wait for it, too.
    */
   stepAsync(
     x0: Positions, x1: Positions, options: AsyncStepOptions & { geometry: true },
   ): Promise<Report<ContactsWithGeometry>>;
   stepAsync(x0: Positions, x1: Positions, options?: AsyncStepOptions): Promise<Report>;
 
-  /** `earliestToi` on the session's device; a GPU rounds it down to an f32. */
+  /** `earliestToi` on the session's device, as `stepAsync`; a GPU rounds it down to an f32. */
   earliestToiAsync(x0: Positions, x1: Positions): Promise<number | null>;
 
   /** The earliest time of impact, never late; null if all of the step is free. */

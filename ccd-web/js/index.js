@@ -63,11 +63,20 @@ function views(places, types, memory = wasm.memory) {
   return types.map((Type, i) => new Type(memory.buffer, all[2 * i], all[2 * i + 1]));
 }
 
-/** Ids as the bindings take them. */
-function ids(list, what) {
+/** Ids as the bindings take them; `width`: how many a row has, if rows have one length. */
+function ids(list, what, width) {
   if (list == null) return new Uint32Array();
   if (list instanceof Uint32Array) return list;
-  const all = Array.isArray(list) ? list.flat() : Array.from(list);
+  const rows = Array.from(list);
+  const nested = rows.some(Array.isArray);
+  // Flat, rows of another length would be cut anew.
+  const odd = nested && width ? rows.findIndex((row) => row?.length !== width) : -1;
+  if (odd >= 0) {
+    const [row, isList] = [rows[odd], Array.isArray(rows[odd])];
+    throw new Error(`${what}: row ${odd} is ${isList ? `a list of ${row.length}` : row}; rows have `
+      + `${width} ids each`);
+  }
+  const all = nested ? rows.flat() : rows;
   const wrong = all.findIndex((id) => !Number.isInteger(id) || id < 0 || id > 0xffffffff);
   if (wrong >= 0) {
     throw new Error(`${what}: entry ${wrong} is ${all[wrong]}; ids are whole numbers from 0 on`);
@@ -85,7 +94,7 @@ export class Mesh {
     if (!Number.isInteger(nVertices) || nVertices < 0 || nVertices > 0x7fffffff) {
       throw new Error(`nVertices is ${nVertices}; it must be a whole number from 0 on`);
     }
-    this.raw = new RawMesh(nVertices, ids(edges, "edges"), ids(faces, "faces"));
+    this.raw = new RawMesh(nVertices, ids(edges, "edges", 2), ids(faces, "faces", 3));
     this.nVertices = nVertices;
   }
 
@@ -111,7 +120,7 @@ const SETTERS = {
   mode: (raw, value) => raw.set_mode(String(value)),
   bodies: (raw, { ofVertex, fixed, noSelfContact, excluded }) => raw.set_bodies(
     ids(ofVertex, "bodies.ofVertex"), ids(fixed, "bodies.fixed"),
-    ids(noSelfContact, "bodies.noSelfContact"), ids(excluded, "bodies.excluded"),
+    ids(noSelfContact, "bodies.noSelfContact"), ids(excluded, "bodies.excluded", 2),
   ),
 };
 
@@ -163,6 +172,8 @@ export class Session {
   #gpu = null;
   #free = false;
   #busy = false;
+  /** Whether there are views of the buffers of `f32` and of `f64`, which calls have to keep. */
+  #viewed = [false, false];
 
   constructor(mesh, options) {
     loaded();
@@ -205,56 +216,68 @@ export class Session {
     if (Type !== Float32Array && Type !== Float64Array) {
       throw new Error("positions are in a Float32Array or a Float64Array");
     }
-    const [x0, x1] = views(this.raw.positions(Type === Float64Array), [Type, Type]);
+    const wide = Type === Float64Array;
+    this.#viewed[Number(wide)] = true;
+    const [x0, x1] = this.#buffers(wide);
     return { x0, x1 };
   }
 
   step(x0, x1, { window = [0, 1], geometry = false, views: borrow = false } = {}) {
     const begun = performance.now();
-    const wide = this.#place(x0, x1);
-    const placed = performance.now();
-    this.raw.step(wide, window[0], window[1], geometry);
-    const numbers = this.raw.numbers();
-    const found = performance.now();
+    let [placed, found] = [begun, begun];
+    const numbers = this.#on([x0, x1], (wide) => {
+      placed = performance.now();
+      this.raw.step(wide, window[0], window[1], geometry);
+      const all = this.raw.numbers();
+      found = performance.now();
+      return all;
+    });
     const contacts = columns(this.raw.columns(), { geometry, borrow });
     const copy = placed - begun + performance.now() - found;
     return report(contacts, numbers, copy, "cpu");
   }
 
-  stepAsync(x0, x1, options = {}) {
-    return this.#awaited((gpu, wide) => gpu.step(wide, options), x0, x1)
-      .then((found) => found ?? this.step(x0, x1, { ...options, views: false }));
+  async stepAsync(x0, x1, { window = [0, 1], geometry = false } = {}) {
+    // A copy, because the CPU may read it when the caller has changed it.
+    const options = { window: Array.from(window), geometry };
+    return this.#awaited([x0, x1], (gpu, wide) => gpu.step(wide, options),
+      (...x) => this.step(...x, options));
   }
 
   earliestToiAsync(x0, x1) {
-    return this.#awaited((gpu, wide) => gpu.earliestToi(wide), x0, x1)
-      .then((found) => (found === undefined ? this.earliestToi(x0, x1) : found));
+    return this.#awaited([x0, x1], (gpu, wide) => gpu.earliestToi(wide),
+      (...x) => this.earliestToi(...x));
   }
 
-  /** What the GPU answers; nothing if it is the CPU's turn. */
-  async #awaited(call, x0, x1) {
-    if (!this.#gpu) return undefined;
+  /** What the GPU answers, or the CPU if it is its turn; reads positions before it returns. */
+  async #awaited(given, onGpu, onCpu) {
+    const gpu = this.#gpu;
+    if (!gpu) return onCpu(...given);
     if (this.#busy) throw new Error("a step of this session is in flight: await it first");
+    const wide = this.#check(given);
     this.#busy = true;
+    let copies = () => given;
     try {
-      const wide = this.#check(x0, x1);
-      this.#gpu.place([x0, x1], wide);
-      return await call(this.#gpu, wide);
+      gpu.place(given, wide);
+      // The caller may write into what was given from here on.
+      copies = () => gpu.placed();
+      return await onGpu(gpu, wide);
     } catch (why) {
-      // Bad input is that on the CPU as well, which says so.
       if (!this.#free) throw why;
-      this.#gpu.free();
+      // Bad input is that on the CPU as well, which says so, and the GPU stays.
+      const found = onCpu(...copies());
       this.#gpu = null;
       [this.backend, this.adapter] = ["cpu", null];
       this.whyCpu = String(why?.message ?? why);
-      return undefined;
+      gpu.free();
+      return found;
     } finally {
       this.#busy = false;
     }
   }
 
   earliestToi(x0, x1) {
-    return this.raw.earliest_toi(this.#place(x0, x1)) ?? null;
+    return this.#on([x0, x1], (wide) => this.raw.earliest_toi(wide)) ?? null;
   }
 
   collisionFreeStepsize(x0, x1) {
@@ -266,7 +289,7 @@ export class Session {
   }
 
   firstContact(x0, x1) {
-    const all = this.raw.first_contact(this.#place(x0, x1));
+    const all = this.#on([x0, x1], (wide) => this.raw.first_contact(wide));
     if (!all) return null;
     const [toi, kind, state, a, b] = all;
     const list = (from, n) => Array.from(all.subarray(from, from + n));
@@ -285,13 +308,13 @@ export class Session {
   }
 
   candidates(x0, x1, { views: borrow = false } = {}) {
-    const places = this.raw.candidates(this.#place(x0, x1));
+    const places = this.#on([x0, x1], (wide) => this.raw.candidates(wide));
     const lists = views(places, KINDS.map(() => Uint32Array));
     return Object.fromEntries(KINDS.map((kind, i) => [kind, borrow ? lists[i] : lists[i].slice()]));
   }
 
   intersections(x) {
-    const all = this.raw.intersections(this.#place(x, x));
+    const all = this.#on([x], (wide) => this.raw.intersections(wide));
     const n = all.length / 3;
     return Array.from({ length: n }, (_, i) => (
       { edge: all[3 * i], face: all[3 * i + 1], state: STATES[all[3 * i + 2]] }
@@ -299,7 +322,7 @@ export class Session {
   }
 
   hasIntersections(x) {
-    return this.raw.has_intersections(this.#place(x, x));
+    return this.#on([x], (wide) => this.raw.has_intersections(wide));
   }
 
   setMinDistance(distance) {
@@ -326,8 +349,7 @@ export class Session {
   }
 
   /** Whether positions are taken as `f64`; refuses what are none. */
-  #check(x0, x1) {
-    const given = [x0, x1];
+  #check(given) {
     const length = 3 * this.mesh.nVertices;
     given.forEach((x, i) => {
       if (!(x instanceof Float32Array) && !(x instanceof Float64Array)) {
@@ -342,22 +364,49 @@ export class Session {
     return given.some((x) => x instanceof Float64Array);
   }
 
-  /** Puts positions into the session's buffers; whether they are taken as `f64`. */
-  #place(x0, x1) {
-    const [given, length] = [[x0, x1], 3 * this.mesh.nVertices];
-    const wide = this.#check(x0, x1);
+  /** The session's buffers of a precision. */
+  #buffers(wide) {
+    const Type = wide ? Float64Array : Float32Array;
+    return views(this.raw.positions(wide), [Type, Type]);
+  }
+
+  /**
+   * A call on positions, the first of which it finds in the first buffer. Those that are elsewhere
+   * are copied there, and what the user's views of the buffers show is put back.
+   */
+  #on(given, call) {
+    const wide = this.#check(given);
+    const Type = wide ? Float64Array : Float32Array;
     // Before the next call, after which the module's memory may have grown.
-    const places = given.map((x) => (x.buffer === wasm.memory.buffer ? x.byteOffset : -1));
-    const to = this.positions(wide ? Float64Array : Float32Array);
-    [to.x0, to.x1].forEach((buffer, i) => {
-      if (places[i] === buffer.byteOffset) return;
-      if (given[i].length !== length) {
+    const places = given.map((x) => (
+      x instanceof Type && x.buffer === wasm.memory.buffer ? x.byteOffset : -1
+    ));
+    const [buffers, length] = [this.#buffers(wide), 3 * this.mesh.nVertices];
+    const all = given.map((x, i) => ({ x, i, to: buffers[i], at: buffers[i].byteOffset }));
+    const moved = all.filter(({ at, i }) => places[i] !== at);
+    for (const { x, i } of moved) {
+      if (x.length !== length) {
         throw new Error(`x${i} is a view of the module's memory, which has grown: copy it first`);
       }
-      buffer.set(given[i]);
-    });
-    return wide;
+    }
+    // The second may lie where the first goes; `set` itself minds what it overwrites.
+    const [first, second] = moved;
+    if (second && overlap(second.x, first.to)) second.x = second.x.slice();
+    const kept = this.#viewed[Number(wide)] ? moved.map(({ to }) => to.slice()) : [];
+    for (const { x, to } of moved) to.set(x);
+    try {
+      return call(wide);
+    } finally {
+      // The memory may be another one, in which the buffers are where they were.
+      kept.forEach((x, k) => new Type(wasm.memory.buffer, moved[k].at, length).set(x));
+    }
   }
+}
+
+/** Whether two arrays have bytes in common. */
+function overlap(p, q) {
+  return p.buffer === q.buffer
+    && p.byteOffset < q.byteOffset + q.byteLength && q.byteOffset < p.byteOffset + p.byteLength;
 }
 
 if (Symbol.dispose) {

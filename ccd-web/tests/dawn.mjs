@@ -54,7 +54,10 @@ const answers = {
     return { errors, onCpu, contacts, opened: devices.length - before };
   },
 
-  /** A device that is lost between steps of a session that may go on on the CPU. */
+  /**
+   * Devices that are lost before and during calls of sessions that may go on on the CPU; nothing
+   * moves any more in the positions as soon as a call has them.
+   */
   async loseFreely() {
     const n = 100;
     const at = (i, k) => [i % n, 0, Math.floor(i / n)][k];
@@ -69,11 +72,35 @@ const answers = {
     // `auto` takes no GPU that a CPU plays, and the device that is open says what it is.
     Object.defineProperty(GPUAdapterInfo.prototype, "isFallbackAdapter", { get: () => false });
     devices.at(-1)?.destroy();
+    const lose = () => devices.at(-1).destroy();
+    const overwritten = (call, frames) => {
+      const flight = call(...frames);
+      frames[1].set(frames[0]);
+      return flight;
+    };
     const session = await Session.open(mesh);
-    const reports = [await session.stepAsync(x0, x1)];
-    devices.at(-1).destroy();
-    reports.push(await session.stepAsync(x0, x1));
+    const step = (...frames) => session.stepAsync(...frames);
+    const endless = x1.with(7, NaN);
+    const message = (call) => call.then(() => "nothing", (why) => why.message);
+    const refused = [
+      await message(session.stepAsync(x0, endless)),
+      await message(session.stepAsync(x0, x1.subarray(3))),
+    ];
+    const reports = [await overwritten(step, [x0.slice(), x1.slice()])];
+    lose();
+    reports.push(await overwritten(step, [x0.slice(), x1.slice()]));
+    const times = [];
+    for (const Type of [Float32Array, Float64Array]) {
+      const other = await Session.open(mesh);
+      const own = other.positions(Type);
+      own.x0.set(x0);
+      own.x1.set(x1);
+      const flight = overwritten((p, q) => other.earliestToiAsync(p, q), [own.x0, own.x1]);
+      lose();
+      times.push([await flight, other.earliestToi(x0, x1), other.backend]);
+    }
     return {
+      refused, times,
       backends: reports.map(({ backend }) => backend),
       contacts: reports.map(({ contacts }) => contacts.length),
       backend: session.backend,

@@ -81,9 +81,17 @@ onDevice("cloth-ball on a device", async (t) => {
 });
 
 onDevice("where a device is lost, the CPU takes over a session of `auto`", async () => {
-  const { backends, contacts, backend, why } = await ask("loseFreely");
+  const found = await ask("loseFreely");
+  const { refused, times, backends, contacts, backend, why } = found;
+  // Input that the CPU refuses as well costs no session its GPU.
+  assert.match(refused[0], /^vertex 2 at t1 has y = NaN/);
+  assert.match(refused[1], /^x1 has 30000 numbers/);
   assert.deepEqual(backends, ["gpu", "cpu"]);
   assert.deepEqual(contacts, [1, 1]);
   assert.equal(backend, "cpu");
   assert.match(why, /the device was lost/);
+  for (const [toi, want, after] of times) {
+    assert.ok(want > 0.49 && Math.abs(toi - want) < 1e-6, `${toi}, not ${want}`);
+    assert.equal(after, "cpu");
+  }
 });

@@ -25,6 +25,27 @@ test("awaited calls are those that return at once", async () => {
   }
 });
 
+test("positions of awaited calls are those at the time of the call", async () => {
+  const session = await Session.open(mesh, { device: "cpu" });
+  const { contacts } = session.step(a, b, { window: [0, 0.5] });
+  const toi = session.earliestToi(a, b);
+  assert.ok(contacts.length > 10);
+  const own = Object.values(session.positions(Float64Array));
+  for (const copies of [[a, b].map((x) => x.slice()), own]) {
+    const reset = () => copies.forEach((x, i) => x.set([a, b][i]));
+    const window = [0, 0.5];
+    reset();
+    const step = session.stepAsync(...copies, { window });
+    window[1] = 1;
+    copies[1].set(a);
+    assert.deepEqual((await step).contacts, contacts);
+    reset();
+    const earliest = session.earliestToiAsync(...copies);
+    copies[1].set(a);
+    assert.equal(await earliest, toi);
+  }
+});
+
 test("a GPU that is not there is an error, or the CPU's turn", async () => {
   await assert.rejects(Session.open(mesh, { device: "gpu" }), /there is no WebGPU here/);
   await assert.rejects(Session.open(mesh, { device: "tpu" }), /must be one of auto, cpu, gpu/);

@@ -85,6 +85,14 @@ test("what is refused is an Error with the library's text", () => {
   refused(() => new Mesh(4, [0], []), /2 ids/);
   refused(() => new Mesh(4, null, [0, 1.5, 2]), /entry 1 is 1.5/);
   refused(() => new Mesh(-1, null, []), /nVertices/);
+  // Numbers that could be cut anew into rows of the right length.
+  const quads = [[0, 1, 2, 3], [4, 5, 6, 7], [8, 9, 10, 11]];
+  refused(() => new Mesh(12, null, quads), /^faces: row 0 is a list of 4; rows have 3 ids/);
+  refused(() => new Mesh(12, [[0, 1], [2, 3, 4], [5]], []), /^edges: row 1 is a list of 3; .* 2/);
+  refused(() => new Mesh(12, null, [[0, 1, 2], 3, 4, 5]), /^faces: row 1 is 3; rows have 3 ids/);
+  refused(() => new Mesh(12, null, [[], [0, 1, 2]]), /^faces: row 0 is a list of 0/);
+  const threes = { ofVertex: [0, 0, 0, 1], excluded: [[0, 1, 2], [0, 1, 2]] };
+  refused(() => new Session(floor(), { bodies: threes }), /^bodies.excluded: row 0 .* of 3; .* 2/);
   refused(() => new Session(floor(), { mode: "fast" }), /conservative/);
   refused(() => new Session(floor(), { minDistance: -1 }), /-1/);
   refused(() => new Session(floor(), { thickness: 1 }), /no option thickness/);
@@ -96,6 +104,20 @@ test("what is refused is an Error with the library's text", () => {
   refused(() => session.step(x0, x1, { window: [0.5, 0.25] }), /0.5/);
   // It stays usable.
   assert.equal(session.step(x0, x1).contacts.length, 1);
+});
+
+test("the session's buffers are kept by a call in which the module's memory grows", () => {
+  // Rods side by side, all of which touch. Before other tests have the memory grow by more.
+  const n = 1000;
+  const x = Float64Array.from({ length: 6 * n }, (_, i) => [i / 6e4, i % 6 < 3, 0][i % 3]);
+  const rods = Uint32Array.from({ length: 2 * n }, (_, v) => v);
+  const session = new Session(new Mesh(2 * n, rods, []), { minDistance: 1 });
+  const own = session.positions(Float64Array);
+  own.x1.fill(7);
+  assert.equal(session.step(x, x).contacts.length, n * (n - 1) / 2);
+  assert.equal(own.x1.length, 0);
+  const again = session.positions(Float64Array);
+  assert.ok(again.x0.every((c) => c === 0) && again.x1.every((c) => c === 7));
 });
 
 test("positions written into the session's buffers, and results as views", () => {
@@ -117,6 +139,104 @@ test("positions written into the session's buffers, and results as views", () =>
   assert.equal(again.x0.length, 0);
   assert.throws(() => session.step(again.x0, again.x1), /older than its last growth/);
   large.free();
+});
+
+/** Typed arrays as lists, because a failure of bits is read more easily so. */
+const lists = (...all) => all.map((x) => [...x]);
+
+test("views of the session's buffers in any place: as copies of them, and none is changed", () => {
+  // The particle goes past the face.
+  const past = x1.with(9, 5);
+  for (const Type of [Float32Array, Float64Array]) {
+    const other = Type === Float32Array ? Float64Array : Float32Array;
+    const session = new Session(floor());
+    const own = session.positions(Type);
+    const far = new Session(floor()).positions(Type);
+    const pairs = [
+      [own.x0, own.x1], [own.x1, own.x0], [own.x0, own.x0], [own.x1, own.x1],
+      [own.x0, Type.from(past)], [Type.from(past), own.x1], [own.x1, Type.from(past)],
+      [Type.from(past), own.x0], [far.x1, far.x0], [own.x1, far.x0],
+      [Type.from(x0), Type.from(past)],
+      [own.x1, other.from(past)], [other.from(past), own.x0],
+    ];
+    for (const [p, q] of pairs) {
+      own.x0.set(x0);
+      own.x1.set(x1);
+      far.x0.set(past);
+      far.x1.set(x0);
+      const before = lists(own.x0, own.x1, p, q);
+      const alone = new Session(floor());
+      const copies = [p, q].map((x) => x.slice());
+      const { ms: _, ...want } = alone.step(...copies, { geometry: true });
+      const { ms, ...got } = session.step(p, q, { geometry: true });
+      assert.deepEqual(got.contacts, want.contacts);
+      assert.equal(got.toi, want.toi);
+      assert.equal(session.earliestToi(p, q), alone.earliestToi(...copies));
+      assert.deepEqual(session.firstContact(p, q), alone.firstContact(...copies));
+      assert.deepEqual(session.candidates(p, q), alone.candidates(...copies));
+      assert.deepEqual(lists(own.x0, own.x1, p, q), before);
+      // Refused input changes them no more than any other does.
+      assert.throws(() => session.step(q, p.map(() => Number.NaN)), /NaN/);
+      assert.deepEqual(lists(own.x0, own.x1, p, q), before);
+    }
+  }
+});
+
+test("steps to and fro between both buffers", () => {
+  const session = new Session(floor());
+  let { x0: now, x1: next } = session.positions(Float64Array);
+  const height = [1, 0.5, -0.5, 0.25, 0.75];
+  now.set(x0);
+  const found = height.slice(1).map((y) => {
+    next.set(x0.with(10, y));
+    const { toi } = session.step(now, next);
+    [now, next] = [next, now];
+    return toi && Math.round(toi * 1e4) / 1e4;
+  });
+  assert.deepEqual(found, [null, 0.5, 0.6667, null]);
+});
+
+test("views of a buffer as numbers of another precision are converted", () => {
+  const session = new Session(floor());
+  const { x0: first, x1: second } = session.positions(Float64Array);
+  const want = session.earliestToi(x0, x1);
+  assert.ok(want > 0.49 && want < 0.5);
+  for (const buffer of [first, second]) {
+    for (const skipped of [0, 24, 48]) {
+      const inside = new Float32Array(buffer.buffer, buffer.byteOffset + skipped, 12);
+      for (const [x, call] of [
+        [x0, () => session.earliestToi(inside, x1)],
+        [x1, () => session.earliestToi(x0, inside)],
+      ]) {
+        inside.set(x);
+        const before = lists(first, second);
+        assert.ok(Math.abs(call() - want) < 1e-6);
+        assert.deepEqual(lists(first, second), before);
+      }
+    }
+  }
+  // Those that `positions` has of the other precision are other buffers.
+  const { x0: single } = session.positions(Float32Array);
+  single.set(x0);
+  first.fill(0);
+  assert.ok(Math.abs(session.earliestToi(single, x1) - want) < 1e-6);
+  assert.deepEqual(lists(single, first), lists(Float32Array.from(x0), first.map(() => 0)));
+});
+
+test("a search of intersections leaves the session's buffers as they are", () => {
+  const session = new Session(floor());
+  for (const Type of [Float32Array, Float64Array]) {
+    const own = session.positions(Type);
+    const want = new Session(floor()).earliestToi(x0, x1);
+    for (const x of [own.x0, own.x1, Type.from(x1), x1]) {
+      own.x0.set(x0);
+      own.x1.set(x1);
+      assert.deepEqual(session.intersections(x), []);
+      assert.equal(session.hasIntersections(x), false);
+      assert.deepEqual(lists(own.x0, own.x1), lists(Type.from(x0), Type.from(x1)));
+      assert.equal(session.earliestToi(own.x0, own.x1) > 0.49, want > 0.49);
+    }
+  }
 });
 
 test("intersections", () => {

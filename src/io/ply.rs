@@ -2,7 +2,9 @@
 
 use super::{Frame, Input, ReadErrorKind, of_comma, quote};
 use ply_rs_bw::parser::{Parser, Reader};
-use ply_rs_bw::ply::{ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult};
+use ply_rs_bw::ply::{
+    ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult, PropertyType,
+};
 use std::io::{BufRead, ErrorKind};
 use std::path::Path;
 
@@ -15,6 +17,9 @@ struct Element {
     ends: [Option<i64>; 2],
 }
 
+/// Names of the list of a face's vertices.
+const LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
+
 impl PropertyAccess for Element {
     fn new() -> Self {
         Self::default()
@@ -25,7 +30,7 @@ impl PropertyAccess for Element {
             "x" => self.position[0] = number(&property),
             "y" => self.position[1] = number(&property),
             "z" => self.position[2] = number(&property),
-            "vertex_indices" | "vertex_index" => self.corners = integers(property),
+            _ if LISTS.contains(&name) => self.corners = integers(property),
             "vertex1" => self.ends[0] = number(&property).map(|x| x as i64),
             "vertex2" => self.ends[1] = number(&property).map(|x| x as i64),
             _ => return PropertyAccessResult::Ignored,
@@ -118,6 +123,14 @@ pub(super) fn read(input: Input, _: &Path) -> Result<Frame, ReadErrorKind> {
             }
             // What has no properties takes no bytes, however many there are.
             _ if element.properties.is_empty() && encoding != Encoding::Ascii => {}
+            name if LISTS.iter().any(|&list| element.properties.contains_key(list)) => {
+                let what = format!(
+                    "element `{}` has lists of vertices; triangles and polygons are read from an \
+                     element named face",
+                    quote(name)
+                );
+                return Err(ReadErrorKind::Header(what));
+            }
             _ => {
                 for at in n {
                     payload.next("element", at, element)?;
@@ -160,6 +173,11 @@ impl<R: BufRead> Payload<R> {
                     return Err(ends());
                 }
                 self.line += 1;
+                if has_more(&text, element) {
+                    let what =
+                        format!("`{}` has more numbers than the header says", quote(text.trim()));
+                    return Err(ReadErrorKind::Line { line, what });
+                }
                 return parser.read_ascii_element(&text, element).map_err(|_| {
                     let (name, comma) = (quote(&element.name), of_comma(&text));
                     let what = format!("`{}` is no {name}{comma}", quote(text.trim()));
@@ -191,6 +209,22 @@ impl<R: BufRead> Payload<R> {
             }
         }
     }
+}
+
+/// Whether a line has more words than an element of its properties.
+fn has_more(text: &str, element: &ElementDef) -> bool {
+    let mut words = text.split_ascii_whitespace();
+    for property in element.properties.values() {
+        let n = match property.data_type {
+            PropertyType::Scalar(_) => 1,
+            // A count that is none is refused where the line is read.
+            PropertyType::List(..) => words.next().and_then(|n| n.parse().ok()).unwrap_or(0),
+        };
+        if n > 0 && words.nth(n - 1).is_none() {
+            return false;
+        }
+    }
+    words.next().is_some()
 }
 
 /// The message of the parser in one line: what is wrong, and the text there.

@@ -181,6 +181,9 @@ fn of_array(
     if n_vertices > limit {
         return Err(crate::Error::TooMany { element: "vertices", count: n_vertices, limit }.into());
     }
+    if n_vertices == 0 {
+        return Err(head("the frames have no vertices"));
+    }
     if needed != Some(length) {
         let what = format!(
             "{n_frames} frames of {n_vertices} vertices take {} bytes; the file has {length}",

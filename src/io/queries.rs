@@ -107,11 +107,14 @@ fn read(path: &Path, kind: Kind) -> Result<Queries, ReadErrorKind> {
     let mut record = csv::StringRecord::new();
     let (mut answer, mut n_columns) = (false, 0);
     loop {
-        let line = n_rows + 1;
-        let bad = |what: String| ReadErrorKind::Line { line, what };
-        if !reader.read_record(&mut record).map_err(|e| bad(e.to_string()))? {
+        let next = reader.position().line() as usize;
+        let unread = |e: csv::Error| ReadErrorKind::Line { line: next, what: e.to_string() };
+        if !reader.read_record(&mut record).map_err(unread)? {
             break;
         }
+        // Blank lines count, too.
+        let line = record.position().map_or(next, |at| at.line() as usize);
+        let bad = |what: String| ReadErrorKind::Line { line, what };
         n_columns = if n_rows == 0 { record.len() } else { n_columns };
         if record.len() != n_columns || !(n_columns == 6 || n_columns == 7) {
             let expected = if n_rows == 0 { "6 or 7".into() } else { n_columns.to_string() };
@@ -153,9 +156,15 @@ fn read(path: &Path, kind: Kind) -> Result<Queries, ReadErrorKind> {
 fn kind_of(path: &Path) -> Option<Kind> {
     path.iter().rev().find_map(|part| {
         let part = part.to_string_lossy().to_ascii_lowercase();
-        let stem = part.strip_suffix(".csv").unwrap_or(&part);
-        let ee = stem.contains("edge-edge") || stem.ends_with("ee");
-        let vf = stem.contains("vertex-face") || stem.ends_with("vf");
+        // `227ee`, `vertex_face`, but not `coffee`.
+        let words: Vec<&str> = part
+            .split(|c: char| !c.is_ascii_alphabetic())
+            .filter(|word| !word.is_empty())
+            .collect();
+        let names = |short: &str, long: [&str; 2]| {
+            words.contains(&short) || words.windows(2).any(|two| two == long)
+        };
+        let (ee, vf) = (names("ee", ["edge", "edge"]), names("vf", ["vertex", "face"]));
         (ee != vf).then_some(if ee { Kind::EdgeEdge } else { Kind::VertexFace })
     })
 }

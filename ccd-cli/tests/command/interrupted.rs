@@ -129,3 +129,27 @@ pub fn a_reader_that_goes_away_ends_quietly() {
     let bash = text(&ccd(&["completions", "bash"]).stdout);
     assert!(bash.contains("--min-distance") && bash.contains("_ccd()"), "{bash}");
 }
+
+/// Whoever wants files or a status gets them, whether what is printed is read or not.
+pub fn a_reader_that_goes_away_leaves_files_and_status() {
+    let dir = tempfile::tempdir().unwrap();
+    let frames = ["f0.obj", "f1.obj", "f2.obj"];
+    for (name, drop) in frames.iter().zip([0.0, 1.0, 0.0]) {
+        crate::obj(dir.path(), name, drop);
+    }
+    let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let ([a, b, c], contacts) = (frames.map(path), path("contacts.csv"));
+    let mut child = start(&["sequence", &a, &b, &c, "--contacts", &contacts, "--fail-on-contact"]);
+    drop(child.stdout.take());
+    let output = ended(child);
+    assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(1), ""));
+    assert_eq!(names(dir.path()), ["contacts.csv", "f0.obj", "f1.obj", "f2.obj"]);
+    assert!(std::fs::read_to_string(&contacts).unwrap().lines().count() > 2);
+    // What cannot be printed for another reason ends it, and leaves no part of a file.
+    let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+    std::fs::remove_file(&contacts).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ccd"));
+    command.args(["sequence", &a, &b, &c, "--contacts", &contacts]).stdout(full);
+    assert_eq!(command.stderr(Stdio::null()).status().unwrap().code(), Some(2));
+    assert_eq!(names(dir.path()), frames);
+}

@@ -21,6 +21,8 @@ const ANYWHERE: &[(&str, fn())] = &[
     #[cfg(unix)]
     ("a_reader_that_goes_away_ends_quietly", interrupted::a_reader_that_goes_away_ends_quietly),
     #[cfg(unix)]
+    ("a_reader_that_goes_away", interrupted::a_reader_that_goes_away_leaves_files_and_status),
+    #[cfg(unix)]
     ("ctrl_c_leaves_whole_files_or_none", interrupted::ctrl_c_leaves_whole_files_or_none),
     #[cfg(unix)]
     ("a_second_ctrl_c_ends_at_once", interrupted::a_second_ctrl_c_ends_at_once),

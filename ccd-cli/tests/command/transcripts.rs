@@ -52,7 +52,7 @@ fn redacted(text: &str) -> String {
     static WHAT: LazyLock<[(Regex, &str); 7]> = LazyLock::new(|| {
         [
             (r#"("times_ms":)\{[^}]*\}"#, "$1{..}"),
-            (r#"("\w+_ms"|"ns_per_query"|"threads"|"rebuilt"):[\w.+-]+"#, "$1:.."),
+            (r#"("\w+_ms"|"ns_per_query"|"threads"|"rebuilt"|"asked"):[\w.+-]+"#, "$1:.."),
             (r#"("machine"):"[^"]*""#, "$1:.."),
             (r" on +\d+ threads?", " on .. threads"),
             (r" +[\d.]+ (?:ns|us|ms|s)\b", " .."),

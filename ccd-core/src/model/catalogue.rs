@@ -100,7 +100,7 @@ impl Catalogued for BroadPhaseMethod {
             .source("Liu 2010")
             .on(CPU),
         Row::new(Self::SweepByEndPoints, "sweep-by-end-points")
-            .about("A device thread an end point, from start to end; a CPU has rows of boxes")
+            .about("One GPU thread per end point, which walks from each start to its end")
             .source("Karras 2012a")
             .on(GPU),
         Row::new(Self::UniformGrid, "uniform-grid")

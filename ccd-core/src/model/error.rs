@@ -377,8 +377,8 @@ impl core::fmt::Display for Error {
             Error::Memory { what, bytes, held, limit } => {
                 write!(
                     f,
-                    "{what} need {bytes} bytes besides the {held} that are held; the limit of \
-                     memory is {limit}"
+                    "the limit of {limit} bytes would be exceeded: {what} need {bytes} bytes \
+                     besides the {held} in use"
                 )
             }
             Error::Beyond { time, vertex } => {

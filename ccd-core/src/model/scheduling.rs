@@ -264,7 +264,7 @@ impl Catalogued for Scheduler {
             .about("Dealt out, and dealt out again whenever too many workers are idle")
             .source("Lauterbach 2010"),
         Row::new(Self::PrefixSums, "prefix-sums")
-            .about("As static, but places of what is found are prefix sums, not counted by atomics")
+            .about("As static; places of results are prefix sums instead of atomic counters")
             .source("da Silva 2013")
             .on(GPU),
         Row::new(Self::BlockingQueue, "blocking-queue")
@@ -276,14 +276,14 @@ impl Catalogued for Scheduler {
             .source("Cederman 2009")
             .on(CPU),
         Row::new(Self::Stealing, "stealing")
-            .about("A deque a worker; whose own is empty takes from another's; GPU: native alone")
+            .about("A deque per worker; idle workers steal from others; GPU: passthrough only")
             .source("Arora 1998"),
         Row::new(Self::StealingAbp, "stealing-abp")
-            .about("The same, by the deque as printed, of two words; its fences no kernel has")
+            .about("The same by the published deque of two words, whose fences no kernel has")
             .source("Arora 1998")
             .on(CPU),
         Row::new(Self::LazyStealing, "lazy-stealing")
-            .about("Stacks and deques; batches stolen at once, fetched singly; GPU: native alone")
+            .about("Stacks and deques; batches stolen, fetched singly; GPU: passthrough only")
             .source("da Silva 2013"),
     ];
 }

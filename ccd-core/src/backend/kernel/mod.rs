@@ -1,9 +1,10 @@
 //! Kernel bodies: one pure function per stage, called once per thread, the same on a CPU and on a
 //! GPU.
 //!
-//! Three shapes: *map* (thread `i` returns what it owns), *meet* (threads share words, through
-//! [`Words`]) and *emit* (an unknown number of results: the body says which there are, its caller
-//! appends them to a list, which also counts those beyond its capacity).
+//! Four shapes: *map* (thread `i` returns what it owns), *meet* (threads share words, through
+//! [`Words`]), *emit* (an unknown number of results: the body says which there are, its caller
+//! appends them to a list, which also counts those beyond its capacity) and *cooperative* (a
+//! workgroup works together between barriers).
 //!
 //! The table, [`kernels!`](crate::kernels), has a row for each. A new kernel takes a body here, an
 //! entry point in ccd-shaders and a row; its id, its module, its pipeline, the names of its buffers

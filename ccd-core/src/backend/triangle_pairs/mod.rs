@@ -49,9 +49,6 @@ use crate::{layout::Pair, model::contact::Kind};
 #[cfg(feature = "alloc")]
 use representatives::Triangles;
 
-/// Elemental tests of a pair of triangles.
-pub const N_TESTS: usize = 15;
-
 /// Which of the tests of a pair of triangles: 0 to 2 a corner of the first against the second, 3 to
 /// 5 a corner of the second against the first, 6 + 3 i + j side i of the first against side j of
 /// the second.
