@@ -2,7 +2,7 @@
 //! a call that was cancelled.
 
 use ccd::any;
-use pyo3::PyErr;
+use pyo3::prelude::*;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use std::fmt::Display;
 use std::sync::{Mutex, MutexGuard};
@@ -22,6 +22,14 @@ pub fn input(why: ccd::Error) -> PyErr {
         }
     }
     refused(text)
+}
+
+/// The error of a call that has one array of positions, whose name is `x`.
+pub fn of_one(py: Python<'_>, error: PyErr) -> PyErr {
+    if !error.is_instance_of::<PyValueError>(py) {
+        return error;
+    }
+    refused(error.value(py).to_string().replace("x0", "x").replace("x1", "x"))
 }
 
 /// Input that is refused, or a device that did not do what was asked.

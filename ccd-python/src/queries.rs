@@ -1,7 +1,7 @@
 //! Single queries, one or many at once.
 
 use crate::arrays::{Floats, kind_of, numbers};
-use crate::errors::{input, refused};
+use crate::errors::{input, of_one, refused};
 use crate::hit::{MISS, state_number};
 use ccd::{Distance, EdgeEdge, Error, Kind, State, Verdict, VertexEdge, VertexFace, VertexVertex};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
@@ -124,7 +124,7 @@ fn bounds<'py, const N: usize>(
         Floats::F32([x]) => points(0, numbers(x)?),
         Floats::F64([x]) => points(0, numbers(x)?),
     };
-    let all = all.map_err(input)?;
+    let all = all.map_err(|why| of_one(py, input(why)))?;
     let (least, greatest): (Vec<_>, Vec<_>) = py.detach(|| {
         let each = all.as_chunks::<N>().0.iter().map(|&at| distance(at));
         each.map(|found| (found.least, found.greatest)).unzip()

@@ -8,7 +8,7 @@ use crate::calls::{
 };
 use crate::candidate_set::CandidateSet;
 use crate::device;
-use crate::errors::{failed, lock};
+use crate::errors::{failed, lock, of_one};
 use crate::hit::Hit;
 use crate::mesh::Mesh;
 use crate::options::{self, CancelToken, Options};
@@ -163,7 +163,7 @@ impl Session {
 
     /// From now on all vertices stand at `x`, until `step_bodies` and its like move bodies.
     fn set_positions(&self, py: Python<'_>, x: &Bound<'_, PyAny>) -> PyResult<()> {
-        self.shared.with(py, [x, x], SetPositions)
+        self.shared.with(py, [x, x], SetPositions).map_err(|e| of_one(py, e))
     }
 
     /// Every contact of a step in which some bodies move, and all others stand where they are: a
@@ -221,12 +221,13 @@ impl Session {
         py: Python<'py>,
         x: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyArray2<u32>>> {
-        pair_array(py, self.shared.with(py, [x, x], Intersect)?)
+        let found = self.shared.with(py, [x, x], Intersect);
+        pair_array(py, found.map_err(|e| of_one(py, e))?)
     }
 
     /// Whether `intersections` would list any; the search ends with the first.
     fn has_intersections(&self, py: Python<'_>, x: &Bound<'_, PyAny>) -> PyResult<bool> {
-        self.shared.with(py, [x, x], Intersects)
+        self.shared.with(py, [x, x], Intersects).map_err(|e| of_one(py, e))
     }
 
     /// Candidates of the step as an object that serves all steps near it: of vertices that are at

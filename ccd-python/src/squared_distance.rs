@@ -1,7 +1,7 @@
 //! Squared distances with derivatives, of one pair of features or of many.
 
 use crate::arrays::{Floats, flat_ids, numbers};
-use crate::errors::{input, refused};
+use crate::errors::{input, of_one, refused};
 use crate::queries::points;
 use ccd::squared_distance::{EdgeEdgeType, SquaredDistance, VertexFaceType};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
@@ -102,6 +102,7 @@ struct Pairs {
 
 impl Pairs {
     fn new(kind: u8, x: &Bound<'_, PyAny>, types: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let py = x.py();
         if kind > 1 {
             return Err(refused(format!("kind is {kind}; it must be 0 or 1, see Kind")));
         }
@@ -110,7 +111,7 @@ impl Pairs {
             Floats::F32([x]) => points(0, numbers(x)?),
             Floats::F64([x]) => points(0, numbers(x)?),
         };
-        let x = points.map_err(input)?;
+        let x = points.map_err(|why| of_one(py, input(why)))?;
         let shape = positions.shape(0);
         let shape = shape[..shape.len() - 2].to_vec();
         let nearest = |at: &[[f64; 3]; 4]| match kind {

@@ -256,6 +256,17 @@ def test_columns_that_were_written_to_are_refused():
             ask()
 
 
+def test_errors_name_the_argument():
+    session, bad = Session(Mesh(FACES)), X0.copy()
+    bad[3, 1] = np.nan
+    for call in (session.intersections, session.has_intersections, session.set_positions):
+        with pytest.raises(ValueError, match=r"\bx\b"):
+            call(X0[1:])
+    for call in (session.intersections, lambda x: distance(Kind.VERTEX_FACE, x[:4])):
+        with pytest.raises(ValueError, match=r"of x\b"):
+            call(bad)
+
+
 def test_bodies_have_any_numbers():
     names = np.array([4294967295] * 7, "u4")
     assert Session(Mesh(FACES), bodies=Bodies(names, fixed=[True])).step(X0, X1)
