@@ -1,44 +1,51 @@
-//! Ctrl-C: the first one ends a command as an error does, with status 130, so that it leaves whole
-//! files or none; the second one ends it at once.
+//! Ctrl-C (SIGINT) and SIGTERM, by which clusters end jobs: the first one ends a command as an error
+//! does, with status 130 or 143, so that it leaves whole files or none; the second one ends it at
+//! once.
 //!
-//! A command that neither writes files nor steps a mesh does not wait for it: the first one ends
+//! A command that neither writes files nor steps a mesh does not wait for them: the first one ends
 //! it.
 
 use super::Failure;
 use ccd::CancelToken;
-use signal_hook::consts::SIGINT;
+use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, OnceLock};
 
-/// The exit status after Ctrl-C: 128 and the number of the signal, as shells have it.
-pub const STATUS: u8 = 130;
+/// Whether a signal came, and the number of the last one.
+static CAME: OnceLock<(Arc<AtomicBool>, Arc<AtomicUsize>)> = OnceLock::new();
 
-static PRESSED: OnceLock<Arc<AtomicBool>> = OnceLock::new();
-
-/// From the first call on, Ctrl-C is waited for.
-fn pressed() -> &'static Arc<AtomicBool> {
-    PRESSED.get_or_init(|| {
-        let pressed = Arc::new(AtomicBool::new(false));
-        // In this order: the first one must not find what it sets itself. Where it cannot be waited
-        // for, it ends the program as ever.
-        let at_once = flag::register_conditional_shutdown(SIGINT, STATUS.into(), pressed.clone());
-        let _ = at_once.and_then(|_| flag::register(SIGINT, pressed.clone()));
-        pressed
+/// From the first call on, signals are waited for.
+fn came() -> &'static (Arc<AtomicBool>, Arc<AtomicUsize>) {
+    CAME.get_or_init(|| {
+        let (came, which) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(0)));
+        for signal in [SIGINT, SIGTERM] {
+            // In this order: the first one must not find what it sets itself. Where it cannot be
+            // waited for, it ends the program as ever.
+            let _ = flag::register_conditional_shutdown(signal, 128 + signal, came.clone())
+                .and_then(|_| flag::register_usize(signal, which.clone(), signal as usize))
+                .and_then(|_| flag::register(signal, came.clone()));
+        }
+        (came, which)
     })
+}
+
+/// The exit status after a signal: 128 and its number, as shells have it.
+pub fn status() -> u8 {
+    CAME.get().map_or(0, |(_, which)| 128 | which.load(Relaxed) as u8)
 }
 
 /// A token that cancels steps of a session.
 pub fn token() -> CancelToken {
-    pressed().clone().into()
+    came().0.clone().into()
 }
 
-/// Whether Ctrl-C was pressed.
+/// Whether a signal came.
 pub fn happened() -> bool {
-    PRESSED.get().is_some_and(|pressed| pressed.load(Relaxed))
+    CAME.get().is_some_and(|(came, _)| came.load(Relaxed))
 }
 
-/// An error once Ctrl-C was pressed.
+/// An error once one came.
 pub fn check() -> Result<(), Failure> {
     if happened() { Err(Failure("interrupted".into())) } else { Ok(()) }
 }

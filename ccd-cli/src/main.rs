@@ -60,8 +60,8 @@ use std::process::ExitCode;
 /// has vertices 0, 1 and 2. Lines of files, and parts (--part 1/8), are counted from 1.
 ///
 /// Exit status: 0 done; 1 contacts were found, or a first frame that intersects itself, and
-/// --fail-on-contact was given; 2 bad use or bad input; 130 ended by Ctrl-C. Files are written
-/// whole or not at all.
+/// --fail-on-contact was given; 2 bad use or bad input; 130 ended by Ctrl-C, 143 by SIGTERM. Files
+/// are written whole or not at all.
 #[derive(Parser)]
 #[command(name = "ccd", version, max_term_width = 100)]
 struct Cli {
@@ -362,7 +362,7 @@ fn main() -> ExitCode {
         Ok(_) => ExitCode::SUCCESS,
         Err(_) if interrupt::happened() => {
             Failure("interrupted".into()).print();
-            ExitCode::from(interrupt::STATUS)
+            ExitCode::from(interrupt::status())
         }
         Err(failure) => {
             failure.print();

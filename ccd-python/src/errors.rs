@@ -2,8 +2,8 @@
 //! a call that was cancelled.
 
 use ccd::any;
-use pyo3::prelude::*;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
 use std::fmt::Display;
 use std::sync::{Mutex, MutexGuard};
 

@@ -1,4 +1,4 @@
-//! Ctrl-C: status 130, and whole files or none.
+//! Signals: Ctrl-C ends with status 130, SIGTERM with 143, and both leave whole files or none.
 
 use super::{ccd, text};
 use std::path::Path;
@@ -38,8 +38,8 @@ fn start(args: &[&str]) -> Child {
     command.spawn().unwrap()
 }
 
-fn interrupt(child: &Child) {
-    let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+fn send(signal: &str, child: &Child) {
+    let sent = Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
     assert!(sent.success());
 }
 
@@ -83,9 +83,10 @@ pub fn ctrl_c_leaves_whole_files_or_none() {
         let begun = || names(out.path()).iter().any(|name| name.ends_with(".part"));
         wait_for("a file that is begun", begun);
         std::thread::sleep(Duration::from_millis(200));
-        interrupt(&child);
+        let (signal, status) = if before.is_none() { ("-INT", 130) } else { ("-TERM", 143) };
+        send(signal, &child);
         let output = ended(child);
-        assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
+        assert_eq!(output.status.code(), Some(status), "{}", text(&output.stderr));
         assert!(text(&output.stderr).contains("interrupted"), "{}", text(&output.stderr));
         assert!(!text(&output.stdout).contains("summary"), "it was done before");
         match before {
@@ -113,10 +114,10 @@ pub fn a_second_ctrl_c_ends_at_once() {
     let mut child = start(&["check", pipe, pipe, "--contacts", out]);
     let begun = || names(dir.path()).iter().any(|name| name.ends_with(".part"));
     wait_for("a file that is begun", begun);
-    interrupt(&child);
+    send("-INT", &child);
     std::thread::sleep(Duration::from_millis(300));
     assert!(child.try_wait().unwrap().is_none(), "the first ended it");
-    interrupt(&child);
+    send("-INT", &child);
     assert_eq!(ended(child).status.code(), Some(130));
     assert!(!contacts.exists());
 }

@@ -186,9 +186,9 @@ impl Buffers {
 /// thinks that it hangs (2 s), and the largest scenes that we know take one or two.
 pub const DISPATCH_LIMIT: u32 = 1 << 21;
 
-/// Pairs that a thread decides at most: each takes some tens of rounds of its loops, few some
-/// hundred, see [`Device::groups`](crate::device::Device::groups).
-const PAIRS_A_THREAD: u32 = 64;
+/// Pairs that a thread decides at most: each takes some tens of rounds of its loops, few a
+/// thousand, see [`Device::groups`](crate::device::Device::groups).
+const PAIRS_A_THREAD: u32 = 16;
 
 /// Parameters of a kernel that reads the frame alone.
 fn plain(frame: &Frame) -> Params {
