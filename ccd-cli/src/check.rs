@@ -164,6 +164,7 @@ impl Check {
         // Stable: equal times keep their order.
         all.sort_by(|a, b| a.toi.total_cmp(&b.toi));
         all.truncate(n);
+        all.sort_unstable_by_key(|c| (c.kind as u8, c.a, c.b));
         Cow::Owned(all)
     }
 

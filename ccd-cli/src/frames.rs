@@ -31,6 +31,11 @@ impl Frames {
                 ));
             };
             let (cache, frame) = (PointCache::open(path)?, read_frame(mesh)?);
+            if !frame.merged.is_empty() {
+                let what = "merges vertices, so that positions over time do not belong to them; \
+                            OBJ, OFF and PLY keep their numbers";
+                return Err(in_file(mesh, what));
+            }
             let (n, expected) = (cache.n_vertices(), frame.positions.len());
             if n != expected {
                 let what = format!("has {n} vertices, {} has {expected}", mesh.display());
@@ -112,6 +117,9 @@ fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
             of_pattern(path)?
         };
         alphanumeric_sort::sort_path_slice(&mut found);
+        if !path.is_file() {
+            check_order(&found)?;
+        }
         frames.append(&mut found);
     }
     at_least_two(frames.len()).map_err(|e| match given {
@@ -122,6 +130,46 @@ fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
     alphanumeric_sort::sort_path_slice(&mut sorted);
     let is_sorted = sorted == frames;
     Ok((frames, !is_sorted))
+}
+
+/// Refuses files of a folder or a pattern whose order their names do not tell for certain.
+fn check_order(found: &[PathBuf]) -> Result<(), Failure> {
+    let stem = |path: &Path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    if let Some(two) = found.windows(2).find(|two| stem(&two[0]) == stem(&two[1])) {
+        let what = format!("and {} have one name: which is the frame?", two[1].display());
+        return Err(in_file(&two[0], what));
+    }
+    // Digits as one letter, and how many there are behind a point.
+    let mut fractions = std::collections::BTreeSet::new();
+    let mut shapes = std::collections::BTreeSet::new();
+    for path in found {
+        let (mut shape, mut n) = (String::new(), 0);
+        for c in stem(path).chars().chain([' ']) {
+            match (c.is_ascii_digit(), n) {
+                (true, 0) => shape.push('0'),
+                (false, _) => {
+                    if n > 0 && shape.ends_with("0.0") {
+                        fractions.insert(n);
+                    }
+                    shape.push(c);
+                }
+                _ => {}
+            }
+            n = if c.is_ascii_digit() { n + 1 } else { 0 };
+        }
+        shapes.insert(shape);
+    }
+    let is_signed = shapes.iter().any(|shape| {
+        let without = shape.replace("-0", "0");
+        without != *shape && shapes.contains(&without)
+    });
+    let what = match (fractions.len() > 1, is_signed) {
+        (true, _) => "numbers with a point, of different lengths",
+        (_, true) => "numbers with and without a minus",
+        _ => return Ok(()),
+    };
+    let name = found.first().map_or_else(Default::default, |path| path.display().to_string());
+    Err(Failure(format!("{name} and the others: {what}; list the frames in their order")))
 }
 
 fn at_least_two(n: usize) -> Result<(), Failure> {
@@ -182,6 +230,27 @@ mod tests {
         assert_eq!(names(&["f10.ply", "f2.ply"]), ("f10.ply f2.ply".into(), true));
         for bad in ["f3.ply", "*.stl", "f2.ply"] {
             assert!(expand(&[folder.path().join(bad)]).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn an_order_that_names_do_not_tell_is_refused() {
+        for (names, why) in [
+            ("f0.ply f1.ply f10.ply", ""),
+            ("frame.0.ply frame.10.ply", ""),
+            ("t-0.05.ply t-0.10.ply", ""),
+            ("a-1.ply a-2.ply", ""),
+            ("t_0.05.ply t_0.1.ply", "with a point"),
+            ("t0.ply t0.5.ply", ""),
+            ("f-2.ply f-1.ply f0.ply f1.ply", "a minus"),
+            ("f0.obj f0.ply f1.obj f1.ply", "one name"),
+        ] {
+            let mut found: Vec<_> = names.split(' ').map(PathBuf::from).collect();
+            alphanumeric_sort::sort_path_slice(&mut found);
+            match check_order(&found) {
+                Ok(()) => assert_eq!(why, "", "{names}"),
+                Err(Failure(what)) => assert!(!why.is_empty() && what.contains(why), "{what}"),
+            }
         }
     }
 }

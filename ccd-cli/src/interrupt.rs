@@ -1,6 +1,6 @@
-//! Ctrl-C (SIGINT) and SIGTERM, by which clusters end jobs: the first one ends a command as an error
-//! does, with status 130 or 143, so that it leaves whole files or none; the second one ends it at
-//! once.
+//! Ctrl-C (SIGINT), and SIGTERM, by which clusters end jobs: the first one ends a command as an
+//! error does, with status 130 or 143, so that it leaves whole files or none; the second one ends
+//! it at once.
 //!
 //! A command that neither writes files nor steps a mesh does not wait for them: the first one ends
 //! it.

@@ -72,6 +72,7 @@ impl Objects {
         for files in &mut files {
             let start = read(&mut files.start)?;
             mesh_of(&files.start, &start)?;
+            notice_folded(&files.start, &start);
             if let Some(path) = &mut files.end {
                 let end = read(path)?.merged_as(&start).map_err(|e| in_file(path, e))?;
                 same_topology((&files.start, &start), (path, &end))?;
@@ -133,11 +134,20 @@ impl Objects {
 /// Adds a mesh behind those that are there.
 fn append(all: &mut Frame, more: &Frame) {
     let n = all.positions.len() as u32;
-    let polygon = all.polygons.last().map_or(0, |last| last + 1);
     all.positions.extend_from_slice(&more.positions);
     all.faces.extend(more.faces.iter().map(|face| face.map(|v| v + n)));
     all.edges.extend(more.edges.iter().map(|edge| edge.map(|v| v + n)));
-    all.polygons.extend(more.polygons.iter().map(|of| of + polygon));
+    // As in their own file.
+    all.polygons.extend_from_slice(&more.polygons);
+}
+
+/// Says where polygons are not the surface of the triangles that they are cut into.
+pub fn notice_folded(path: &Path, frame: &Frame) {
+    let n = frame.folded_polygons();
+    if n > 0 {
+        let what = "polygons are not convex: the triangles that they are cut into leave them";
+        output::notice!("{}: {n} {what}", path.display());
+    }
 }
 
 /// An error that names the first difference in topology.

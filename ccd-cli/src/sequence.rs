@@ -3,6 +3,7 @@
 use super::check::{self, step};
 use super::frames::Frames;
 use super::lines::{LastLine, Share, Step, Summary, digest_of, step_ms, summarise};
+use super::objects::notice_folded;
 use super::output::{self, MeshSize, TimesMs};
 use super::part::Part;
 use super::plot::Series;
@@ -66,6 +67,7 @@ impl Sequence {
         let todo = self.part.map_or(0..all_steps, |part| part.steps(all_steps));
         let load_start = Instant::now();
         let (mut before, mesh) = frames.first(todo.start)?;
+        notice_folded(&frames.name(todo.start), &before);
         let polygons = before.polygons.clone();
         let mut session = self.options.session(mesh)?;
         let mut load = load_start.elapsed().as_secs_f64() * 1e3;

@@ -162,6 +162,21 @@ impl Bodies {
     }
 }
 
+/// Rules in the order in which they are applied, whatever a caller's: what excludes a body from
+/// itself comes after what lets it touch itself.
+const RULES: [&str; 10] = [
+    "fixed",
+    "sleeping",
+    "self_contact",
+    "memberships",
+    "filters",
+    "worlds",
+    "excluded_bodies",
+    "excluded_vertex_face",
+    "excluded_edge_edge",
+    "fixed_motion",
+];
+
 fn with_rules(
     mut bodies: ccd::Bodies,
     names: &[u32],
@@ -173,13 +188,16 @@ fn with_rules(
     all.dedup();
     let of_bodies = |n: usize| all.iter().copied().take_while(move |&body| (body as usize) < n);
     let (mut memberships, mut filters) = (Vec::new(), Vec::new());
-    for (name, given) in rules.iter() {
-        if given.is_none() {
-            continue;
-        }
+    for name in rules.keys() {
         let name: String = name.extract()?;
+        if !RULES.contains(&&*name) {
+            return Err(refused(format!("bodies have no rule {name:?}; see help(Bodies)")));
+        }
+    }
+    for name in RULES {
+        let Some(given) = rules.get_item(name)?.filter(|given| !given.is_none()) else { continue };
         let flags = || given.extract::<Vec<bool>>();
-        match &name[..] {
+        match name {
             "fixed" => bodies = bodies.with_fixed_mask(&flags()?),
             "sleeping" => {
                 let sleeping = flags()?;
@@ -195,20 +213,20 @@ fn with_rules(
                     }
                 }
             },
-            "memberships" => memberships = flat_ids(&name, &given)?,
-            "filters" => filters = flat_ids(&name, &given)?,
-            "worlds" => bodies = bodies.with_worlds(&flat_ids(&name, &given)?),
-            "excluded_bodies" => bodies = bodies.with_excluded_bodies(&ids::<2>(&name, &given)?),
+            "memberships" => memberships = flat_ids(name, &given)?,
+            "filters" => filters = flat_ids(name, &given)?,
+            "worlds" => bodies = bodies.with_worlds(&flat_ids(name, &given)?),
+            "excluded_bodies" => bodies = bodies.with_excluded_bodies(&ids::<2>(name, &given)?),
             "excluded_vertex_face" => {
-                let pairs = ids::<2>(&name, &given)?;
+                let pairs = ids::<2>(name, &given)?;
                 bodies = bodies.with_excluded_features(Kind::VertexFace, &pairs);
             }
             "excluded_edge_edge" => {
-                let pairs = ids::<2>(&name, &given)?;
+                let pairs = ids::<2>(name, &given)?;
                 bodies = bodies.with_excluded_features(Kind::EdgeEdge, &pairs);
             }
             "fixed_motion" => bodies = bodies.with_fixed_motion(given.extract()?),
-            _ => return Err(refused(format!("bodies have no rule {name:?}; see help(Bodies)"))),
+            _ => {}
         }
     }
     for body in of_bodies(memberships.len().max(filters.len())) {

@@ -27,7 +27,17 @@ impl CandidateSet {
     }
 
     fn pairs<'py>(&self, py: Python<'py>, kind: Kind) -> PyResult<Bound<'py, PyArray2<u32>>> {
-        pair_array(py, flat(&*lock(&self.inner)?, kind))
+        pair_array(py, self.with(py, |set| flat(set, kind))?)
+    }
+
+    /// Asks the set, without the interpreter: another thread may have it for long.
+    fn with<R: Send>(
+        &self,
+        py: Python<'_>,
+        ask: impl FnOnce(&mut ccd::CandidateSet) -> R + Send,
+    ) -> PyResult<R> {
+        self.made_by.check("set of candidates")?;
+        py.detach(|| Ok(ask(&mut *lock(&self.inner)?)))
     }
 }
 
@@ -64,8 +74,8 @@ impl CandidateSet {
 
     /// How far vertices may be outside of the step that the candidates were found for.
     #[getter]
-    fn inflation(&self) -> PyResult<f64> {
-        Ok(lock(&self.inner)?.inflation())
+    fn inflation(&self, py: Python<'_>) -> PyResult<f64> {
+        self.with(py, |set| set.inflation())
     }
 
     /// The earliest time of impact of a step, never late; None if all of it is free.
@@ -80,16 +90,15 @@ impl CandidateSet {
         x0: &Bound<'_, PyAny>,
         x1: &Bound<'_, PyAny>,
     ) -> PyResult<Option<f64>> {
-        self.made_by.check("set of candidates")?;
         let positions = Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])?;
         let found = match &positions {
             Floats::F32([x0, x1]) => {
                 let [x0, x1] = [numbers(x0)?, numbers(x1)?].map(|x| x.as_chunks().0);
-                py.detach(|| Ok::<_, PyErr>(lock(&self.inner)?.earliest_toi(x0, x1)))?
+                self.with(py, |set| set.earliest_toi(x0, x1))?
             }
             Floats::F64([x0, x1]) => {
                 let [x0, x1] = [numbers(x0)?, numbers(x1)?].map(|x| x.as_chunks().0);
-                py.detach(|| Ok::<_, PyErr>(lock(&self.inner)?.earliest_toi(x0, x1)))?
+                self.with(py, |set| set.earliest_toi(x0, x1))?
             }
         };
         found.map_err(input)
@@ -116,9 +125,9 @@ impl CandidateSet {
         Ok(self.earliest_toi(py, x0, x1)?.is_none())
     }
 
-    fn __repr__(&self) -> PyResult<String> {
-        let set = lock(&self.inner)?;
-        let n: usize = Kind::ALL.into_iter().map(|kind| set.pairs(kind).len()).sum();
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let n: usize =
+            self.with(py, |set| Kind::ALL.into_iter().map(|kind| set.pairs(kind).len()).sum())?;
         Ok(format!("<CandidateSet of {n} pairs>"))
     }
 }

@@ -15,9 +15,9 @@ use crate::options::{self, CancelToken, Options};
 use crate::process::threads_here;
 use crate::report::{Columns, Report};
 use ccd::any;
-use numpy::PyArray2;
+use numpy::{PyArray2, PyUntypedArray};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::{PyDict, PyList, PyTuple};
 use std::sync::Mutex;
 
 /// Continuous collision detection of one mesh over many steps: keep it for the next frames.
@@ -98,15 +98,23 @@ impl Session {
     }
 
     /// A report of each step of an animation: from each of these positions to the next. `frames`
-    /// is an array of shape (n_frames, n_vertices, 3), a sequence of arrays of shape (n_vertices,
-    /// 3), or anything that yields such arrays one after the other; those are copied, so that it
-    /// may yield the same one again with other positions in it.
+    /// is an array of shape (n_frames, n_vertices, 3), a list or tuple of arrays of shape
+    /// (n_vertices, 3), or anything that yields such arrays one after the other; those are copied,
+    /// so that it may yield the same one again with other positions in it.
     fn step_many(&self, py: Python<'_>, frames: &Bound<'_, PyAny>) -> PyResult<Vec<Report>> {
-        let keeps = frames.len().is_ok();
-        let array = py.import("numpy")?.getattr("array")?;
+        let is_array = frames.cast::<PyUntypedArray>().is_ok();
+        let keeps =
+            is_array || frames.is_instance_of::<PyList>() || frames.is_instance_of::<PyTuple>();
+        let numpy = py.import("numpy")?;
         let mut frames = frames.try_iter()?.map(|frame| {
-            let frame = frame?;
-            if keeps { Ok(frame) } else { array.call1((frame,)) }
+            let mut frame = frame?;
+            if keeps {
+                return Ok(frame);
+            }
+            if frame.hasattr("__dlpack__")? && !frame.hasattr("__array__")? {
+                frame = numpy.call_method1("from_dlpack", (frame,))?;
+            }
+            numpy.call_method1("array", (frame,))
         });
         let Some(mut before) = frames.next().transpose()? else { return Ok(Vec::new()) };
         let mut reports = Vec::new();

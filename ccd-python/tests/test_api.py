@@ -216,7 +216,7 @@ def test_a_session_survives_bad_input():
 
 def test_memory_is_limited():
     faces, x0, x1 = soup(400)
-    with pytest.raises(ValueError, match="the limit of memory is 1000"):
+    with pytest.raises(ValueError, match="the limit of 1000 bytes would be exceeded"):
         Session(Mesh(faces), max_memory=1000)
     want = Session(Mesh(faces), threads=1).step(x0, x1).contacts
     roomy = Session(Mesh(faces), threads=1, max_memory=2**31)

@@ -190,3 +190,35 @@ def test_a_gpu_finds_what_the_cpu_does(tmp_path):
     found = map_frames(frames, mesh, tmp_path, devices=["gpu", None], **how)
     want = Session(mesh, OPTIONS).step_many(frames)
     assert digest(found) == digest(want) and found[0].n_candidates == want[0].n_candidates
+
+
+def test_frames_of_stl_may_touch_in_a_later_one(tmp_path):
+    """Vertices are merged as in the first frame."""
+    mesh = Mesh([[0, 1, 2], [3, 4, 5]])
+    paths = []
+    for at, height in enumerate((1.0, 0.0, 1.0)):
+        below = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], float)
+        lines = ["solid"]
+        for corners in (below, below + [0, 0, height]):
+            lines += ["facet normal 0 0 1", "outer loop"]
+            lines += ["vertex " + " ".join(map(str, corner)) for corner in corners]
+            lines += ["endloop", "endfacet"]
+        paths.append(tmp_path / f"f{at}.stl")
+        paths[-1].write_text("\n".join([*lines, "endsolid", ""]))
+    found = map_frames(paths, mesh, tmp_path / "out", n_workers=1)
+    frames = [read_mesh(path, paths[0])[1] for path in paths]
+    want = Session(mesh).step_many(frames)
+    assert digest(found) == digest(want) and len(want[0]) > 0
+
+
+def test_a_file_that_is_no_shard_costs_one_shard(tmp_path):
+    mesh, frames = animation()
+    how = {"options": OPTIONS, "steps_per_shard": 2, "n_workers": 1}
+    map_frames(frames, mesh, tmp_path, **how)
+    shard = sorted(tmp_path.glob("*.npz"))[1]
+    with shard.open("wb") as file:
+        np.save(file, np.zeros(3))
+    sorted(tmp_path.glob("*.npz"))[2].unlink()
+    with pytest.raises(RunError, match=r"(?s)1 of .* damaged, remove it") as why:
+        map_frames(frames, mesh, tmp_path, **how)
+    assert len(why.value.failures) == 1

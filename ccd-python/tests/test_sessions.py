@@ -241,8 +241,16 @@ def test_frames_may_come_in_one_array_again_and_again():
         x[:] = X1
         yield x
 
-    (found,) = session.step_many(frames())
-    assert len(found) > 0 and same(found, session.step(X0, X1))
+    class Sized:
+        def __len__(self):
+            return 2
+
+        def __iter__(self):
+            return frames()
+
+    for given in (frames(), Sized()):
+        (found,) = session.step_many(given)
+        assert len(found) > 0 and same(found, session.step(X0, X1))
 
 
 def test_columns_that_were_written_to_are_refused():
@@ -265,6 +273,28 @@ def test_errors_name_the_argument():
     for call in (session.intersections, lambda x: distance(Kind.VERTEX_FACE, x[:4])):
         with pytest.raises(ValueError, match=r"of x\b"):
             call(bad)
+
+
+def test_rules_hold_in_any_order_of_their_names():
+    rules = {"excluded_bodies": [[0, 0]], "self_contact": True}
+    for given in (rules, dict(reversed(rules.items()))):
+        assert not Bodies([0, 0, 0], **given).wants(0, 1)
+
+
+def test_a_set_that_a_thread_has_does_not_hold_the_others():
+    mesh, _, x0, x1 = pieces(2000)
+    candidates, done = Session(mesh).candidate_set(x0, x1), []
+
+    def search():
+        while not done:
+            candidates.earliest_toi(x0, x1)
+
+    thread = threading.Thread(target=search)
+    thread.start()
+    for _ in range(20):
+        assert candidates.inflation == 0.0
+    done.append(True)
+    thread.join()
 
 
 def test_bodies_have_any_numbers():

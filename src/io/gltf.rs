@@ -3,8 +3,10 @@
 //! The file's default scene, or its first, is read; positions are transformed by their nodes in
 //! `f64`. Triangles, strips and fans are faces, lines are edges, points are vertices. Within a node
 //! vertices with exactly the same position are one: files repeat a vertex for each of its normals.
-//! Skins, morph targets and animations are not applied; positions must be three `float`s.
+//! Animations are not applied. What moves or multiplies vertices otherwise is refused: skins, morph
+//! targets with weights, instances. Positions must be three `float`s.
 
+use super::gltf_nodes::Nodes;
 use super::weld::Weld;
 use super::{Frame, Input, ReadErrorKind, quote};
 use base64::Engine;
@@ -16,7 +18,7 @@ use std::path::Path;
 pub(super) fn read(mut input: Input, path: &Path) -> Result<Frame, ReadErrorKind> {
     let mut bytes = Vec::new();
     input.read_to_end(&mut bytes)?;
-    let (mut blob, gltf) = parse(&bytes)?;
+    let (mut blob, gltf, places) = parse(&bytes)?;
     let mut buffers = Vec::new();
     for buffer in gltf.buffers() {
         let bad = |what: String| ReadErrorKind::Element {
@@ -38,16 +40,17 @@ pub(super) fn read(mut input: Input, path: &Path) -> Result<Frame, ReadErrorKind
     let scene = scene.ok_or_else(|| ReadErrorKind::Header("there is no scene".into()))?;
     let identity = [0, 1, 2, 3].map(|i| [0, 1, 2, 3].map(|j| (i == j) as u8 as f64));
     let mut reading = Reading { buffers: &buffers, frame: Frame::default() };
-    // Nodes to come, the next one last. A node has one parent: there are no more of them.
+    // Nodes to come, the next one last. A node has one parent.
     let mut nodes: Vec<_> = scene.nodes().map(|node| (node, identity)).collect();
     nodes.reverse();
-    let mut n_left = gltf.nodes().count();
+    let mut seen = vec![false; gltf.nodes().count()];
     while let Some((node, parent)) = nodes.pop() {
-        if n_left == 0 {
-            return Err(ReadErrorKind::Header("a node has two parents".into()));
+        let at = node.index();
+        if std::mem::replace(&mut seen[at], true) {
+            return Err(ReadErrorKind::Header(format!("node {at} has two parents")));
         }
-        n_left -= 1;
-        let local = node.transform().matrix().map(|column| column.map(f64::from));
+        let local = places.local(at);
+        let local = local.map_err(|what| ReadErrorKind::Element { element: "node", at, what })?;
         let place = local.map(|column| apply(&parent, column));
         if let Some(mesh) = node.mesh() {
             let mut weld = Weld::default();
@@ -64,9 +67,9 @@ pub(super) fn read(mut input: Input, path: &Path) -> Result<Frame, ReadErrorKind
     Ok(reading.frame)
 }
 
-/// The document and the data in a binary file. Checked here is what the crate takes as given: how
-/// long a binary file is, and that positions of a mesh are there.
-fn parse(bytes: &[u8]) -> Result<(Option<Vec<u8>>, gltf::Document), ReadErrorKind> {
+/// The data in a binary file, the document, and where its nodes are. Checked here is what the crate
+/// takes as given: how long a binary file is, and that positions of a mesh are there.
+fn parse(bytes: &[u8]) -> Result<(Option<Vec<u8>>, gltf::Document, Nodes), ReadErrorKind> {
     let cut = || ReadErrorKind::Format("the file is cut short".into());
     let bad = |e| match e {
         gltf::Error::Binary(gltf::binary::Error::Io(_)) => cut(),
@@ -79,6 +82,9 @@ fn parse(bytes: &[u8]) -> Result<(Option<Vec<u8>>, gltf::Document), ReadErrorKin
         whole = length.and_then(|length| bytes.get(..length as usize)).ok_or_else(cut)?;
     }
     let read = gltf::Gltf::from_slice_without_validation(whole).map_err(bad)?;
+    let glb = gltf::binary::Glb::from_slice(whole).ok();
+    let nodes = Nodes::new(glb.as_ref().map_or(whole, |glb| &glb.json));
+    let nodes = nodes.map_err(|what| ReadErrorKind::Format(quote(&what)))?;
     let json = read.document.into_json();
     for (at, mesh) in json.meshes.iter().enumerate() {
         let mut lists = mesh.primitives.iter().flat_map(|primitive| primitive.attributes.values());
@@ -87,7 +93,7 @@ fn parse(bytes: &[u8]) -> Result<(Option<Vec<u8>>, gltf::Document), ReadErrorKin
             return Err(ReadErrorKind::Element { element: "mesh", at, what });
         }
     }
-    Ok((read.blob, gltf::Document::from_json(json).map_err(bad)?))
+    Ok((read.blob, gltf::Document::from_json(json).map_err(bad)?, nodes))
 }
 
 /// A matrix, by columns, times a vector.
@@ -174,20 +180,22 @@ impl Reading<'_> {
             return Err(outside.into());
         }
         let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(|b| &b[..]));
-        let mut vertices = Vec::new();
-        for p in reader.read_positions().ok_or(outside)? {
-            let p = apply(place, [p[0] as f64, p[1] as f64, p[2] as f64, 1.0]);
-            vertices.push(weld.vertex([p[0], p[1], p[2]], &mut self.frame));
-        }
-        let order: Vec<u32> = match indices {
-            None => vertices.clone(),
-            Some(_) => {
-                let indices = reader.read_indices().ok_or(outside)?.into_u32();
-                let vertex = |i: u32| vertices.get(i as usize).copied();
-                let order: Option<Vec<u32>> = indices.map(vertex).collect();
-                order.ok_or("names a vertex that is not there")?
-            }
+        let positions: Vec<[f32; 3]> = reader.read_positions().ok_or(outside)?.collect();
+        let named: Vec<u32> = match indices {
+            None => (0..positions.len() as u32).collect(),
+            Some(_) => reader.read_indices().ok_or(outside)?.into_u32().collect(),
         };
+        // A list may serve several meshes: what no index of this one names is none of its vertices.
+        let mut is_named = vec![false; positions.len()];
+        for &i in &named {
+            *is_named.get_mut(i as usize).ok_or("names a vertex that is not there")? = true;
+        }
+        let mut vertices = vec![0; positions.len()];
+        for (i, p) in positions.iter().enumerate().filter(|&(i, _)| is_named[i]) {
+            let p = apply(place, [p[0] as f64, p[1] as f64, p[2] as f64, 1.0]);
+            vertices[i] = weld.vertex([p[0], p[1], p[2]], &mut self.frame);
+        }
+        let order: Vec<u32> = named.iter().map(|&i| vertices[i as usize]).collect();
         let frame = &mut self.frame;
         let n = order.len();
         match primitive.mode() {

@@ -3,6 +3,7 @@
 //! said in `docs/formats.md`.
 
 mod gltf;
+mod gltf_nodes;
 mod input;
 mod npy;
 mod obj;
@@ -106,6 +107,25 @@ impl Frame {
             self.faces.push([corners[0], corners[i], corners[i + 1]]);
             self.polygons.push(polygon);
         }
+    }
+
+    /// How many polygons of the file are not convex, as far as the triangles that they were cut
+    /// into tell: those turn against each other, and are not the polygon's surface.
+    pub fn folded_polygons(&self) -> usize {
+        let normal = |face: &[u32; 3]| {
+            let [a, b, c] = face.map(|v| self.positions[v as usize]);
+            let [p, q] = [b, c].map(|end| [0, 1, 2].map(|k| end[k] - a[k]));
+            [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+        };
+        let folds = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2] < 0.0;
+        let (mut folded, mut last) = (0, None);
+        let pairs = self.polygons.windows(2).zip(self.faces.windows(2));
+        for (polygon, faces) in pairs.filter(|(polygon, _)| polygon[0] == polygon[1]) {
+            if last != Some(polygon[0]) && folds(normal(&faces[0]), normal(&faces[1])) {
+                (folded, last) = (folded + 1, Some(polygon[0]));
+            }
+        }
+        folded
     }
 
     /// Refuses what no step takes, by the numbers of the file.
@@ -263,6 +283,9 @@ fn read_as(format: &str, input: Input, head: &[u8], path: &Path) -> Result<Frame
     let foreign = |kind| input::foreign(head, format).map_or(kind, ReadErrorKind::Format);
     let frame = read(input, path).map_err(foreign)?;
     frame.check()?;
+    if frame.positions.is_empty() {
+        return Err(ReadErrorKind::Header("there are no vertices".into()));
+    }
     Ok(frame)
 }
 

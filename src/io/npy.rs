@@ -29,6 +29,20 @@ impl Header {
 }
 
 pub(super) fn header(from: &mut impl Read) -> Result<Header, ReadErrorKind> {
+    look(from).map_err(|(why, _)| why)
+}
+
+/// The header, or why it is not read; the second part says whether it may be of positions over time
+/// all the same, in another order or of other numbers.
+pub(super) fn look(from: &mut impl Read) -> Result<Header, (ReadErrorKind, bool)> {
+    let text = text(from).map_err(|why| (why, false))?;
+    let shape = value(&text.0, "shape").unwrap_or_default();
+    let is_like = shape.matches(',').count() > 1 && shape.trim_end_matches(')').ends_with(" 3");
+    parse(text).map_err(|why| (why, is_like))
+}
+
+/// The dictionary of a header, and where it ends.
+fn text(from: &mut impl Read) -> Result<(String, u64), ReadErrorKind> {
     let bad = |what: &str| ReadErrorKind::Header(what.into());
     let mut first = [0; 8];
     from.read_exact(&mut first).map_err(|_| bad("the file is no array of NumPy"))?;
@@ -47,7 +61,12 @@ pub(super) fn header(from: &mut impl Read) -> Result<Header, ReadErrorKind> {
     if text.len() as u64 != u64::from(length) {
         return Err(bad("the file ends in its header"));
     }
-    let text = String::from_utf8_lossy(&text);
+    let end = 8 + n_bytes as u64 + u64::from(length);
+    Ok((String::from_utf8_lossy(&text).into_owned(), end))
+}
+
+fn parse((text, start): (String, u64)) -> Result<Header, ReadErrorKind> {
+    let bad = |what: &str| ReadErrorKind::Header(what.into());
     let missing = |key: &str| bad(&format!("has no {key}: {}", quote(text.trim())));
     let kind = value(&text, "descr").ok_or_else(|| missing("descr"))?;
     let kind = kind.trim_matches(['\'', '"']);
@@ -69,7 +88,6 @@ pub(super) fn header(from: &mut impl Read) -> Result<Header, ReadErrorKind> {
     let sizes: Result<Vec<u64>, _> = sizes.filter(|s| !s.is_empty()).map(str::parse).collect();
     match sizes.as_deref() {
         Ok(&[n_frames, n_vertices, 3]) => {
-            let start = 8 + n_bytes as u64 + u64::from(length);
             Ok(Header { start, n_frames, n_vertices, wide, big_endian })
         }
         _ => {

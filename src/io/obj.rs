@@ -19,7 +19,7 @@ use std::path::Path;
 /// Statements that hold neither vertices nor what joins them: normals, texture coordinates,
 /// groups, materials, points, curves and surfaces.
 const PASSED_OVER: &str = "\
-    vn vt vp o g s mtllib usemtl p cstype deg curv curv2 surf parm trim hole scrv sp end \
+    vn vt vp o g s mtllib usemtl p cstype deg parm trim hole scrv sp end \
     con mg bevel c_interp d_interp lod shadow_obj trace_obj ctech stech bmat step usemap \
     maplib";
 
@@ -95,6 +95,9 @@ fn statement(text: &[u8], frame: &mut Frame) -> Result<bool, String> {
         "l" => {
             let corners = corners(words, 2, frame.positions.len())?;
             frame.edges.extend(corners.windows(2).map(|w| [w[0], w[1]]));
+        }
+        "curv" | "curv2" | "surf" => {
+            return Err(format!("`{keyword}`: free-form curves and surfaces are not read"));
         }
         _ if PASSED_OVER.split(' ').any(|word| word == keyword) => {}
         _ => return Err(format!("`{}` is no statement of OBJ", quote(keyword))),

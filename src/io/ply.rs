@@ -31,8 +31,8 @@ impl PropertyAccess for Element {
             "y" => self.position[1] = number(&property),
             "z" => self.position[2] = number(&property),
             _ if LISTS.contains(&name) => self.corners = integers(property),
-            "vertex1" => self.ends[0] = number(&property).map(|x| x as i64),
-            "vertex2" => self.ends[1] = number(&property).map(|x| x as i64),
+            "vertex1" => self.ends[0] = integer(&property),
+            "vertex2" => self.ends[1] = integer(&property),
             _ => return PropertyAccessResult::Ignored,
         }
         PropertyAccessResult::Set
@@ -49,7 +49,9 @@ impl Element {
     }
 
     fn ends(self) -> Result<[u32; 2], String> {
-        let [Some(v), Some(w)] = self.ends else { return Err("has no vertex1 or vertex2".into()) };
+        let [Some(v), Some(w)] = self.ends else {
+            return Err("has no integers vertex1 and vertex2".into());
+        };
         Ok([index(v)?, index(w)?])
     }
 }
@@ -66,6 +68,11 @@ fn number(property: &Property) -> Option<f64> {
         Property::Double(x) => x,
         _ => return None,
     })
+}
+
+fn integer(property: &Property) -> Option<i64> {
+    let is_float = matches!(property, Property::Float(_) | Property::Double(_));
+    number(property).filter(|_| !is_float).map(|x| x as i64)
 }
 
 fn integers(property: Property) -> Option<Vec<i64>> {

@@ -138,14 +138,24 @@ fn of_archive(path: &Path, file: BufReader<File>) -> Result<PointCache, ReadErro
     let bad = |e: zip::result::ZipError| ReadErrorKind::Format(quote(&e.to_string()));
     let mut archive = zip::ZipArchive::new(file).map_err(bad)?;
     let mut found: Vec<(usize, String)> = Vec::new();
-    let mut others = Vec::new();
+    let (mut others, mut like) = (Vec::new(), Vec::new());
     for at in 0..archive.len() {
         let mut entry = archive.by_index(at).map_err(bad)?;
         let name = String::from_utf8_lossy(entry.name_raw()).into_owned();
-        match npy::header(&mut entry) {
+        match npy::look(&mut entry) {
             Ok(_) => found.push((at, name)),
-            Err(why) => others.push(format!("{name}: {why}")),
+            Err((why, is_like)) => {
+                let text = format!("{name}: {why}");
+                if is_like {
+                    like.push(text.clone());
+                }
+                others.push(text);
+            }
         }
+    }
+    if let ([(_, name)], [other, ..]) = (&found[..], &like[..]) {
+        let what = format!("{name} and another array may be the positions; {other}");
+        return Err(ReadErrorKind::Format(quote(&what)));
     }
     let at = match found.as_slice() {
         [(at, _)] => *at,

@@ -51,6 +51,12 @@ fn binary(triangles: &[u8]) -> Frame {
     frame
 }
 
+/// Whether the words behind the name of a solid are those of a facet.
+fn has_facet<'a>(words: impl Iterator<Item = &'a str> + Clone) -> bool {
+    let is = |word: &str, name: &str| word.eq_ignore_ascii_case(name);
+    words.clone().zip(words.skip(1)).any(|(a, b)| is(a, "facet") && is(b, "normal"))
+}
+
 /// `solid` .. `facet normal` .. `outer loop`, three times `vertex x y z`, `endloop`, `endfacet` ..
 /// `endsolid`, and again.
 fn text(text: &str) -> Result<Frame, ReadErrorKind> {
@@ -62,6 +68,9 @@ fn text(text: &str) -> Result<Frame, ReadErrorKind> {
         let mut words = line.split_whitespace();
         let Some(word) = words.next() else { continue };
         match word.to_ascii_lowercase().as_str() {
+            "solid" | "endsolid" if has_facet(words.clone()) => {
+                return Err(bad("a facet begins in a line of its own".into()));
+            }
             "solid" if !in_solid => in_solid = true,
             "endsolid" if in_solid && !in_facet => in_solid = false,
             "facet" if in_solid && !in_facet => in_facet = true,

@@ -70,6 +70,30 @@ fn a_scene_is_read_with_its_nodes() {
 }
 
 #[test]
+fn nodes_are_where_the_file_says_in_all_digits() {
+    let nodes = r#"{"mesh": 0, "translation": [0, 0.1, 4500000.3], "rotation": [0, 0, 0.6, 0.8]}"#;
+    let frame = read("a.gltf", Scene { nodes, ..Scene::default() }.json().as_bytes()).unwrap();
+    assert_eq!(frame.positions[0], [0.0, 0.1, 4500000.3]);
+    // By an angle whose cosine is 0.28 and sine 0.96.
+    let [x, y, _] = frame.positions[1];
+    assert!((x - 0.28).abs() < 1e-15 && (y - 1.06).abs() < 1e-15, "{x} {y}");
+    let nodes = r#"{"mesh": 0, "matrix": [0,3,0,0, -1,0,0,0, 0,0,1,0, 0.1,0,0,1]}"#;
+    let frame = read("a.gltf", Scene { nodes, ..Scene::default() }.json().as_bytes()).unwrap();
+    assert_eq!(frame.positions[1..], [[0.1, 3.0, 0.0], [-1.9, 0.0, 0.0]]);
+}
+
+/// A list of positions may serve several meshes.
+#[test]
+fn what_no_index_names_is_no_vertex() {
+    let accessors = Scene::default().accessors.replace("\"count\": 6", "\"count\": 2");
+    let primitive = r#"{"attributes": {"POSITION": 0}, "indices": 1, "mode": 1}"#;
+    let scene = Scene { accessors, primitive, ..Scene::default() };
+    let frame = read("a.gltf", scene.json().as_bytes()).unwrap();
+    assert_eq!(frame.positions, [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]);
+    assert_eq!((&frame.edges[..], &frame.merged[..]), (&[[0, 1]][..], &[0, 1][..]));
+}
+
+#[test]
 fn every_mode_is_read() {
     let faces = |primitive| {
         let frame = read("a.gltf", Scene { primitive, ..Scene::default() }.json().as_bytes());

@@ -114,6 +114,10 @@ fn what_does_not_fit_is_refused() {
     refused("a.npy", &npy("<f4", 1, most, "False"), "too many bytes");
     let none = npz(&[("a.npy", npy("<f4", 1, "(18,)", "False"))], zip::CompressionMethod::Stored);
     refused("a.npz", &none, "no array (frames, n, 3): a.npy");
+    // Which of them are the positions?
+    let x = ("x.npy", npy("<f4", 1, "(3, 2, 3)", "True"));
+    let two = npz(&[("v.npy", good.clone()), x], zip::CompressionMethod::Stored);
+    refused("a.npz", &two, "v.npy and another array may be the positions; x.npy: ");
     refused("a.npz", &none[..none.len() - 30], "a.npz");
     refused("a.pc2", &pc2()[..31], "no point cache");
     refused("a.pc2", &pc2()[..60], "the file has 60");

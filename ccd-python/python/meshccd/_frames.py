@@ -44,7 +44,8 @@ def frames_of(frames: object) -> Frames:
     if all(isinstance(of, (str, os.PathLike)) for of in listed):
         if len(listed) == 1:
             return frames_of(listed[0])
-        return _InFiles([os.path.abspath(path) for path in listed], 0)
+        paths = [os.path.abspath(path) for path in listed]
+        return _InFiles(paths, 0, paths[0]) if paths else _InArray(np.zeros((0, 0, 3)), 0)
     return _InArray(np.stack([np.asarray(x) for x in listed]), 0)
 
 
@@ -108,17 +109,20 @@ class _InOneFile:
 class _InFiles:
     paths: list[str]
     first: int
+    #: The first file of all, whose vertices are merged as those of the others are.
+    start: str
 
     def __len__(self) -> int:
         return len(self.paths)
 
     def part(self, begin: int, end: int) -> Frames:
-        return _InFiles(self.paths[begin - self.first : end - self.first], begin)
+        paths = self.paths[begin - self.first : end - self.first]
+        return _InFiles(paths, begin, self.start)
 
     def read(self, at: int, mesh: Mesh) -> NDArray[Any]:
         path = self.paths[at - self.first]
         try:
-            other, x = read_mesh(path)
+            other, x = read_mesh(path, self.start)
         except (ValueError, OSError) as why:
             raise FrameError(f"frame {at} cannot be read: {why}") from why
         if not np.array_equal(other.faces, mesh.faces):

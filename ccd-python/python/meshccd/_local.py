@@ -74,7 +74,10 @@ class Local:
         return Bodies.from_json(json.dumps(self._bodies(json.loads(bodies.to_json()))))
 
     def _bodies(self, rules: dict[str, Any]) -> dict[str, Any]:
-        of_vertex = np.asarray(rules["body_of_vertex"], np.uint32)[self.vertices]
+        of_all = np.asarray(rules["body_of_vertex"], np.uint32)
+        if len(self.vertices) and self.vertices[-1] >= len(of_all):
+            raise ValueError(f"vertex {self.vertices[-1]} has no body: there are {len(of_all)}")
+        of_vertex = of_all[self.vertices]
         there = set(of_vertex.tolist())
         excluded = []
         for kind, (a, b) in rules["excluded_features"]:

@@ -129,7 +129,19 @@ def load(path: Path) -> dict[str, Any]:
         shard["meta"] = json.loads(str(shard["meta"]))
         if shard["n_contacts"].sum() != len(shard["toi"]):
             raise ValueError("its columns do not fit together")
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as why:
+        # What `check` and `reports` take as given.
+        shard["meta"].get("version")
+        shard["toi"].shape[0]
+    except (
+        AttributeError,
+        EOFError,
+        IndexError,
+        KeyError,
+        OSError,
+        TypeError,
+        ValueError,
+        zipfile.BadZipFile,
+    ) as why:
         raise ShardError(f"{path} is damaged, remove it: {why}") from why
     return shard
 

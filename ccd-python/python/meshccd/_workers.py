@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import os
 import subprocess
+import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
@@ -21,9 +22,6 @@ DIED = (
     "the worker died before it was written: killed, perhaps for memory. What is written stays; run "
     "again for the rest"
 )
-# What costs a shard, and no other one.
-REFUSED = (ValueError, RuntimeError, MemoryError, OSError)
-
 
 @dataclass(frozen=True)
 class Task:
@@ -56,7 +54,7 @@ class Worker:
         """A shard, if it is not there; an error is a part of the outcome."""
         try:
             return Outcome(task.begin, task.end, written=self._write(task))
-        except REFUSED as why:
+        except Exception as why:  # It costs this shard, and no other one.
             return _failed(task, why)
 
     def _write(self, task: Task) -> bool:
@@ -145,6 +143,13 @@ def actors(job: Job, tasks: Iterable[Task], devices: Sequence[str | None]) -> It
     """By an actor of Ray a device; one on a GPU has a GPU of Ray's."""
     ray = connected_ray()
     shared, threads = ray.put(job), job.options.threads or 1
+    needed = {"CPU": threads, "GPU": int(any(_is_on_gpu(device) for device in devices))}
+    if not any(_holds(node, needed) for node in ray.nodes()):
+        warnings.warn(
+            f"no node of the cluster has {needed['CPU']} processors and {needed['GPU']} GPUs for a "
+            "worker; it waits until there is one",
+            stacklevel=2,
+        )
     made = [_actor(ray, device, threads).remote(shared, device) for device in devices]
     # An actor gets its first task when the cluster has a place for it, if it ever has one.
     busy: dict[Any, tuple[Any, Task | None]]
@@ -176,9 +181,17 @@ def connected_ray() -> Any:
     return ray
 
 
+def _is_on_gpu(device: str | None) -> bool:
+    return device is not None and device.startswith("gpu")
+
+
+def _holds(node: Any, needed: dict[str, int]) -> bool:
+    has = node["Resources"] if node["Alive"] else {}
+    return all(has.get(name, 0) >= n for name, n in needed.items())
+
+
 def _actor(ray: Any, device: str | None, threads: int) -> Any:
-    on_gpu = device is not None and device.startswith("gpu")
-    return ray.remote(num_cpus=threads, num_gpus=int(on_gpu))(Worker)
+    return ray.remote(num_cpus=threads, num_gpus=int(_is_on_gpu(device)))(Worker)
 
 
 def jobs(
@@ -205,7 +218,7 @@ def _left(job: Job, task: Task, died: str) -> Outcome:
         # Frames are read only for a shard that is there.
         if job.path(begin, end).exists() and _shards.check(job, begin, end, _frames(job, task)):
             return Outcome(begin, end, written=True)
-    except REFUSED as why:
+    except Exception as why:
         return _failed(task, why)
     return Outcome(begin, end, error=died)
 

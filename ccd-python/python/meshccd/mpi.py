@@ -82,7 +82,15 @@ class Scene:
         """A scene of a mesh that every rank has read; x as for `partition.split`. Where one rank
         alone has it, it calls `split` and scatters the parts."""
         comm = _world() if comm is None else comm
-        part = _together(comm, lambda: split(mesh, x, comm.size)[comm.rank])
+
+        def mine() -> Part:
+            bodies = None if options is None else options.bodies
+            if bodies is not None and len(bodies.of_vertex) != mesh.n_vertices:
+                n = len(bodies.of_vertex)
+                raise ValueError(f"there are {n} bodies, the mesh has {mesh.n_vertices} vertices")
+            return split(mesh, x, comm.size)[comm.rank]
+
+        part = _together(comm, mine)
         return cls(part, options, comm=comm, device=device)
 
     @property
@@ -171,7 +179,7 @@ def _together(comm: MPI.Intracomm, call: Callable[[], _T]) -> _T:
     calls that does not pass through here leaves the other ranks waiting."""
     try:
         result, why = call(), None
-    except Exception as error:
+    except BaseException as error:  # Also an interrupt, which the others cannot know of.
         result, why = None, error
     # The words alone: not every error can be pickled.
     said = None if why is None else (isinstance(why, ValueError), str(why) or type(why).__name__)

@@ -117,6 +117,9 @@ impl Runs {
 
 impl Kept {
     /// Has all vertices stand at `x`.
+    ///
+    /// # Errors
+    /// Those of [`Session::set_positions`](super::Session::set_positions).
     pub fn set(&mut self, mesh: &Mesh, x: Ends) -> Result<(), Error> {
         let given = super::given(mesh, &mut self.gathered, x)?;
         self.x = Some(match given {
@@ -140,6 +143,9 @@ impl Kept {
 
     /// Positions of a step in which these bodies move, and what is in other places than before.
     /// [`Kept::end`] must follow.
+    ///
+    /// # Errors
+    /// What [`Session::step_bodies`](super::Session::step_bodies) says of bodies.
     pub fn begin(
         &mut self,
         bodies: Option<&Bodies>,
