@@ -221,7 +221,7 @@ fn what_is_wrong_is_refused() {
 fn outputs_are_nothing_after_a_failure() {
     let none = null_mut();
     let (mut toi, mut count, mut place) = (0.25, 7, c"stale".as_ptr());
-    let (mut geometry, mut report) = (8 as *const CcdGeometry, 8 as *const CcdReport);
+    let (mut geometry, mut report) = (std::ptr::dangling(), std::ptr::dangling());
     let (end, invalid) = (after(), CcdStatus::InvalidArgument);
     let (x0, x1) = (positions(&BEFORE), positions(&end));
     // SAFETY: outputs are variables of this function; the session is NULL.
