@@ -75,8 +75,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
         }
         // Short of the time itself, so that some distance is left for the next step.
-        let toi = free.collision_free_step_size(&x, &x1)?;
-        let part = if toi < 1.0 { scaled_toi(toi, 0.9) } else { 1.0 };
+        let toi = free.earliest_toi(&x, &x1)?;
+        let part = toi.map_or(1.0, |toi| scaled_toi(toi, 0.9));
         for i in 0..N * N {
             v[i] = scale(sub(x1[i], x[i]), 1.0 / DT);
             x[i] = lerp(x[i], x1[i], part);

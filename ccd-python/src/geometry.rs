@@ -2,6 +2,7 @@
 
 use crate::arrays::{Floats, numbers};
 use crate::errors::{input, refused};
+use crate::hit::state_number;
 use ccd::{Contact, Coordinate, Kind, Mesh, State};
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -32,6 +33,7 @@ pub fn kind(number: u8) -> PyResult<Kind> {
 /// Columns that say which contacts.
 pub struct Contacts<'py> {
     kind: PyReadonlyArray1<'py, u8>,
+    state: PyReadonlyArray1<'py, u8>,
     a: PyReadonlyArray1<'py, u32>,
     b: PyReadonlyArray1<'py, u32>,
     toi: PyReadonlyArray1<'py, f64>,
@@ -39,12 +41,13 @@ pub struct Contacts<'py> {
 
 impl<'py> Contacts<'py> {
     pub fn new(
-        kind: &Bound<'py, PyArray1<u8>>,
+        (kind, state): (&Bound<'py, PyArray1<u8>>, &Bound<'py, PyArray1<u8>>),
         (a, b): (&Bound<'py, PyArray1<u32>>, &Bound<'py, PyArray1<u32>>),
         toi: &Bound<'py, PyArray1<f64>>,
     ) -> PyResult<Self> {
         Ok(Self {
             kind: kind.try_readonly().map_err(refused)?,
+            state: state.try_readonly().map_err(refused)?,
             a: a.try_readonly().map_err(refused)?,
             b: b.try_readonly().map_err(refused)?,
             toi: toi.try_readonly().map_err(refused)?,
@@ -76,6 +79,8 @@ impl<'py> Contacts<'py> {
         let kind = self.kind.as_slice().map_err(refused)?;
         let (a, b) = (self.a.as_slice().map_err(refused)?, self.b.as_slice().map_err(refused)?);
         let toi = self.toi.as_slice().map_err(refused)?;
+        let state = self.state.as_slice().map_err(refused)?;
+        let undecided = state_number(State::Undecided);
         // The columns of a report can be written to.
         for ((&number, &a), &b) in kind.iter().zip(a).zip(b) {
             let [of_a, of_b] = match self::kind(number)? {
@@ -90,8 +95,10 @@ impl<'py> Contacts<'py> {
         }
         let [point, normal, weights, on_a, on_b, distance] = py.detach(|| {
             let mut columns: [Vec<f64>; 6] = Default::default();
-            for (((&kind, &a), &b), &toi) in kind.iter().zip(a).zip(b).zip(toi) {
-                let contact = Contact::new(Kind::ALL[kind as usize], State::Hit, a, b, toi);
+            let all = kind.iter().zip(a).zip(b).zip(toi).zip(state);
+            for ((((&kind, &a), &b), &toi), &state) in all {
+                let state = if state == undecided { State::Undecided } else { State::Hit };
+                let contact = Contact::new(Kind::ALL[kind as usize], state, a, b, toi);
                 let at = contact.geometry(mesh, x0, x1);
                 let values: [&[f64]; 6] =
                     [&at.point, &at.normal, &at.weights, &at.on_a, &at.on_b, &[at.distance]];

@@ -116,7 +116,8 @@ impl Report {
         x1: &Bound<'_, PyAny>,
     ) -> PyResult<Geometry> {
         let ids = (self.a.bind(py), self.b.bind(py));
-        let contacts = Contacts::new(self.kind.bind(py), ids, self.toi.bind(py))?;
+        let what = (self.kind.bind(py), self.state.bind(py));
+        let contacts = Contacts::new(what, ids, self.toi.bind(py))?;
         contacts.geometry(py, &self.mesh.get().inner, [x0, x1])
     }
 

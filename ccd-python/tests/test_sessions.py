@@ -398,3 +398,12 @@ def test_a_fork_is_told_apart():
     child.join()
     assert found == want
     assert all("before a fork" in why for why in refused) and "broad phase" in refused[2]
+
+
+def test_geometry_of_what_is_undecided_is_that_of_the_first_contact():
+    x0 = np.array([[2, 0, 0], [1, 1, 1], [2, 0, 2], [1, 1, 1]], float)
+    x1 = np.array([[2, 2, 0], [1, 1, 0], [1, 2, 2], [1, 1, 1]], float)
+    session = Session(Mesh([[0, 1, 2]], n_vertices=4), min_distance=1e-300)
+    hit, report = session.first_contact(x0, x1), session.step(x0, x1)
+    assert list(report.state) == [State.UNDECIDED]
+    assert np.array_equal(report.geometry(x0, x1).normal[0], hit.normal)

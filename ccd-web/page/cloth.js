@@ -62,16 +62,16 @@ export class Cloth {
     }
     session.setMinDistance(LEAST);
     const asked = performance.now();
-    const free = session.collisionFreeStepsize(x, x1);
+    const toi = session.earliestToi(x, x1);
     detection += performance.now() - asked;
     // Short of the time itself, so that some distance is left for the next step.
-    const part = free < 1 ? 0.9 * free : 1;
+    const part = toi === null ? 1 : 0.9 * toi;
     for (let i = 0; i < v.length; i++) {
       v[i] = (x1[i] - x[i]) / DT;
       x[i] += part * (x1[i] - x[i]);
     }
     this.seconds += part * DT;
-    return { report, free, detection, total: performance.now() - begun };
+    return { report, free: toi ?? 1, detection, total: performance.now() - begun };
   }
 
   /**

@@ -100,12 +100,15 @@ pub struct Options {
     pub tolerance: f64,
     /// How times of impact are found.
     pub mode: Mode,
-    /// Whether two features that are in contact at the start of a step may leave it: where they
-    /// certainly separate, that contact is none, and what counts is the next one of the same two
-    /// features. A line search can leave contacts by it.
+    /// Whether two features that are in contact at the start of a step, or of its window, may leave
+    /// it: where they certainly separate, that contact is none. A line search can leave contacts by
+    /// it.
     ///
-    /// At every time before the time of impact of such a pair its distance is above the minimum
-    /// distance or at least what it is at the start. What cannot be certified to separate stays a
+    /// At every time before the time of impact of such a pair, and in all of the step if it has no
+    /// contact, its distance is above the minimum distance or at least what it is at the start. A
+    /// return to the minimum distance is a contact if a time in between is found at which they
+    /// certainly are farther apart; one that stays beyond the distance at the start may be left
+    /// out. What cannot be certified to separate stays a
     /// contact at the start, among it everything that touches where the minimum distance is 0: see
     /// [`approach`](crate::narrow_phase::approach).
     pub leave_contact: bool,

@@ -134,8 +134,8 @@ impl<E: Engine, P> Session<E, P> {
     }
 
     /// Every contact that exists at some time in a window `[t_a, t_b]` of a step, with times of
-    /// impact in units of the whole step: the first such time at or after `t_a`. Boxes are swept
-    /// for the window alone.
+    /// impact in units of the whole step: the first such time at or after `t_a`. Boxes of features
+    /// of faces are swept only for the window.
     ///
     /// # Errors
     /// [`Error::Window`] unless `0 <= t_a <= t_b <= 1`, besides those of [`Session::step`].

@@ -24,9 +24,10 @@
 //!   it. So nothing ever leaves a contact at distance 0.
 //!
 //! Features that separate may leave their contact: see [`Departure::again`]. A search that lets
-//! them promises that at every time before its time of impact the distance is above the minimum or
-//! at least what it was at the start. A hit then is the first contact after a time at which they
-//! certainly were apart; no later one is missed.
+//! them promises that at every time before its time of impact, if there is one, the distance is
+//! above the minimum or at least what it was at the start. A hit then is the first contact after a
+//! time at which they certainly were apart, of which one is sought; where none is found, or before
+//! it, a return to the minimum from farther away is no contact while that promise holds.
 //!
 //! # The bound
 //! `n` is not known; `w` is, a direction near it whose components add up to 1, of length `L`. With

@@ -59,8 +59,8 @@ impl<E: Engine, P> Session<E, P> {
     ///
     /// Of contacts with the same time it is the first by kind and ids. [`Hit::toi`] is that of the
     /// contact; it may differ from [`Session::earliest_toi`], whose search goes by other steps, by
-    /// up to twice the tolerance, and neither is late. The report is that of the part of the step
-    /// up to the contact.
+    /// some of the tolerance, by more where the pair is undecided, and neither is late. The report
+    /// is that of the part of the step up to the contact.
     ///
     /// ```
     /// use ccd::{Bodies, Mesh, Options, Session};
