@@ -89,7 +89,16 @@ impl Shared {
         Err(PyRuntimeError::new_err(why))
     }
 
-    /// Changes the session, or asks it for what is no call.
+    /// Asks the session for what is no call.
+    pub fn ask<R: Send>(
+        &self,
+        py: Python<'_>,
+        ask: impl FnOnce(&any::Session) -> R + Send,
+    ) -> PyResult<R> {
+        self.alone(py, |inner| Ok(ask(&inner.session)))
+    }
+
+    /// Changes the session.
     pub fn change<R: Send>(
         &self,
         py: Python<'_>,

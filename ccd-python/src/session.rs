@@ -351,14 +351,14 @@ impl Session {
     /// The options of the next step.
     #[getter]
     fn options(&self, py: Python<'_>) -> PyResult<Options> {
-        let inner = self.shared.change(py, |session| Ok(session.options().clone()))?;
+        let inner = self.shared.ask(py, |session| session.options().clone())?;
         Ok(Options { inner })
     }
 
     /// Where steps run: "2 threads", or the name of the GPU.
     #[getter]
     fn place(&self, py: Python<'_>) -> PyResult<String> {
-        self.shared.change(py, |session| Ok(session.place().to_string()))
+        self.shared.ask(py, |session| session.place().to_string())
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

@@ -20,7 +20,7 @@ use super::form::Form;
 use super::integer::{Fixed, power_of_two};
 use super::vector::Number;
 use super::zeros::{Time, Window, zeros};
-use super::{checked, never_zero, points, refine, searching, units, vectors};
+use super::{at_begin_of, checked, moment, never_zero, points, refine, searching, units, vectors};
 use crate::math::expansion;
 use crate::math::vec3::max_abs;
 use crate::narrow_phase::contact_geometry::unit_vector;
@@ -53,6 +53,9 @@ pub fn meeting(patch: Patch, x: [&[[f64; 3]; 4]; 2], toi: f64) -> Option<Meeting
             return Some(meeting);
         }
     }
+    // At an end of the step that takes integers of the coordinates alone, as it has no unit.
+    let at_begin = at_begin_of(x, window).and_then(|x| moment::touch(patch, x));
+    let window = if at_begin == Some(true) { [toi; 2] } else { window };
     by_integers::<8>(patch, x, window)
         .or_else(|| by_integers::<24>(patch, x, window))
         .or_else(|| by_integers::<96>(patch, x, window))
@@ -106,27 +109,26 @@ fn by_integers<const N: usize>(
         return Some(None);
     }
     let mut time = Time::At(window.begin());
-    let mut touches =
-        part.coefficients()[0].sign() == 0 && features.touch(&mut |form| time.sign(form))?;
-    if !touches && !coplanarity.vanishes() {
+    let mut first = None;
+    if part.coefficients()[0].sign() == 0 && features.touch(&mut |form| time.sign(form))? {
+        first = Some(time);
+    } else if !coplanarity.vanishes() {
         for zero in zeros(&coplanarity, &window)?.as_mut_slice() {
-            if !touches && features.touch(&mut |form| zero.sign(form))? {
-                (touches, time) = (true, *zero);
+            if features.touch(&mut |form| zero.sign(form))? {
+                first = Some(earlier(first, zero)?);
             }
         }
-    } else if !touches {
+    } else {
         // What is coplanar all the time first touches in the boundary, where weights are forms too.
         for edge in features.boundary() {
             for zero in zeros(edge.zero_at_contact(), &window)?.as_mut_slice() {
-                if !touches && edge.touches(&mut |form| zero.sign(form))? {
-                    (touches, time) = (true, *zero);
+                if edge.touches(&mut |form| zero.sign(form))? {
+                    first = Some(earlier(first, zero)?);
                 }
             }
         }
     }
-    if !touches {
-        return Some(None);
-    }
+    let Some(mut time) = first else { return Some(None) };
     let mut is_zero = [false; 3];
     for (k, n) in features.normal().iter().enumerate() {
         is_zero[k] = time.sign(n)? == 0;
@@ -152,6 +154,13 @@ fn by_integers<const N: usize>(
         }
     };
     Some(Some(Meeting { weights, normal }))
+}
+
+/// The earlier of two times: between a time rounded down and the next one features may touch more
+/// than once.
+fn earlier<const N: usize>(first: Option<Time<N>>, time: &mut Time<N>) -> Option<Time<N>> {
+    let Some(mut first) = first else { return Some(*time) };
+    Some(if time.is_before(&mut first)? { *time } else { first })
 }
 
 /// The sign that a form has just before one of its zeros; 0 of what vanishes.

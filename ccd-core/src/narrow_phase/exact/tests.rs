@@ -120,3 +120,71 @@ fn windows_that_do_not_fit_are_none() {
         assert!(Window::<24>::new(window).is_some(), "{window:?}");
     }
 }
+
+/// Two contacts between a time and the next `f64`: the geometry is that of the first.
+#[test]
+fn the_first_of_two_contacts_that_are_close_counts() {
+    let p = |e: i32| 2f64.powi(e);
+    let face = |z: f64| [[0.0; 3], [1.0, 0.0, z], [0.0, 1.0, 0.0]];
+    let query = |vertices: [[f64; 3]; 2], z: [f64; 2]| {
+        let of = |k: usize| {
+            let [a, b, c] = face(z[k]);
+            [vertices[k], a, b, c]
+        };
+        [of(0), of(1)]
+    };
+    // At 1/2 - 2^-55 from above, and at 1/2 from below.
+    let far = [-(p(49) - 0.25), p(49) + 0.25];
+    let vertices = [[far[0], 0.25, 1.75 * p(-54)], [far[1], 0.25, -1.75 * p(-54)]];
+    let [t0, t1] = query(vertices, [p(-51), -p(-51)]);
+    let Some(Exact::Contact([toi, _])) = vertex_face(&VertexFace { t0, t1 }, WHOLE) else {
+        panic!("no contact")
+    };
+    assert_eq!(toi, 0.5 - p(-54));
+    let meeting = geometry::meeting(Patch::Triangle, [&t0, &t1], toi).expect("geometry");
+    assert_eq!(meeting.weights, [1.0, 0.53125, 0.21875, 0.25]);
+    assert!(meeting.normal.expect("a normal")[2] > 0.9, "{meeting:?}");
+    let vertices = [[-0.25, 0.25, 0.125 - p(-56)], [0.75, 0.25, -0.125 + p(-56)]];
+    let [t0, t1] = query(vertices, [0.5, -0.5]);
+    let Some(Exact::Contact([toi, _])) = vertex_face(&VertexFace { t0, t1 }, WHOLE) else {
+        panic!("no contact")
+    };
+    let meeting = geometry::meeting(Patch::Triangle, [&t0, &t1], toi).expect("geometry");
+    assert!(meeting.normal.expect("a normal")[2] > 0.0, "{meeting:?}");
+}
+
+/// Of a contact at the beginning with one tiny coordinate at the end.
+#[test]
+fn geometry_at_the_beginning_needs_no_times() {
+    let tiny = f64::from_bits(0x03b8_f2b0_61ae_a072);
+    assert!(tiny > 0.0 && tiny < 1e-280);
+    let t0 = [[-28.0, 0.0, 6.0], [-72.0, 0.0, 48.0], [-24.0, 0.0, -48.0], [72.0, 0.0, 36.0]];
+    let t1 = [[-25.0, 2.0, 7.0], [-72.0, 0.0, 47.0], [-25.0, 2.0, -49.0], [74.0, -1.0, tiny]];
+    let meeting = geometry::meeting(Patch::Triangle, [&t0, &t1], 0.0).expect("geometry");
+    assert_eq!(meeting.weights, [1.0, 5.0 / 12.0, 5.0 / 12.0, 1.0 / 6.0]);
+}
+
+/// Times of zeros in order, equal ones of different forms too.
+#[test]
+fn times_have_an_order() {
+    let window = zeros::Window::<24>::new(WHOLE).expect("a window");
+    let number = |x: i64| integer::Fixed::<24>::new(x, 0);
+    let third = form::Form::linear([number(-1), number(2)]);
+    let half = form::Form::linear([number(-1), number(1)]);
+    let other = form::Form::linear([number(-3), number(5)]);
+    let thirds = third.times(&other);
+    let time = |form: &form::Form<24>| {
+        *zeros::zeros(form, &window).expect("zeros").as_mut_slice().first().expect("one")
+    };
+    let mut of = zeros::zeros(&thirds, &window).expect("zeros");
+    let [a, b] = of.as_mut_slice() else { panic!("two zeros") };
+    if b.is_before(a).expect("an order") {
+        std::mem::swap(a, b);
+    }
+    // 1/3 and 3/8 of one form, 1/3 of another, and 1/2.
+    let (mut again, mut middle) = (time(&third), time(&half));
+    assert!(!a.is_before(&mut again).unwrap() && !again.is_before(a).unwrap());
+    assert!(again.is_before(b).unwrap() && !b.is_before(&mut again).unwrap());
+    assert!(b.is_before(&mut middle).unwrap() && !middle.is_before(b).unwrap());
+    assert!(a.is_before(b).unwrap() && !middle.is_before(&mut time(&half)).unwrap());
+}

@@ -36,6 +36,12 @@ pub enum Time<const N: usize> {
     Between(Form<N>, [Dyadic<N>; 2], i32),
 }
 
+/// The sign of the difference of two times.
+fn order<const N: usize>(p: &Dyadic<N>, q: &Dyadic<N>) -> Option<i32> {
+    let difference = p[1] * q[0] - q[1] * p[0];
+    difference.is_exact().then(|| difference.sign())
+}
+
 /// Half of the way, and the ends in its unit.
 fn halved<const N: usize>([from, to]: [Dyadic<N>; 2]) -> [Dyadic<N>; 3] {
     let twice = |[u, v]: Dyadic<N>| [u.shifted(1), v.shifted(1)];
@@ -200,6 +206,45 @@ impl<const N: usize> Time<N> {
             }
         }
         self.halve()
+    }
+
+    /// The dyadic times that it is between, or it itself twice.
+    fn ends(&self) -> [Dyadic<N>; 2] {
+        match self {
+            Time::At(time) => [*time; 2],
+            Time::Between(_, ends, _) => *ends,
+        }
+    }
+
+    /// Whether it is before another time; not if both are one.
+    pub fn is_before(&mut self, other: &mut Self) -> Option<bool> {
+        // One time is a zero of the form of the other; then only one of them is narrowed, to be
+        // found in the interval of which the other is the only zero, or beside it.
+        let shared = match (&mut *self, &mut *other) {
+            (this, Time::Between(form, ..)) => this.sign(form)? == 0,
+            (Time::Between(form, ..), time) => time.sign(form)? == 0,
+            _ => false,
+        };
+        loop {
+            let ([a, b], [c, d]) = (self.ends(), other.ends());
+            let (before, after) = (order(&b, &c)?, order(&d, &a)?);
+            if let (Time::At(_), Time::At(_)) = (&*self, &*other) {
+                return Some(before < 0);
+            }
+            if before <= 0 {
+                return Some(true);
+            }
+            let is_within = order(&c, &a)? <= 0 && order(&b, &d)? <= 0;
+            let has_within = order(&a, &c)? <= 0 && order(&d, &b)? <= 0;
+            let other_is_dyadic = matches!(other, Time::At(_));
+            if after <= 0 || shared && (is_within || other_is_dyadic && has_within) {
+                return Some(false);
+            }
+            self.narrow()?;
+            if !shared {
+                other.narrow()?;
+            }
+        }
     }
 
     /// The sign of a form at this time.
