@@ -135,7 +135,8 @@ fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
 /// Refuses files of a folder or a pattern whose order their names do not tell for certain.
 fn check_order(found: &[PathBuf]) -> Result<(), Failure> {
     let stem = |path: &Path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    if let Some(two) = found.windows(2).find(|two| stem(&two[0]) == stem(&two[1])) {
+    let name = |path: &Path| path.with_extension("");
+    if let Some(two) = found.windows(2).find(|two| name(&two[0]) == name(&two[1])) {
         let what = format!("and {} have one name: which is the frame?", two[1].display());
         return Err(in_file(&two[0], what));
     }
@@ -244,6 +245,7 @@ mod tests {
             ("t0.ply t0.5.ply", ""),
             ("f-2.ply f-1.ply f0.ply f1.ply", "a minus"),
             ("f0.obj f0.ply f1.obj f1.ply", "one name"),
+            ("0/mesh.ply 1/mesh.ply 2/mesh.ply", ""),
         ] {
             let mut found: Vec<_> = names.split(' ').map(PathBuf::from).collect();
             alphanumeric_sort::sort_path_slice(&mut found);

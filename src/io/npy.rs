@@ -37,7 +37,10 @@ pub(super) fn header(from: &mut impl Read) -> Result<Header, ReadErrorKind> {
 pub(super) fn look(from: &mut impl Read) -> Result<Header, (ReadErrorKind, bool)> {
     let text = text(from).map_err(|why| (why, false))?;
     let shape = value(&text.0, "shape").unwrap_or_default();
-    let is_like = shape.matches(',').count() > 1 && shape.trim_end_matches(')').ends_with(" 3");
+    let is_like = match sizes(shape).as_deref() {
+        Ok([.., 3]) => shape.matches(',').count() > 1,
+        _ => false,
+    };
     parse(text).map_err(|why| (why, is_like))
 }
 
@@ -65,6 +68,12 @@ fn text(from: &mut impl Read) -> Result<(String, u64), ReadErrorKind> {
     Ok((String::from_utf8_lossy(&text).into_owned(), end))
 }
 
+/// The numbers of a shape.
+fn sizes(shape: &str) -> Result<Vec<u64>, std::num::ParseIntError> {
+    let sizes = shape.trim_matches(['(', ')']).split(',').map(str::trim);
+    sizes.filter(|s| !s.is_empty()).map(str::parse).collect()
+}
+
 fn parse((text, start): (String, u64)) -> Result<Header, ReadErrorKind> {
     let bad = |what: &str| ReadErrorKind::Header(what.into());
     let missing = |key: &str| bad(&format!("has no {key}: {}", quote(text.trim())));
@@ -84,9 +93,7 @@ fn parse((text, start): (String, u64)) -> Result<Header, ReadErrorKind> {
         return Err(bad("is in Fortran order; numpy.ascontiguousarray makes one that is read"));
     }
     let shape = value(&text, "shape").ok_or_else(|| missing("shape"))?;
-    let sizes = shape.trim_matches(['(', ')']).split(',').map(str::trim);
-    let sizes: Result<Vec<u64>, _> = sizes.filter(|s| !s.is_empty()).map(str::parse).collect();
-    match sizes.as_deref() {
+    match sizes(shape).as_deref() {
         Ok(&[n_frames, n_vertices, 3]) => {
             Ok(Header { start, n_frames, n_vertices, wide, big_endian })
         }

@@ -17,7 +17,7 @@ use std::io::BufRead;
 use std::path::Path;
 
 /// Statements that hold neither vertices nor what joins them: normals, texture coordinates,
-/// groups, materials, points, curves and surfaces.
+/// groups, materials, points, and attributes.
 const PASSED_OVER: &str = "\
     vn vt vp o g s mtllib usemtl p cstype deg parm trim hole scrv sp end \
     con mg bevel c_interp d_interp lod shadow_obj trace_obj ctech stech bmat step usemap \

@@ -118,6 +118,10 @@ fn what_does_not_fit_is_refused() {
     let x = ("x.npy", npy("<f4", 1, "(3, 2, 3)", "True"));
     let two = npz(&[("v.npy", good.clone()), x], zip::CompressionMethod::Stored);
     refused("a.npz", &two, "v.npy and another array may be the positions; x.npy: ");
+    // As other writers than NumPy write a shape.
+    let x = ("x.npy", npy("<i4", 1, "(3,2,3)", "False"));
+    let two = npz(&[("v.npy", good.clone()), x], zip::CompressionMethod::Stored);
+    refused("a.npz", &two, "may be the positions; x.npy: ");
     refused("a.npz", &none[..none.len() - 30], "a.npz");
     refused("a.pc2", &pc2()[..31], "no point cache");
     refused("a.pc2", &pc2()[..60], "the file has 60");

@@ -108,8 +108,8 @@ pub struct Options {
     /// contact, its distance is above the minimum distance or at least what it is at the start. A
     /// return to the minimum distance is a contact if a time in between is found at which they
     /// certainly are farther apart; one that stays beyond the distance at the start may be left
-    /// out. What cannot be certified to separate stays a
-    /// contact at the start, among it everything that touches where the minimum distance is 0: see
+    /// out. What cannot be certified to separate stays a contact at the start, among it everything
+    /// that touches where the minimum distance is 0: see
     /// [`approach`](crate::narrow_phase::approach).
     pub leave_contact: bool,
     /// Bytes of memory that a session may hold; `None`: no limit. What would go beyond is refused

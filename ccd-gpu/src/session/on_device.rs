@@ -97,8 +97,9 @@ impl Engine {
     /// vertex. May be written by copies and by kernels; coordinates must be finite and at most 2^28
     /// in size, which nothing checks. Another mesh may bring another buffer.
     ///
-    /// It is the caller's from now on: steps of the session have another, also one that is in
-    /// flight.
+    /// It is the caller's from now on: steps that begin later have another, and keep it while they
+    /// are in flight. Not so a step that is in flight when this is called for the first time: until
+    /// its results are here the buffer must not be written.
     pub fn paths(&self) -> &wgpu::Buffer {
         self.frames.buffers.positions.lend_paths()
     }

@@ -122,7 +122,9 @@ class _InFiles:
     def read(self, at: int, mesh: Mesh) -> NDArray[Any]:
         path = self.paths[at - self.first]
         try:
-            other, x = read_mesh(path, self.start)
+            # Other formats merge no vertices, and need not read the first file again.
+            merges = path.lower().removesuffix(".gz").endswith((".stl", ".gltf", ".glb"))
+            other, x = read_mesh(path, self.start if merges else None)
         except (ValueError, OSError) as why:
             raise FrameError(f"frame {at} cannot be read: {why}") from why
         if not np.array_equal(other.faces, mesh.faces):
