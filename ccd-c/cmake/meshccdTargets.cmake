@@ -20,10 +20,8 @@ if(NOT TARGET meshccd::meshccd)
     set_target_properties(meshccd::static PROPERTIES INTERFACE_LINK_LIBRARIES
       "kernel32;ntdll;userenv;ws2_32;dbghelp;advapi32;user32;gdi32;ole32;oleaut32;opengl32;d3dcompiler;dxgi;d3d12;propsys;runtimeobject")
   else()
-    # cargo gives libraries no name of their own for the loader: they go by their file's.
     set_target_properties(meshccd::meshccd PROPERTIES
-      IMPORTED_LOCATION "${MESHCCD_FROM}/libmeshccd${CMAKE_SHARED_LIBRARY_SUFFIX}"
-      IMPORTED_NO_SONAME TRUE)
+      IMPORTED_LOCATION "${MESHCCD_FROM}/libmeshccd${CMAKE_SHARED_LIBRARY_SUFFIX}")
     set_target_properties(meshccd::static PROPERTIES
       IMPORTED_LOCATION "${MESHCCD_FROM}/libmeshccd.a")
     if(APPLE)

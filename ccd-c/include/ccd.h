@@ -52,7 +52,7 @@ enum CcdStatus
   /// Input is refused, and nothing was computed from it: an index out of range, a wrong number
   /// of vertices, a coordinate that is NaN, infinite or above 1e100, options out of their range.
   CCD_STATUS_INVALID_INPUT = 2,
-  /// There is no GPU that fits, or the library was built without GPU.
+  /// There is no GPU that fits, or of the given name, or the library was built without GPU.
   CCD_STATUS_NO_GPU = 3,
   /// The GPU failed: it was lost, or refused a command.
   CCD_STATUS_DEVICE_FAILED = 4,
@@ -521,8 +521,9 @@ CcdStatus ccd_session_first_contact(struct CcdSession *session,
                                     struct CcdPositions x1,
                                     const struct CcdHit **hit);
 
-/// Point, normal and weights of every contact of the last ccd_session_step, in the order of its
-/// report. `x0`, `x1`: the positions of that step. Does not end the life of the report.
+/// Point, normal and weights of every contact of the session's last report, in its order: after
+/// ccd_session_first_contact those of that search, after ccd_session_earliest_toi none. `x0`, `x1`:
+/// the positions of that step, which are not checked again. Does not end the life of the report.
 ///
 /// `geometry` belongs to the session, until its next call; `count`: number of contacts.
 CcdStatus ccd_session_contact_geometry(struct CcdSession *session,
@@ -560,7 +561,7 @@ CcdStatus ccd_session_set_min_distance(struct CcdSession *session, double min_di
 /// next call.
 CcdStatus ccd_session_place(struct CcdSession *session, const char **place);
 
-/// Ends the call of the session that runs, and all later ones, with CCD_STATUS_CANCELLED, until
+/// Ends the step, search or list that runs, and all later ones, with CCD_STATUS_CANCELLED, until
 /// ccd_session_resume. For any thread, at any time before the session is destroyed.
 CcdStatus ccd_session_cancel(struct CcdSession *session);
 
@@ -575,8 +576,8 @@ CcdStatus ccd_session_set_positions(struct CcdSession *session, struct CcdPositi
 /// a CPU it costs what the bodies cost that are not fixed and do not sleep. `report`: as there.
 ///
 /// Fails with CCD_STATUS_INVALID_INPUT before ccd_session_set_positions, for a body without a
-/// vertex, and for another number of positions than the body has vertices; then all stand where
-/// they stood.
+/// vertex or with two motions, and for another number of positions than the body has vertices; then
+/// all stand where they stood.
 CcdStatus ccd_session_step_bodies(struct CcdSession *session,
                                   const struct CcdBodyMotion *motions,
                                   size_t motion_count,

@@ -44,8 +44,8 @@ pub unsafe extern "C" fn ccd_session_set_positions(
 /// a CPU it costs what the bodies cost that are not fixed and do not sleep. `report`: as there.
 ///
 /// Fails with CCD_STATUS_INVALID_INPUT before ccd_session_set_positions, for a body without a
-/// vertex, and for another number of positions than the body has vertices; then all stand where
-/// they stood.
+/// vertex or with two motions, and for another number of positions than the body has vertices; then
+/// all stand where they stood.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ccd_session_step_bodies(
     session: *mut CcdSession,

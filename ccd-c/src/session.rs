@@ -160,8 +160,9 @@ pub unsafe extern "C" fn ccd_session_first_contact(
     }
 }
 
-/// Point, normal and weights of every contact of the last ccd_session_step, in the order of its
-/// report. `x0`, `x1`: the positions of that step. Does not end the life of the report.
+/// Point, normal and weights of every contact of the session's last report, in its order: after
+/// ccd_session_first_contact those of that search, after ccd_session_earliest_toi none. `x0`, `x1`:
+/// the positions of that step, which are not checked again. Does not end the life of the report.
 ///
 /// `geometry` belongs to the session, until its next call; `count`: number of contacts.
 #[unsafe(no_mangle)]
@@ -174,14 +175,20 @@ pub unsafe extern "C" fn ccd_session_contact_geometry(
 ) -> CcdStatus {
     // SAFETY: the caller's pointers, by the header's first comment.
     unsafe {
-        let before = guard(|| write(count, "count", 0));
-        if before != CcdStatus::Ok {
-            return before;
+        let outputs = guard(|| {
+            write(geometry, "geometry", null())?;
+            write(count, "count", 0)
+        });
+        if outputs != CcdStatus::Ok {
+            return outputs;
         }
         let mut found = 0;
         let done = asked_of_step(session, [x0, x1], (geometry, "geometry", null()), |of, x| {
             let Inner { session, results, .. } = of;
-            let (report, mesh) = (session.report(), session.report().mesh());
+            let report = session.report();
+            // A report of nothing, as after a failure, has no mesh.
+            let is_empty = report.contacts.is_empty();
+            let mesh = if is_empty { session.mesh() } else { report.mesh() };
             let (data, n) = with_ends!(x, |x0, x1| {
                 for (time, x) in [(0, &x0), (1, &x1)] {
                     let (expected, found) = (mesh.n_vertices(), x.as_positions().len());
@@ -288,7 +295,7 @@ pub unsafe extern "C" fn ccd_session_place(
     }
 }
 
-/// Ends the call of the session that runs, and all later ones, with CCD_STATUS_CANCELLED, until
+/// Ends the step, search or list that runs, and all later ones, with CCD_STATUS_CANCELLED, until
 /// ccd_session_resume. For any thread, at any time before the session is destroyed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ccd_session_cancel(session: *mut CcdSession) -> CcdStatus {

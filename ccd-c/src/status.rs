@@ -25,7 +25,7 @@ pub enum CcdStatus {
     /// Input is refused, and nothing was computed from it: an index out of range, a wrong number
     /// of vertices, a coordinate that is NaN, infinite or above 1e100, options out of their range.
     InvalidInput = 2,
-    /// There is no GPU that fits, or the library was built without GPU.
+    /// There is no GPU that fits, or of the given name, or the library was built without GPU.
     NoGpu = 3,
     /// The GPU failed: it was lost, or refused a command.
     DeviceFailed = 4,

@@ -26,7 +26,8 @@ pub const PLACE: &str = "Where it runs";
 pub struct AdapterOptions {
     /// Use this GPU: its number in `ccd info`, or a part of its name
     ///
-    /// Or its PCI id. Whatever it is and however small the mesh. It is an error if it is not there.
+    /// Or its PCI id. Used even if it is a software adapter or the mesh is small; an error if there
+    /// is none.
     #[arg(long, value_name = "GPU", help_heading = PLACE)]
     adapter: Option<String>,
     /// How shaders reach the driver; without it the first that is possible

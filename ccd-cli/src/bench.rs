@@ -36,7 +36,7 @@ pub struct Bench {
     #[arg(value_parser = clap::value_parser!(u32).range(1..=1000))]
     runs: u32,
     /// Print one JSON object instead of text
-    #[arg(long)]
+    #[arg(short, long)]
     json: bool,
 }
 

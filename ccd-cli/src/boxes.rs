@@ -34,7 +34,7 @@ pub struct Boxes {
     #[arg(long, value_name = "OUT.bin")]
     pairs: Option<PathBuf>,
     /// Print one JSON object instead of text
-    #[arg(long)]
+    #[arg(short, long)]
     json: bool,
 }
 

@@ -221,7 +221,7 @@ fn print(
         Some(toi) => output::line("earliest", format_args!("t = {toi:?}")),
         None => output::line("earliest", "none"),
     }
-    start.print(start::is_whole(window));
+    start.print(start::is_whole(window) && contacts.total() == 0);
     backend::print_compilation(compilation);
     let (t, ms, place) = (report.times, output::milliseconds, session.place());
     let parts = match place {

@@ -18,11 +18,11 @@ use ccd::{Bodies, Contact, Mesh, Options};
 /// The scenes of [Tian and Wan], by triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Size {
-    /// Sphere of 1,922, cloth of 1,058
+    /// Triangles: sphere 1,922, cloth 1,058
     Small,
-    /// Sphere of 7,938, cloth of 4,418
+    /// Triangles: sphere 7,938, cloth 4,418
     Medium,
-    /// Sphere of 32,258, cloth of 7,938
+    /// Triangles: sphere 32,258, cloth 7,938
     Large,
 }
 

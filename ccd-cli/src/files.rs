@@ -1,7 +1,7 @@
 //! The files that commands write: opened before any work, `-` for standard output, and none that is
 //! read or written otherwise. Each is written beside its place, and put there once it is whole.
 
-use super::output::{ended, unfinished};
+use super::output::{ended, is_unread, unfinished};
 use super::{Failure, in_file, interrupt};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
@@ -20,7 +20,7 @@ pub fn is_standard(path: &Path) -> bool {
 /// Creates a file, or opens standard output for `-`.
 pub fn create(path: &Path, extension: &str) -> Result<Output, Failure> {
     if is_standard(path) {
-        return Ok(Output { to: Box::new(io::stdout()), places: None });
+        return Ok(Output { to: Box::new(Standard), places: None });
     }
     if !has_extension(path, &[extension]) {
         return Err(in_file(path, format_args!("the name must end in .{extension}")));
@@ -108,6 +108,25 @@ impl Drop for Output {
             // After it was renamed there is none.
             let _ = fs::remove_file(beside);
             unfinished().retain(|path| path != beside);
+        }
+    }
+}
+
+/// Standard output. A reader that goes away is no error while other work goes on.
+struct Standard;
+
+impl Write for Standard {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match io::stdout().write(bytes) {
+            Err(e) if is_unread(&e) => Ok(bytes.len()),
+            written => written,
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match io::stdout().flush() {
+            Err(e) if is_unread(&e) => Ok(()),
+            flushed => flushed,
         }
     }
 }

@@ -80,7 +80,7 @@ enum Command {
     /// Contacts over many frames of a mesh, one step from each frame to the next
     #[command(after_help = SEQUENCES, after_long_help = format!("{SEQUENCES}\n\n{CSV}"))]
     Sequence(sequence::Sequence),
-    /// What the parts of a sequence printed as lines of JSON, or wrote as contacts, joined
+    /// Join the JSON lines or the contacts of the parts of a `sequence`
     #[command(after_help = "EXAMPLES:\n  ccd merge part-*.jsonl > all.jsonl\n  \
         ccd merge part-*.csv > all.csv\n\n\
         Lines of JSON say which part they are of: none may be missing or there twice.\n\
@@ -207,8 +207,9 @@ struct StepOptions {
     json: bool,
     /// Write contacts as CSV (check: or as points in a PLY file)
     ///
-    /// `-` is standard output, and has CSV. The points of a PLY file have the normals, are coloured
-    /// by their times, and have a, b, toi and undecided as properties.
+    /// `-` is standard output, and has CSV. The points of a PLY file, which `check` alone writes,
+    /// have the normals, are coloured by their times, and have a, b, toi and undecided as
+    /// properties.
     #[arg(short, long, value_name = "OUT", help_heading = OUTPUT)]
     contacts: Option<PathBuf>,
     /// Write a picture of the contacts, or of a sequence's times

@@ -220,7 +220,7 @@ impl MethodOptions {
 #[derive(Args)]
 pub struct List {
     /// Print one JSON object instead of text
-    #[arg(long)]
+    #[arg(short, long)]
     json: bool,
 }
 

@@ -31,9 +31,13 @@ impl FromStr for Files {
 
     /// A name, or two with a comma between them.
     fn from_str(text: &str) -> Result<Self, String> {
-        let mut names = text.split(',').map(PathBuf::from);
+        let (mut names, nameless) = (text.split(',').map(PathBuf::from), PathBuf::new());
         match [names.next(), names.next(), names.next()] {
-            [Some(start), end, None] => Ok(Self { start, end }),
+            [Some(start), end, None]
+                if ![Some(&start), end.as_ref()].contains(&Some(&nameless)) =>
+            {
+                Ok(Self { start, end })
+            }
             _ => Err("one file, or two with a comma between them".into()),
         }
     }
@@ -61,6 +65,9 @@ impl Objects {
             _ => return Err(Failure("`-` is given twice; standard input has one mesh".into())),
         }
         let read = |path: &mut PathBuf| -> Result<Frame, Failure> {
+            if path.is_dir() {
+                return Err(in_file(path, "is a folder; `ccd sequence` takes the frames in it"));
+            }
             if !files::is_standard(path) {
                 return Ok(read_frame(path)?);
             }
@@ -110,8 +117,18 @@ impl Objects {
         (path, vertex - self.before[object][0])
     }
 
-    /// A line for each of several objects: its body, its files, its numbers in what is reported.
+    /// What moves; of several objects a line for each: its body, its files, its numbers in what is
+    /// reported.
     pub fn print(&self) {
+        if let [Files { start, end: Some(end) }] = &self.files[..] {
+            let both = self.start.positions.iter().zip(&self.end.positions);
+            let n = both.clone().filter(|(x0, x1)| x0 != x1).count();
+            let (start, end) = (start.display(), end.display());
+            output::line(
+                "motion",
+                format!("{start} to {end}: {n} of {} vertices move", both.len()),
+            );
+        }
         if self.files.len() == 1 {
             return;
         }
@@ -164,8 +181,8 @@ pub fn same_topology(a: (&Path, &Frame), b: (&Path, &Frame)) -> Result<(), Failu
                 path_b,
                 format_args!(
                     "has {n_b} {what}, {} has {n_a}: the two are to be one mesh at the start and \
-                     at the end of its motion, with the same vertices and faces (another object \
-                     is given by --with)",
+                     at the end of its motion, with the same vertices and faces (`ccd check` takes \
+                     another object by --with)",
                     path_a.display()
                 ),
             ));

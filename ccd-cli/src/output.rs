@@ -73,7 +73,7 @@ pub fn print(text: std::fmt::Arguments) {
 }
 
 /// Whether nobody reads any more, and the work goes on.
-fn is_unread(e: &std::io::Error) -> bool {
+pub fn is_unread(e: &std::io::Error) -> bool {
     let is_unread = e.kind() == ErrorKind::BrokenPipe && GOES_ON.load(Relaxed);
     UNREAD.fetch_or(is_unread, Relaxed);
     is_unread

@@ -3,6 +3,7 @@
 use super::method::{Choices, choice};
 use super::rows::{self, Rows};
 use super::{Failure, Outcome, Precision, files, interrupt, output, progress};
+use ccd::exact::{self, Exact};
 use ccd::io::{Queries as File, Query, read_queries, read_queries_of};
 use ccd::{EdgeEdge, Kind, Verdict, VertexFace};
 use clap::Args;
@@ -30,7 +31,7 @@ pub struct Queries {
     #[arg(long, value_name = "OUT.csv")]
     out: Option<PathBuf>,
     /// Print one JSON object instead of text
-    #[arg(long)]
+    #[arg(short, long)]
     json: bool,
 }
 
@@ -232,7 +233,22 @@ fn decide(query: &Query, precision: Precision, d: f64) -> Option<Verdict<f64>> {
         return None;
     }
     let decided = (!is_wide).then(|| widen(ask(kind, narrow, round_up(d)), d)).flatten();
-    Some(decided.unwrap_or_else(|| ask(kind, ends, d)))
+    let verdict = decided.unwrap_or_else(|| ask(kind, ends, d));
+    let is_open = matches!(verdict, Verdict::Undecided { .. }) && d == 0.0;
+    Some(is_open.then(|| exactly(kind, ends)).flatten().unwrap_or(verdict))
+}
+
+/// By integers, as steps decide what is left open; `None` for numbers that these do not take.
+fn exactly(kind: Kind, [t0, t1]: [[[f64; 3]; 4]; 2]) -> Option<Verdict<f64>> {
+    let window = [0.0, 1.0];
+    let exact = match kind {
+        Kind::VertexFace => exact::vertex_face(&VertexFace { t0, t1 }, window),
+        _ => exact::edge_edge(&EdgeEdge { t0, t1 }, window),
+    };
+    exact.map(|exact| match exact {
+        Exact::Miss => Verdict::Miss,
+        Exact::Contact([toi, _]) => Verdict::Hit { toi },
+    })
 }
 
 fn ask<R: ccd::Real>(kind: Kind, [t0, t1]: [[[R; 3]; 4]; 2], d: R) -> Verdict<R> {

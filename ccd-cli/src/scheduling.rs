@@ -43,7 +43,7 @@ pub struct SchedulingOptions {
     /// Pairs of a batch of --scheduler lazy-stealing, and of stealing on a GPU, at most 64
     #[arg(long, value_name = "N", hide_short_help = true)]
     batch: Option<u32>,
-    /// Pairs on a stack from which on the same schedulers offer a batch to others, at most 1024
+    /// Length of a stack from which on these schedulers offer a batch to others, at most 1024
     #[arg(long, value_name = "N", hide_short_help = true)]
     threshold: Option<u32>,
 }

@@ -31,9 +31,8 @@ pub struct Sequence {
     json_lines: bool,
     /// Do only share i of n of the steps, so that several machines do all of them
     ///
-    /// `slurm`: the share of this task of an array (SLURM_ARRAY_TASK_ID, _COUNT, _MIN, _STEP),
-    /// which is used in no other way. `ccd merge` joins what --json-lines printed, and what
-    /// --contacts wrote.
+    /// `slurm`: i and n from SLURM_ARRAY_TASK_ID, _COUNT, _MIN and _STEP, which nothing else reads.
+    /// `ccd merge` joins what --json-lines printed, and what --contacts wrote.
     #[arg(long, value_name = "i/n", help_heading = INPUT)]
     part: Option<Part>,
     #[command(flatten)]
@@ -105,7 +104,8 @@ impl Sequence {
                 undecided: report.undecided,
                 at_start: output::at_start(report),
                 toi: report.toi,
-                rebuilt: report.rebuilt,
+                // The look at the first frame leaves trees to the first step.
+                rebuilt: report.rebuilt || i == todo.start,
                 triangles: report.triangles.map(Into::into),
                 front: report.front.map(Into::into),
                 times_ms: TimesMs::new(load, report, &session.place()),
@@ -184,15 +184,17 @@ impl Sequence {
                 self.options.min_distance,
                 "the start",
             );
-            start.iter().for_each(|start| start.print(true));
+            let stays = summary.contacts == 0;
+            start.iter().for_each(|start| start.print(stays));
             backend::print_compilation(compilation);
             let ms = output::milliseconds;
             let text = format!("median {} a step on {place}", ms(summary.median_ms));
             output::line("time", text);
             let text = format!(
-                "{} in all; trees built in {} steps",
+                "{} in all; trees built in {} of {} steps",
                 ms(summary.total_ms),
-                summary.rebuilt
+                summary.rebuilt,
+                summary.steps
             );
             output::line("", text);
         }

@@ -54,8 +54,8 @@ impl Intersections {
         }
     }
 
-    /// Prints it as lines of text, of a step that was looked at from its start to its end or not.
-    pub fn print(&self, whole: bool) {
+    /// Prints it as lines of text. `stays`: it is the start of a whole step without a contact.
+    pub fn print(&self, stays: bool) {
         let ms = output::milliseconds(self.ms);
         let (Some(verb), Some(Example { edge, face })) = (self.verb(), &self.example) else {
             let text = format!("the first frame does not intersect itself (exact, {ms})");
@@ -65,8 +65,8 @@ impl Intersections {
         output::line("start", text);
         let ([a, b], [c, d, e]) = (edge, face);
         output::line("", format!("such as edge {a} {b} and face {c} {d} {e} (exact, {ms})"));
-        if whole {
-            output::line("", "a step without contacts keeps it so: they cross at its end as well");
+        if stays {
+            output::line("", "without a contact they still pass through each other at the end");
         }
     }
 }

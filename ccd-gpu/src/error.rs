@@ -54,6 +54,12 @@ pub enum Error {
          the host, which does not see the paths that an application writes on the device"
     )]
     Codimensional,
+    /// A mesh has particles that could touch each other or rods, in a browser.
+    #[error(
+        "pairs of particles, and of particles and rods, are waited for, which a browser does not \
+         do: use the CPU"
+    )]
+    Particles,
     /// A step on the device alone was asked for in [`Mode::Exact`](ccd_core::model::options::Mode).
     #[error("exact decisions are made on the host: choose the conservative mode")]
     ExactOnDevice,

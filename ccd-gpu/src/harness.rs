@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::pipeline::Checked;
 use crate::readback::{Part, Plan, Readback, word};
 use crate::recorder::{Bench, submit};
-use ccd_core::backend::kernel::TABLE;
+use ccd_core::backend::kernel::{Id, TABLE};
 use ccd_core::backend::layout::Params;
 use std::path::Path;
 use wgpu::BufferUsages as U;
@@ -51,16 +51,27 @@ pub fn repeat<K: Bind<Vec<u8>>>(
     fold: u32,
     times: u32,
 ) -> Result<(), Error> {
-    if K::ID.native() {
+    run_on(device, K::ID, params.parts(), kernel.buffers_mut(), [groups, fold, times])
+}
+
+/// The same of any kernel: compiled once for all of them.
+fn run_on(
+    device: &Device,
+    id: Id,
+    params: [&[u8]; 3],
+    buffers: Vec<&mut Vec<u8>>,
+    [groups, fold, times]: [u32; 3],
+) -> Result<(), Error> {
+    if id.native() {
         device.check_native()?;
     }
     let mut bench = Bench::new(device)?;
     bench.fold = fold;
     let usage = U::STORAGE | U::COPY_SRC | U::COPY_DST;
     let mut on_device = Vec::new();
-    for bytes in kernel.buffers() {
+    for bytes in &buffers {
         let size = (bytes.len() as u64).max(16);
-        let label = Some(K::ID.row().name);
+        let label = Some(id.row().name);
         let descriptor = wgpu::BufferDescriptor { label, size, usage, mapped_at_creation: false };
         let buffer = device
             .guarded("a buffer of a test", size, || device.wgpu().create_buffer(&descriptor))?;
@@ -68,17 +79,17 @@ pub fn repeat<K: Bind<Vec<u8>>>(
         on_device.push(buffer);
     }
     let mut plan = Plan::default();
-    let parts: Vec<Part> = kernel.buffers().iter().map(|b| plan.part(b.len() as u64)).collect();
+    let parts: Vec<Part> = buffers.iter().map(|b| plan.part(b.len() as u64)).collect();
     let reading = Readback::default().prepare(device, plan)?;
     submit(device, &mut bench, |recorder| {
-        let buffers: Vec<_> = on_device.iter().collect();
-        recorder.repeat(times, |r| r.run(K::ID, params.parts(), &buffers, groups));
+        let bound: Vec<_> = on_device.iter().collect();
+        recorder.repeat(times, |r| r.run(id, params, &bound, groups));
         for (part, buffer) in parts.iter().zip(&on_device) {
             recorder.read(&reading, *part, buffer, 0);
         }
     })?;
     reading.wait_with(device, |bytes| {
-        for (to, part) in kernel.buffers_mut().into_iter().zip(&parts) {
+        for (to, part) in buffers.into_iter().zip(&parts) {
             to.copy_from_slice(part.of(bytes));
         }
     })

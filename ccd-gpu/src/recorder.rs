@@ -90,6 +90,11 @@ impl Bench {
         })
     }
 
+    /// What is timed.
+    pub fn timing(&self) -> Timing {
+        self.timing
+    }
+
     /// Sets what is timed; where there are no timestamps, nothing is.
     pub fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
         self.timing = if self.device.info().timestamps { timing } else { Timing::Off };

@@ -9,6 +9,7 @@ use numpy::{
     Element, PyArray1, PyArray2, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods,
     PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods, dtype,
 };
+use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
@@ -103,9 +104,13 @@ fn as_array<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<Bound<'py, P
     }
     let numpy = given.py().import("numpy")?;
     let array = if given.hasattr("__dlpack__")? {
-        numpy
-            .call_method1("from_dlpack", (given,))
-            .map_err(|why| refused(format!("{name} cannot be read by DLPack: {why}")))?
+        numpy.call_method1("from_dlpack", (given,)).map_err(|why| {
+            match why.is_instance_of::<PyException>(given.py()) {
+                true => refused(format!("{name} cannot be read by DLPack: {why}")),
+                // Such as KeyboardInterrupt.
+                false => why,
+            }
+        })?
     } else {
         numpy.call_method1("asarray", (given,))?
     };

@@ -5,13 +5,15 @@ use crate::arrays::{Floats, numbers};
 use crate::candidate_set::flat;
 use crate::errors::{failed, lock};
 use crate::filter::Wanted;
+use crate::mesh::Mesh;
 use crate::process::MadeBy;
 use crate::report::Columns;
 use ccd::any;
-use ccd::{BodyMotion, Coordinate, Kind};
+use ccd::{BodyMotion, Coordinate, Kind, Options};
 use pyo3::exceptions::PyRuntimeError;
+use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 /// A session that threads of Python share, in the process that made it.
 pub struct Shared {
@@ -26,6 +28,7 @@ const TURNS: usize = 16;
 /// What one thread has at a time.
 struct Inner {
     session: any::Session,
+    mesh: Arc<Py<Mesh>>,
     /// How often something was done with the session besides calls: what a filter was asked about
     /// may be another scene afterwards.
     changes: u64,
@@ -35,8 +38,8 @@ struct Inner {
 pub type Motions<'py> = Vec<(u32, Bound<'py, PyAny>, Bound<'py, PyAny>)>;
 
 impl Shared {
-    pub fn new(session: any::Session) -> Self {
-        let inner = Mutex::new(Inner { session, changes: 0 });
+    pub fn new(session: any::Session, mesh: Py<Mesh>) -> Self {
+        let inner = Mutex::new(Inner { session, mesh: Arc::new(mesh), changes: 0 });
         Self { inner, filter: Mutex::default(), made_by: MadeBy::this() }
     }
 
@@ -44,9 +47,19 @@ impl Shared {
     pub fn with<C: Call>(
         &self,
         py: Python<'_>,
-        [x0, x1]: [&Bound<'_, PyAny>; 2],
+        x: [&Bound<'_, PyAny>; 2],
         call: C,
     ) -> PyResult<C::Found> {
+        Ok(self.with_mesh(py, x, call)?.0)
+    }
+
+    /// Makes a call; the mesh that it was made for besides.
+    pub fn with_mesh<C: Call>(
+        &self,
+        py: Python<'_>,
+        [x0, x1]: [&Bound<'_, PyAny>; 2],
+        call: C,
+    ) -> PyResult<(C::Found, Arc<Py<Mesh>>)> {
         let positions = Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])?;
         match &positions {
             Floats::F32([x0, x1]) => self.run(py, [numbers(x0)?, numbers(x1)?], call),
@@ -59,11 +72,13 @@ impl Shared {
         py: Python<'_>,
         x: [&[T]; 2],
         call: C,
-    ) -> PyResult<C::Found> {
+    ) -> PyResult<(C::Found, Arc<Py<Mesh>>)> {
         let x = x.map(|x| x.as_chunks().0);
         let filter = lock(&self.filter)?.as_ref().map(|filter| filter.clone_ref(py));
         let Some(filter) = filter.filter(|_| C::ASKS) else {
-            return self.alone(py, move |inner| call.call(&mut inner.session, x).map_err(failed));
+            return self.alone(py, move |inner| {
+                Ok((call.call(&mut inner.session, x).map_err(failed)?, inner.mesh.clone()))
+            });
         };
         // The callback may take its time, and may call the session: nothing is locked meanwhile.
         for _ in 0..TURNS {
@@ -79,7 +94,7 @@ impl Shared {
                 let found = call.call(&mut inner.session, x);
                 // Other calls are of other positions, or ask nobody.
                 inner.session.remove_filter();
-                found.map(Some).map_err(failed)
+                Ok(Some((found.map_err(failed)?, inner.mesh.clone())))
             })?;
             if let Some(found) = found {
                 return Ok(found);
@@ -96,6 +111,56 @@ impl Shared {
         ask: impl FnOnce(&any::Session) -> R + Send,
     ) -> PyResult<R> {
         self.alone(py, |inner| Ok(ask(&inner.session)))
+    }
+
+    /// The mesh of the next call.
+    pub fn mesh(&self, py: Python<'_>) -> PyResult<Py<Mesh>> {
+        Ok(self.alone(py, |inner| Ok(inner.mesh.clone()))?.clone_ref(py))
+    }
+
+    /// Changes the mesh, and bodies if some are given.
+    pub fn set_mesh(
+        &self,
+        py: Python<'_>,
+        mesh: Py<Mesh>,
+        bodies: Option<ccd::Bodies>,
+    ) -> PyResult<()> {
+        let topology = mesh.get().inner.clone();
+        self.alone(py, move |inner| {
+            inner.changes += 1;
+            let changed = match bodies {
+                Some(bodies) => inner.session.set_mesh_and_bodies(topology, bodies),
+                None => inner.session.set_mesh(topology),
+            };
+            changed.map_err(failed)?;
+            Ok(std::mem::replace(&mut inner.mesh, Arc::new(mesh)))
+        })?;
+        Ok(())
+    }
+
+    /// Changes options to others, made of those of before, which may ask Python.
+    pub fn change_options(
+        &self,
+        py: Python<'_>,
+        others: impl Fn(Options) -> PyResult<Options>,
+    ) -> PyResult<()> {
+        for _ in 0..TURNS {
+            let (options, changes) =
+                self.alone(py, |inner| Ok((inner.session.options().clone(), inner.changes)))?;
+            let options = others(options)?;
+            let is_done = self.alone(py, move |inner| {
+                let is_same = inner.changes == changes;
+                if is_same {
+                    inner.changes += 1;
+                    inner.session.set_options(options).map_err(failed)?;
+                }
+                Ok(is_same)
+            })?;
+            if is_done {
+                return Ok(());
+            }
+        }
+        Err(PyRuntimeError::new_err("the options were changed each time by another thread"))
     }
 
     /// Changes the session.
@@ -134,7 +199,7 @@ impl Shared {
         py: Python<'_>,
         motions: &Motions<'_>,
         call: fn(&mut any::Session, &[BodyMotion]) -> Result<R, any::Error>,
-    ) -> PyResult<R> {
+    ) -> PyResult<(R, Arc<Py<Mesh>>)> {
         let positions = motions.iter().map(|(_, x0, x1)| {
             Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])
         });
@@ -146,7 +211,15 @@ impl Shared {
             })
         });
         let motions: Vec<BodyMotion> = motions.collect::<PyResult<_>>()?;
-        self.alone(py, |inner| call(&mut inner.session, &motions).map_err(failed))
+        self.alone(py, |inner| {
+            Ok((call(&mut inner.session, &motions).map_err(failed)?, inner.mesh.clone()))
+        })
+    }
+
+    /// For the collector of garbage: a callback may refer to what holds the session.
+    pub fn traverse(&self, visit: &PyVisit<'_>) -> Result<(), PyTraverseError> {
+        // One that is locked is in use, and so no garbage.
+        self.filter.try_lock().map_or(Ok(()), |filter| visit.call(&*filter))
     }
 }
 

@@ -5,6 +5,7 @@ use crate::errors::refused;
 use ccd::Kind;
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::IntoPyDict;
 
 /// Pairs that a callback wants, sorted, by their kind.
 pub struct Wanted([Vec<[u32; 2]>; 4]);
@@ -20,8 +21,9 @@ impl Wanted {
             }
             let array = pair_array(py, pairs.as_flattened().to_vec())?;
             let mask = callback.call1(py, (kind, array))?;
-            let numpy = py.import("numpy")?;
-            let mask = numpy.call_method1("asarray", (mask,))?;
+            let as_array = py.import("numpy")?.getattr("asarray")?;
+            // One number behind the other, whatever it is a view of.
+            let mask = as_array.call((mask,), Some(&[("order", "C")].into_py_dict(py)?))?;
             let Ok(mask) = mask.cast_into::<PyArray1<bool>>() else {
                 return Err(refused("the filter must return a one-dimensional array of bool"));
             };

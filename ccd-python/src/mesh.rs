@@ -1,7 +1,7 @@
 //! Topology: faces, and the edges in a canonical order.
 
 use crate::arrays::{Floats, ids, kind_of, numbers, pair_array, rows};
-use crate::errors::{input, refused};
+use crate::errors::{input, of_one, refused};
 use crate::process::threads_here;
 use ccd::{Coordinate, Exclusions, Kind, Pair, Real};
 use numpy::{PyArray1, PyArray2};
@@ -127,7 +127,7 @@ impl Mesh {
                 py.detach(|| near_at_rest(&self.inner, x, distance))
             }
         };
-        pair_lists(py, near.map_err(input)?)
+        pair_lists(py, near.map_err(|why| of_one(py, input(why)))?)
     }
 
     /// What a copy is made of.

@@ -8,7 +8,7 @@ use crate::calls::{
 };
 use crate::candidate_set::CandidateSet;
 use crate::device;
-use crate::errors::{failed, lock, of_one};
+use crate::errors::{failed, of_one};
 use crate::hit::Hit;
 use crate::mesh::Mesh;
 use crate::options::{self, CancelToken, Options};
@@ -16,9 +16,9 @@ use crate::process::threads_here;
 use crate::report::{Columns, Report};
 use ccd::any;
 use numpy::{PyArray2, PyUntypedArray};
+use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple};
-use std::sync::Mutex;
 
 /// Continuous collision detection of one mesh over many steps: keep it for the next frames.
 ///
@@ -50,7 +50,6 @@ use std::sync::Mutex;
 #[pyclass(frozen, module = "meshccd")]
 pub struct Session {
     shared: Shared,
-    mesh: Mutex<Py<Mesh>>,
 }
 
 #[pymethods]
@@ -80,7 +79,7 @@ impl Session {
         py.detach(|| options.check(topology)).map_err(|why| failed(why.into()))?;
         let choice = device::choose(py, device.as_deref(), topology.edges().len())?;
         let session = py.detach(|| any::Session::new(&choice, topology.clone(), options));
-        Ok(Self { shared: Shared::new(session.map_err(failed)?), mesh: Mutex::new(mesh) })
+        Ok(Self { shared: Shared::new(session.map_err(failed)?, mesh) })
     }
 
     /// Every contact of the step from `x0` to `x1` that exists in the window of time
@@ -94,7 +93,8 @@ impl Session {
         window: Option<[f64; 2]>,
     ) -> PyResult<Report> {
         let window = window.unwrap_or([0.0, 1.0]);
-        self.shared.with(py, [x0, x1], Step(window))?.into_report(py, self.mesh(py)?)
+        let (columns, mesh) = self.shared.with_mesh(py, [x0, x1], Step(window))?;
+        columns.into_report(py, mesh.clone_ref(py))
     }
 
     /// A report of each step of an animation: from each of these positions to the next. `frames`
@@ -120,6 +120,7 @@ impl Session {
         let mut reports = Vec::new();
         for frame in frames {
             let after = frame?;
+            py.check_signals()?;
             reports.push(self.step(py, &before, &after, None)?);
             before = after;
         }
@@ -178,11 +179,11 @@ impl Session {
     /// list of `(body, x0, x1)` with the positions of the vertices of that body. On a CPU what is
     /// fixed costs nothing then.
     fn step_bodies(&self, py: Python<'_>, motions: Motions<'_>) -> PyResult<Report> {
-        let columns = self.shared.with_bodies(py, &motions, |session, motions| {
+        let (columns, mesh) = self.shared.with_bodies(py, &motions, |session, motions| {
             session.step_bodies(motions)?;
             Ok(Columns::new(session.report(), session.options()))
         })?;
-        columns.into_report(py, self.mesh(py)?)
+        columns.into_report(py, mesh.clone_ref(py))
     }
 
     /// The earliest time of impact of a step in which some bodies move, as for `step_bodies`.
@@ -191,8 +192,9 @@ impl Session {
         py: Python<'_>,
         motions: Motions<'_>,
     ) -> PyResult<Option<f64>> {
-        self.shared
-            .with_bodies(py, &motions, |session, motions| session.earliest_toi_of_bodies(motions))
+        let find: fn(&mut any::Session, &[ccd::BodyMotion]) -> _ =
+            |session, motions| session.earliest_toi_of_bodies(motions);
+        Ok(self.shared.with_bodies(py, &motions, find)?.0)
     }
 
     /// The first contact of a step in which some bodies move, as for `step_bodies`.
@@ -203,7 +205,7 @@ impl Session {
     ) -> PyResult<Option<Hit>> {
         let find: fn(&mut any::Session, &[ccd::BodyMotion]) -> _ =
             |session, motions| session.first_contact_of_bodies(motions);
-        Ok(self.shared.with_bodies(py, &motions, find)?.map(Hit::from))
+        Ok(self.shared.with_bodies(py, &motions, find)?.0.map(Hit::from))
     }
 
     /// All candidates of the step: pairs of features without a common vertex whose swept boxes
@@ -259,15 +261,8 @@ impl Session {
         mesh: Py<Mesh>,
         bodies: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
-        let others = bodies.map(self::bodies).transpose()?;
-        let topology = mesh.get().inner.clone();
-        self.shared.change(py, move |session| match others {
-            Some(bodies) => session.set_mesh_and_bodies(topology, bodies),
-            None => session.set_mesh(topology),
-        })?;
-        let before = std::mem::replace(&mut *lock(&self.mesh)?, mesh);
-        drop(before);
-        Ok(())
+        let bodies = bodies.map(self::bodies).transpose()?;
+        self.shared.set_mesh(py, mesh, bodies)
     }
 
     /// From now on these bodies, or none.
@@ -310,13 +305,11 @@ impl Session {
         options: Option<&Bound<'_, Options>>,
         given: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<()> {
-        let base = match options {
-            Some(options) => options.get().inner.clone(),
-            None => self.options(py)?.inner,
-        };
         let given = given.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
-        let options = here(options::changed("set_options", base, &given)?);
-        self.shared.change(py, move |session| session.set_options(options))
+        self.shared.change_options(py, |before| {
+            let base = options.map_or(before, |options| options.get().inner.clone());
+            Ok(here(options::changed("set_options", base, &given)?))
+        })
     }
 
     /// From now on calls end with a RuntimeError once this token is cancelled, by another thread;
@@ -345,7 +338,7 @@ impl Session {
     /// The mesh of the next step.
     #[getter]
     fn mesh(&self, py: Python<'_>) -> PyResult<Py<Mesh>> {
-        Ok(lock(&self.mesh)?.clone_ref(py))
+        self.shared.mesh(py)
     }
 
     /// The options of the next step.
@@ -359,6 +352,14 @@ impl Session {
     #[getter]
     fn place(&self, py: Python<'_>) -> PyResult<String> {
         self.shared.ask(py, |session| session.place().to_string())
+    }
+
+    fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
+        self.shared.traverse(&visit)
+    }
+
+    fn __clear__(&self) {
+        let _ = self.shared.set_filter(None);
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from crowds import N_STEPS, OPTIONS, Deadly, animation, check, write_frames
 
-from meshccd import Bodies, Mesh, Options, Session, read_mesh
+from meshccd import Bodies, Mesh, Options, Session, _workers, read_mesh
 from meshccd._shards import alone
 from meshccd.distributed import FrameError, RunError, ShardError, digest, map_frames
 
@@ -222,3 +222,44 @@ def test_a_file_that_is_no_shard_costs_one_shard(tmp_path):
     with pytest.raises(RunError, match=r"(?s)1 of .* damaged, remove it") as why:
         map_frames(frames, mesh, tmp_path, **how)
     assert len(why.value.failures) == 1
+
+
+def test_frames_that_change_while_they_are_read_make_no_shard(tmp_path, monkeypatch):
+    mesh, frames = animation()
+    frames = frames.copy()
+    read = _workers.digest_of_frames
+
+    def then_others(*args):
+        digest = read(*args)
+        frames[...] += 1.0
+        return digest
+
+    monkeypatch.setattr(_workers, "digest_of_frames", then_others)
+    with pytest.raises(RunError, match="were changed while they were read"):
+        map_frames(frames, mesh, tmp_path, options=OPTIONS, steps_per_shard=20, n_workers=1)
+    assert list(tmp_path.glob("*.npz")) == []
+
+
+def test_frames_of_other_rods_are_refused(tmp_path):
+    text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nv 6 6 6\nf 1 2 3\n"
+    (tmp_path / "a.obj").write_text(text + "l 4 5\n")
+    (tmp_path / "b.obj").write_text(text)
+    paths = [tmp_path / "a.obj", tmp_path / "b.obj"]
+    with pytest.raises(RunError, match="edges that the mesh has not"):
+        map_frames(paths, paths[1], tmp_path / "out", n_workers=1)
+    # Of a format without rods they may be the mesh's alone.
+    assert len(map_frames(paths, paths[0], tmp_path / "out", n_workers=1)) == 1
+
+
+def test_an_archive_and_its_array_are_the_same_frames(tmp_path):
+    mesh, frames = animation()
+    np.savez(tmp_path / "x.npz", frames)
+    how = {"options": OPTIONS, "steps_per_shard": 3, "n_workers": 1}
+    found = map_frames(tmp_path / "x.npz", mesh, tmp_path / "a", **how)
+    check(found, Session(mesh, OPTIONS).step_many(frames))
+    with pytest.raises(TypeError, match="list of names"):
+        map_frames(frames, mesh, tmp_path / "a", devices="gpu")
+    frames = frames.copy()
+    frames[4, 0, 0] = np.nan
+    with pytest.raises(RunError, match="frame 4 has a coordinate that is not finite"):
+        map_frames(frames, mesh, tmp_path / "b", **how)

@@ -151,7 +151,7 @@ def test_methods_are_listed():
     broad = BroadPhase(threads=1, builder="ploc", traversal="simultaneous", scheduler="static")
     found = broad.self_pairs(boxes)
     assert {tuple(p) for p in found.tolist()} == {tuple(p) for p in pairs.tolist()}
-    assert broad.visits > 0 and broad.tree_statistics["nodes"] == 599 and broad.place == "1 threads"
+    assert broad.visits > 0 and broad.tree_statistics["nodes"] == 599 and broad.place == "1 thread"
     assert broad.times["search"] > 0 and BroadPhase().tree_statistics is None
     with pytest.raises(TypeError, match="pipeline"):
         BroadPhase(pipeline="triangles")

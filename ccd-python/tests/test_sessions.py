@@ -3,8 +3,6 @@
 import multiprocessing
 import os
 import pickle
-import sys
-import threading
 
 import numpy as np
 import pytest
@@ -188,52 +186,6 @@ def test_a_filter_does_not_answer_for_other_positions():
     assert session.first_contact_of_bodies(motion).toi == want.earliest_toi
 
 
-def test_threads_with_one_filter_do_not_mix_their_steps():
-    session = Session(Mesh(FACES))
-    session.set_filter(everything)
-    want = [session.earliest_toi(*x) for x in ((X0, X1), (X1, X0))]
-    assert None not in want
-    wrong = []
-
-    def call(x, toi):
-        for _ in range(500):
-            found = session.earliest_toi(*x)
-            if found != toi:
-                wrong.append(found)
-
-    # One of them at rest: what is a candidate there is not enough for the others.
-    steps = [((X0, X1), want[0]), ((X1, X0), want[1]), ((X0, X0), session.earliest_toi(X0, X0))]
-    threads = [threading.Thread(target=call, args=step) for step in steps]
-    interval = sys.getswitchinterval()
-    sys.setswitchinterval(1e-6)
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    sys.setswitchinterval(interval)
-    assert wrong == []
-
-
-def test_a_filter_may_call_its_session_and_so_may_its_finalizer():
-    session, ended = Session(Mesh(FACES)), []
-
-    class Filter:
-        def __call__(self, kind, pairs):
-            session.set_min_distance(0.0)
-            return np.ones(len(pairs), bool)
-
-        def __del__(self):
-            ended.append(session.place)
-
-    session.set_filter(Filter())
-    with pytest.raises(RuntimeError, match="changed each time"):
-        session.step(X0, X1)
-    session.set_filter(lambda kind, pairs: np.full(len(pairs), session.options.threads < 99))
-    assert len(session.step(X0, X1)) > 0
-    session.set_filter()
-    assert len(ended) == 1
-
-
 def test_frames_may_come_in_one_array_again_and_again():
     session = Session(Mesh(FACES))
 
@@ -281,22 +233,6 @@ def test_rules_hold_in_any_order_of_their_names():
     rules = {"excluded_bodies": [[0, 0]], "self_contact": True}
     for given in (rules, dict(reversed(rules.items()))):
         assert not Bodies([0, 0, 0], **given).wants(0, 1)
-
-
-def test_a_set_that_a_thread_has_does_not_hold_the_others():
-    mesh, _, x0, x1 = pieces(2000)
-    candidates, done = Session(mesh).candidate_set(x0, x1), []
-
-    def search():
-        while not done:
-            candidates.earliest_toi(x0, x1)
-
-    thread = threading.Thread(target=search)
-    thread.start()
-    for _ in range(20):
-        assert candidates.inflation == 0.0
-    done.append(True)
-    thread.join()
 
 
 def test_bodies_have_any_numbers():
@@ -409,3 +345,14 @@ def test_geometry_of_what_is_undecided_is_that_of_the_first_contact():
     hit, report = session.first_contact(x0, x1), session.step(x0, x1)
     assert list(report.state) == [State.UNDECIDED]
     assert np.array_equal(report.geometry(x0, x1).normal[0], hit.normal)
+
+
+def test_a_body_moves_once_in_a_step():
+    session = Session(Mesh(FACES), bodies=BODIES)
+    session.set_positions(X0)
+    motion = (1, X0[4:], X1[4:])
+    with pytest.raises(ValueError, match="body 1 has two motions"):
+        session.step_bodies([motion, motion])
+    with pytest.raises(ValueError, match="body 1 of x1 has 2 positions, and 3 vertices"):
+        session.step_bodies([(1, X0[4:], X1[5:])])
+    assert len(session.step_bodies([motion])) > 0

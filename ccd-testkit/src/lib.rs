@@ -9,7 +9,6 @@ pub mod data;
 pub mod degenerate;
 pub mod grazing;
 pub mod methods;
-pub mod oracle;
 pub mod sturm;
 
 pub use ccd::scenes as generate;

@@ -8,10 +8,9 @@
 mod meeting;
 mod zeros;
 
-use crate::oracle::whole;
 pub use meeting::meet;
 use num_bigint::BigInt;
-use num_traits::{FromPrimitive, Signed, ToPrimitive};
+use num_traits::{Float, FromPrimitive, Signed, ToPrimitive, Zero};
 use std::cmp::Ordering;
 use zeros::{Place, Poly, Q, places};
 
@@ -148,6 +147,28 @@ impl Contacts {
 
 fn exact(x: f64) -> Q {
     Q::from_f64(x).expect("a finite number")
+}
+
+/// Coordinates of points at both ends.
+type Whole<const K: usize> = [[[BigInt; 3]; K]; 2];
+
+/// Coordinates as multiples of a power of two.
+fn whole<const K: usize>(t: [&[[f64; 3]; K]; 2]) -> Whole<K> {
+    let decoded = t.map(|t| {
+        t.map(|p| {
+            p.map(|x| {
+                assert!(x.is_finite(), "a finite coordinate");
+                x.integer_decode()
+            })
+        })
+    });
+    let all = decoded.iter().flatten().flatten();
+    let unit = all.filter(|(m, ..)| *m != 0).map(|&(_, e, _)| e).min().unwrap_or(0);
+    let number = |(m, e, sign): (u64, i16, i8)| match m {
+        0 => BigInt::zero(),
+        m => (BigInt::from(m) << (e - unit)) * sign,
+    };
+    decoded.map(|t| t.map(|p| p.map(number)))
 }
 
 fn points<const K: usize>(t0: &[[f64; 3]; K], t1: &[[f64; 3]; K]) -> [Vector; K] {

@@ -6,6 +6,8 @@
  * awaited may run on a GPU, by WebGPU: see `Session.open`.
  */
 
+/// <reference lib="esnext.disposable" />
+
 /** Positions: three numbers a vertex, x y z. If one array is f64, both are taken as f64. */
 export type Positions = Float32Array | Float64Array;
 
@@ -44,7 +46,10 @@ export function init(
   source?: string | URL | Request | Response | BufferSource | WebAssembly.Module,
 ): Promise<void>;
 
-/** The same from bytes or a compiled module, without waiting. */
+/**
+ * The same from bytes or a compiled module, without waiting.
+ * @throws Error while a call of `init` is in flight.
+ */
 export function initSync(source: BufferSource | WebAssembly.Module): void;
 
 /** Version of the package. */
@@ -55,8 +60,8 @@ export class Mesh {
   /**
    * @param nVertices Number of vertices.
    * @param edges Edges of no face (rods), two ids each; those of faces are added.
-   * @param faces Triangles, three ids each.
-   * @throws Error if an id names no vertex, or a row has another number of ids.
+   * @param faces Triangles, three ids each; `[]` if there are none.
+   * @throws Error if an id names no vertex, a row has another number of ids, or faces are missing.
    */
   constructor(nVertices: number, edges: Ids | null | undefined, faces: Ids);
   readonly nVertices: number;
@@ -64,8 +69,13 @@ export class Mesh {
   get edges(): Uint32Array;
   /** All faces, three vertices each. A copy. */
   get faces(): Uint32Array;
-  /** Frees its memory now; otherwise the garbage collector does. Sessions keep what they need. */
+  /**
+   * Frees its memory now; otherwise the garbage collector does. Sessions keep what they need. Once
+   * more it does nothing; all else is an error then.
+   */
   free(): void;
+  /** The same at the end of a block, by `using`; where the language has that. */
+  [Symbol.dispose](): void;
 }
 
 export interface Bodies {
@@ -88,7 +98,7 @@ export interface Options {
   tolerance?: number;
   /** Contacts at the start whose features separate do not count. */
   leaveContact?: boolean;
-  /** Bytes that a step may take; one that would take more is refused. */
+  /** Bytes that a step may take, 0 or more; one that would take more is refused. */
   maxMemory?: number;
   /** Without them all of the mesh is one body. */
   bodies?: Bodies;
@@ -110,13 +120,16 @@ export interface Contacts {
 
 /** Columns that are there with `geometry: true`. */
 export interface ContactsWithGeometry extends Contacts {
-  /** Four a contact: v f0 f1 f2, or ea0 ea1 eb0 eb1. */
+  /**
+   * Four a contact: v f0 f1 f2, or ea0 ea1 eb0 eb1. Of `ve` only the first three count, v e0 e1, of
+   * `vv` the first two; the others repeat the last one.
+   */
   readonly vertices: Uint32Array;
   /** Three a contact: where both features meet, at the time of impact. */
   readonly point: Float64Array;
   /** Three a contact: unit vector from the second feature to the first. */
   readonly normal: Float64Array;
-  /** Four a contact: of each vertex, in the point of its feature. */
+  /** Four a contact: of each vertex, in the point of its feature; 0 where `vertices` repeats. */
   readonly weights: Float64Array;
 }
 
@@ -194,6 +207,7 @@ export interface FirstContact {
   readonly features: [number, number];
   /** Bodies of the features; 0 where the options have none. */
   readonly bodies: [number, number];
+  /** As in `ContactsWithGeometry`, with the last one repeated. */
   readonly vertices: [number, number, number, number];
   readonly point: [number, number, number];
   /** Unit vector from the second feature to the first. */
@@ -286,10 +300,18 @@ export class Session {
 
   /** From now on another distance. */
   setMinDistance(distance: number): void;
-  /** From now on a body is fixed, or moves. */
+  /**
+   * From now on a body is fixed, or moves.
+   * @throws Error if there is no such body.
+   */
   setFixed(body: number, fixed: boolean): void;
   /** From now on a body sleeps, or is awake. */
   setSleeping(body: number, sleeping: boolean): void;
-  /** Frees its memory now; otherwise the garbage collector does. */
+  /**
+   * Frees its memory now; otherwise the garbage collector does. Once more it does nothing; all else
+   * is an error then.
+   */
   free(): void;
+  /** The same at the end of a block, by `using`; where the language has that. */
+  [Symbol.dispose](): void;
 }

@@ -3,22 +3,21 @@
 
 import load, { initSync as loadSync, RawMesh, RawOptions, RawSession, version as rawVersion }
   from "./meshccd.js";
+import { ends, id, ids, number, rawOptions } from "./input.js";
+import { columns, KINDS, report, STATES, views } from "./output.js";
+
+export { KINDS, STATES };
 
 /** Where the WebAssembly modules are: that of the CPU, and the one with the kernels. */
 export const gpuWasmUrl = new URL("./meshccd_gpu_bg.wasm", import.meta.url);
 export const wasmUrl = new URL("./meshccd_bg.wasm", import.meta.url);
-
-/** Names of the kinds of contacts, by their numbers. */
-export const KINDS = Object.freeze(["vf", "ee", "ve", "vv"]);
-
-/** Names of the states of contacts, by their numbers. */
-export const STATES = Object.freeze(["hit", "undecided"]);
 
 /** Exports of the module, once it is loaded. */
 let wasm = null;
 let loading = null;
 
 export async function init(source) {
+  if (wasm) return;
   loading ??= (async () => {
     wasm = await load({ module_or_path: await sourceOf(source) });
   })();
@@ -31,7 +30,10 @@ export async function init(source) {
 }
 
 export function initSync(source) {
-  wasm ??= loadSync({ module: source });
+  if (wasm) return;
+  // Two loads would replace the module under the objects that there are by then.
+  if (loading) throw new Error("init() is in flight: await it");
+  wasm = loadSync({ module: source });
 }
 
 export function version() {
@@ -48,7 +50,9 @@ export async function sourceOf(source) {
   const isFile = (from instanceof URL || typeof from === "string")
     && String(from).startsWith("file:");
   if (!isFile) return from;
-  const { readFile } = await import("node:fs/promises");
+  // Put together, so that bundlers for browsers do not look for it.
+  const files = ["node:fs", "promises"].join("/");
+  const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ files);
   return readFile(new URL(from));
 }
 
@@ -56,46 +60,26 @@ function loaded() {
   if (!wasm) throw new Error("the module is not loaded: call `await init()` first");
 }
 
-/** Views of lists in a module's memory, from their addresses and lengths. */
-function views(places, types, memory = wasm.memory) {
-  const all = places.all();
-  places.free();
-  return types.map((Type, i) => new Type(memory.buffer, all[2 * i], all[2 * i + 1]));
-}
-
-/** Ids as the bindings take them; `width`: how many a row has, if rows have one length. */
-function ids(list, what, width) {
-  if (list == null) return new Uint32Array();
-  if (list instanceof Uint32Array) return list;
-  const rows = Array.from(list);
-  const nested = rows.some(Array.isArray);
-  // Flat, rows of another length would be cut anew.
-  const odd = nested && width ? rows.findIndex((row) => row?.length !== width) : -1;
-  if (odd >= 0) {
-    const [row, isList] = [rows[odd], Array.isArray(rows[odd])];
-    throw new Error(`${what}: row ${odd} is ${isList ? `a list of ${row.length}` : row}; rows have `
-      + `${width} ids each`);
-  }
-  const all = nested ? rows.flat() : rows;
-  const wrong = all.findIndex((id) => !Number.isInteger(id) || id < 0 || id > 0xffffffff);
-  if (wrong >= 0) {
-    throw new Error(`${what}: entry ${wrong} is ${all[wrong]}; ids are whole numbers from 0 on`);
-  }
-  return Uint32Array.from(all);
-}
-
 export class Mesh {
-  /** @internal */
-  raw;
+  #raw;
   nVertices;
 
   constructor(nVertices, edges, faces) {
     loaded();
     if (!Number.isInteger(nVertices) || nVertices < 0 || nVertices > 0x7fffffff) {
-      throw new Error(`nVertices is ${nVertices}; it must be a whole number from 0 on`);
+      throw new Error(`nVertices is ${String(nVertices)}; it must be a whole number from 0 on`);
     }
-    this.raw = new RawMesh(nVertices, ids(edges, "edges", 2), ids(faces, "faces", 3));
+    if (faces === undefined) {
+      throw new Error("faces are missing: new Mesh(nVertices, edges, faces); [] if there are none");
+    }
+    this.#raw = new RawMesh(nVertices, ids(edges, "edges", 2), ids(faces, "faces", 3));
     this.nVertices = nVertices;
+  }
+
+  /** @internal */
+  get raw() {
+    if (!this.#raw) throw new Error("the mesh was freed");
+    return this.#raw;
   }
 
   get edges() {
@@ -107,40 +91,9 @@ export class Mesh {
   }
 
   free() {
-    this.raw.free();
+    this.#raw?.free();
+    this.#raw = null;
   }
-}
-
-/** Options, each with how it is set. */
-const SETTERS = {
-  minDistance: (raw, value) => raw.set_min_distance(number(value, "minDistance")),
-  tolerance: (raw, value) => raw.set_tolerance(number(value, "tolerance")),
-  leaveContact: (raw, value) => raw.set_leave_contact(Boolean(value)),
-  maxMemory: (raw, value) => raw.set_max_memory(number(value, "maxMemory")),
-  mode: (raw, value) => raw.set_mode(String(value)),
-  bodies: (raw, { ofVertex, fixed, noSelfContact, excluded }) => raw.set_bodies(
-    ids(ofVertex, "bodies.ofVertex"), ids(fixed, "bodies.fixed"),
-    ids(noSelfContact, "bodies.noSelfContact"), ids(excluded, "bodies.excluded", 2),
-  ),
-};
-
-function number(value, what) {
-  if (typeof value !== "number") throw new Error(`${what} is ${value}; it must be a number`);
-  return value;
-}
-
-/** @internal Options for a module. */
-export function rawOptions(options, Type = RawOptions) {
-  const raw = new Type();
-  for (const [name, value] of Object.entries(options ?? {})) {
-    if (value == null) continue;
-    if (!Object.hasOwn(SETTERS, name)) {
-      const names = Object.keys(SETTERS).join(", ");
-      throw new Error(`there is no option ${name}; options are ${names}`);
-    }
-    SETTERS[name](raw, value);
-  }
-  return raw;
 }
 
 /** Options of `Session.open` besides. */
@@ -148,22 +101,8 @@ const DEVICES = ["auto", "cpu", "gpu"];
 /** Edges from which on "auto" asks for a GPU; below, one thread is done sooner. */
 const WORTH_A_GPU = 20_000;
 
-/** Types of the columns of contacts, in the order in which the bindings have them. */
-const COLUMNS = {
-  kind: Uint8Array,
-  state: Uint8Array,
-  ids: Uint32Array,
-  toi: Float64Array,
-  vertices: Uint32Array,
-  point: Float64Array,
-  normal: Float64Array,
-  weights: Float64Array,
-};
-const GEOMETRY = ["vertices", "point", "normal", "weights"];
-
 export class Session {
-  /** @internal */
-  raw;
+  #raw;
   mesh;
   backend = "cpu";
   adapter = null;
@@ -177,13 +116,19 @@ export class Session {
 
   constructor(mesh, options) {
     loaded();
-    const raw = rawOptions(options);
+    const raw = rawOptions(options, RawOptions);
     try {
-      this.raw = new RawSession(mesh.raw, raw);
+      this.#raw = new RawSession(mesh.raw, raw);
     } finally {
       raw.free();
     }
     this.mesh = mesh;
+  }
+
+  /** @internal */
+  get raw() {
+    if (!this.#raw) throw new Error("the session was freed");
+    return this.#raw;
   }
 
   static async open(mesh, { device = "auto", ...options } = {}) {
@@ -223,23 +168,24 @@ export class Session {
   }
 
   step(x0, x1, { window = [0, 1], geometry = false, views: borrow = false } = {}) {
+    const part = ends(window);
     const begun = performance.now();
     let [placed, found] = [begun, begun];
     const numbers = this.#on([x0, x1], (wide) => {
       placed = performance.now();
-      this.raw.step(wide, window[0], window[1], geometry);
+      this.raw.step(wide, ...part, Boolean(geometry));
       const all = this.raw.numbers();
       found = performance.now();
       return all;
     });
-    const contacts = columns(this.raw.columns(), { geometry, borrow });
+    const contacts = columns(this.raw.columns(), { geometry, borrow, memory: wasm.memory });
     const copy = placed - begun + performance.now() - found;
     return report(contacts, numbers, copy, "cpu");
   }
 
   async stepAsync(x0, x1, { window = [0, 1], geometry = false } = {}) {
     // A copy, because the CPU may read it when the caller has changed it.
-    const options = { window: Array.from(window), geometry };
+    const options = { window: ends(window), geometry: Boolean(geometry) };
     return this.#awaited([x0, x1], (gpu, wide) => gpu.step(wide, options),
       (...x) => this.step(...x, options));
   }
@@ -253,7 +199,7 @@ export class Session {
   async #awaited(given, onGpu, onCpu) {
     const gpu = this.#gpu;
     if (!gpu) return onCpu(...given);
-    if (this.#busy) throw new Error("a step of this session is in flight: await it first");
+    this.#rest();
     const wide = this.#check(given);
     this.#busy = true;
     let copies = () => given;
@@ -309,7 +255,7 @@ export class Session {
 
   candidates(x0, x1, { views: borrow = false } = {}) {
     const places = this.#on([x0, x1], (wide) => this.raw.candidates(wide));
-    const lists = views(places, KINDS.map(() => Uint32Array));
+    const lists = views(places, KINDS.map(() => Uint32Array), wasm.memory);
     return Object.fromEntries(KINDS.map((kind, i) => [kind, borrow ? lists[i] : lists[i].slice()]));
   }
 
@@ -330,22 +276,30 @@ export class Session {
   }
 
   setFixed(body, fixed) {
-    this.#both((raw) => raw.set_fixed(body, fixed));
+    this.#both((raw) => raw.set_fixed(id(body, "body"), Boolean(fixed)));
   }
 
   setSleeping(body, sleeping) {
-    this.#both((raw) => raw.set_sleeping(body, sleeping));
+    this.#both((raw) => raw.set_sleeping(id(body, "body"), Boolean(sleeping)));
   }
 
   free() {
-    this.#both((raw) => raw.free());
+    this.#rest();
+    this.#gpu?.free();
+    this.#raw?.free();
+    [this.#gpu, this.#raw] = [null, null];
+  }
+
+  /** Refuses a change while an awaited call is in flight. */
+  #rest() {
+    if (this.#busy) throw new Error("a step of this session is in flight: await it first");
   }
 
   /** A change of both sessions, that of the GPU if there is one. */
   #both(change) {
-    if (this.#busy) throw new Error("a step of this session is in flight: await it first");
+    this.#rest();
     change(this.raw);
-    if (this.#gpu) change(this.#gpu.raw);
+    this.#gpu?.change(change);
   }
 
   /** Whether positions are taken as `f64`; refuses what are none. */
@@ -367,7 +321,7 @@ export class Session {
   /** The session's buffers of a precision. */
   #buffers(wide) {
     const Type = wide ? Float64Array : Float32Array;
-    return views(this.raw.positions(wide), [Type, Type]);
+    return views(this.raw.positions(wide), [Type, Type], wasm.memory);
   }
 
   /**
@@ -411,35 +365,4 @@ function overlap(p, q) {
 
 if (Symbol.dispose) {
   for (const Type of [Mesh, Session]) Type.prototype[Symbol.dispose] = Type.prototype.free;
-}
-
-/** @internal Columns of contacts; `borrow`: as views. */
-export function columns(places, { geometry, borrow, memory }) {
-  const contacts = {};
-  const lists = views(places, Object.values(COLUMNS), memory);
-  Object.keys(COLUMNS).forEach((name, i) => {
-    if (geometry || !GEOMETRY.includes(name)) {
-      contacts[name] = borrow ? lists[i] : lists[i].slice();
-    }
-  });
-  contacts.length = contacts.kind.length;
-  return contacts;
-}
-
-/**
- * @internal A report of a step: columns, and numbers in the order in which the bindings have them.
- */
-export function report(contacts, numbers, copy, backend) {
-  const [toi, undecided, rebuilt] = numbers;
-  const perKind = (from) => Object.fromEntries(KINDS.map((kind, i) => [kind, numbers[from + i]]));
-  const [boxes, build, traverse, narrow, total] = numbers.subarray(15);
-  return {
-    contacts,
-    toi: Number.isNaN(toi) ? null : toi,
-    undecided,
-    rebuilt: rebuilt === 1,
-    counts: { contacts: perKind(3), candidates: perKind(7), filtered: perKind(11) },
-    ms: { boxes, build, traverse, narrow, copy, total: total + copy },
-    backend,
-  };
 }

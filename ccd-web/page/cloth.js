@@ -6,6 +6,10 @@ import { Mesh, Session } from "../pkg/index.js";
 
 const SIDE = 1;
 const RADIUS = 0.3;
+/** Greatest thickness, as a part of the distance of vertices at rest: neighbours touch above. */
+const THICKEST = 0.6;
+/** Height in metres below which a cloth that slid off is of no interest any more. */
+const BOTTOM = -3;
 /** Metres that are kept whatever happens. */
 const LEAST = 0.0005;
 /** Seconds, metres per second squared. */
@@ -17,11 +21,14 @@ const FRICTION = 0.3;
 const ROUNDS = 2;
 
 export class Cloth {
-  /** `n`: vertices along a side; `thickness` in metres; `stiffness`: rounds of springs a step. */
+  /**
+   * `n`: vertices along a side; `thickness` in metres, less if vertices are closer than that;
+   * `stiffness`: rounds of springs a step.
+   */
   constructor({ n, thickness, stiffness }) {
     const sphere = sphereMesh(3, RADIUS);
     this.nCloth = n * n;
-    this.thickness = thickness;
+    this.thickness = Math.min(thickness, THICKEST * SIDE / (n - 1));
     this.stiffness = stiffness;
     const x = new Float64Array(3 * this.nCloth + sphere.x.length);
     for (let i = 0; i < this.nCloth; i++) {
@@ -34,7 +41,7 @@ export class Cloth {
     this.mesh = new Mesh(x.length / 3, null, this.faces);
     const ofVertex = new Uint32Array(x.length / 3).fill(1, this.nCloth);
     this.session = new Session(this.mesh, {
-      minDistance: thickness, leaveContact: true, bodies: { ofVertex, fixed: [1] },
+      minDistance: this.thickness, leaveContact: true, bodies: { ofVertex, fixed: [1] },
     });
     this.x = x;
     this.v = new Float64Array(3 * this.nCloth);
@@ -105,6 +112,11 @@ export class Cloth {
         });
       }
     }
+  }
+
+  /** Whether all of the cloth fell past the sphere. */
+  isGone() {
+    return this.x.subarray(0, 3 * this.nCloth).every((c, i) => i % 3 !== 1 || c < BOTTOM);
   }
 
   free() {

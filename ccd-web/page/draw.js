@@ -50,27 +50,47 @@ void main() {
   colour = vec4(r > 0.38 ? vec3(0.08) : tint.rgb, tint.a);
 }`];
 
-/** A picture of one canvas; null where there is no WebGL2. */
-export function picture(canvas) {
+/**
+ * A picture of one canvas; null where there is no WebGL2. `lost` is called when the browser takes
+ * the graphics back, `restored` when meshes and points have to be set again.
+ */
+export function picture(canvas, { lost, restored }) {
   const gl = canvas.getContext("webgl2", { antialias: true });
-  return gl && new Picture(canvas, gl);
+  if (!gl) return null;
+  const view = new Picture(canvas, gl);
+  canvas.addEventListener("webglcontextlost", (event) => {
+    // Without this it is never restored.
+    event.preventDefault();
+    lost();
+  });
+  canvas.addEventListener("webglcontextrestored", () => {
+    view.setUp();
+    restored();
+  });
+  return view;
 }
 
 class Picture {
   constructor(canvas, gl) {
     this.canvas = canvas;
     this.gl = gl;
+    this.camera = { turn: 0.6, tilt: 0.45, zoom: 1 };
+    this.box = { middle: [0, 0, 0], size: 1 };
+    this.now = 1;
+    this.setUp();
+    this.listen();
+    new ResizeObserver(() => this.draw()).observe(canvas);
+  }
+
+  /** Programs, and buffers of nothing. */
+  setUp() {
+    const { gl } = this;
     this.mesh = program(gl, MESH);
     this.dots = program(gl, POINTS);
     this.buffers = ["x", "part", "faces", "points", "times"]
       .reduce((all, name) => ({ ...all, [name]: gl.createBuffer() }), {});
-    this.camera = { turn: 0.6, tilt: 0.45, zoom: 1 };
-    this.box = { middle: [0, 0, 0], size: 1 };
-    this.now = 1;
     this.nFaces = 0;
     this.nPoints = 0;
-    this.listen();
-    new ResizeObserver(() => this.draw()).observe(canvas);
   }
 
   /** Topology; the first `nFirst` vertices have another colour than the others. */
@@ -114,8 +134,9 @@ class Picture {
     const { gl, canvas } = this;
     const scale = Math.min(devicePixelRatio, 2);
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((n) => n * scale | 0);
-    if (!width || !height) return;
-    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+    if (!width || !height || gl.isContextLost()) return;
+    const fits = canvas.width === width && canvas.height === height;
+    if (!fits) Object.assign(canvas, { width, height });
     gl.viewport(0, 0, width, height);
     gl.clearColor(0.09, 0.1, 0.13, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -175,7 +196,7 @@ class Picture {
     return out;
   }
 
-  /** Dragging and arrows turn, the wheel and + - zoom. */
+  /** Dragging and arrows turn, the wheel, two fingers and + - zoom. */
   listen() {
     const { canvas, camera } = this;
     const move = (turn, tilt, zoom = 1) => {
@@ -184,10 +205,24 @@ class Picture {
       camera.zoom = Math.max(0.2, Math.min(20, camera.zoom * zoom));
       this.draw();
     };
-    canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
-    canvas.addEventListener("pointermove", (event) => {
-      if (event.buttons) move(event.movementX * 0.008, event.movementY * 0.008);
+    /** Where each finger is, or the mouse while a button is down. */
+    const pointers = new Map();
+    const spread = ([p, q]) => Math.hypot(p[0] - q[0], p[1] - q[1]);
+    canvas.addEventListener("pointerdown", ({ pointerId, clientX, clientY }) => {
+      canvas.setPointerCapture(pointerId);
+      pointers.set(pointerId, [clientX, clientY]);
     });
+    canvas.addEventListener("pointermove", ({ pointerId, clientX, clientY }) => {
+      if (!pointers.has(pointerId)) return;
+      const before = [...pointers.values()];
+      const [x, y] = pointers.get(pointerId);
+      pointers.set(pointerId, [clientX, clientY]);
+      if (before.length === 1) move((clientX - x) * 0.008, (clientY - y) * 0.008);
+      if (before.length !== 2) return;
+      move(0, 0, spread([...pointers.values()]) / Math.max(spread(before), 1));
+    });
+    // After the button or the finger is up, too.
+    canvas.addEventListener("lostpointercapture", ({ pointerId }) => pointers.delete(pointerId));
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
       move(0, 0, Math.exp(-event.deltaY * 0.001));

@@ -3,10 +3,10 @@
 import { init, Mesh, Session, version } from "../pkg/index.js";
 import { Cloth } from "./cloth.js";
 import { contactsCsv } from "./csv.js";
-import { readMesh } from "./read.js";
+import { compareFrames, readMesh } from "./read.js";
 
 let cloth = null;
-/** Last report of two meshes, for the download. */
+/** Last report of two meshes, for the download, and the number of its check. */
 let checked = null;
 
 const answers = {
@@ -20,8 +20,10 @@ const answers = {
   /** A new cloth; its mesh and positions. */
   cloth(parameters) {
     cloth?.free();
+    cloth = null;
     cloth = new Cloth(parameters);
-    return { faces: cloth.faces, x: Float32Array.from(cloth.x), nFirst: cloth.nCloth };
+    const { faces, nCloth: nFirst, thickness } = cloth;
+    return { faces, x: Float32Array.from(cloth.x), nFirst, thickness };
   },
 
   /** A step of the cloth: where it is now, what touched, what it took. */
@@ -34,30 +36,24 @@ const answers = {
       toi: contacts.toi,
       counts, ms, undecided, free, detection, total,
       seconds: cloth.seconds,
+      isGone: cloth.isGone(),
     };
   },
 
   /** Contacts of a step from one file to another. */
-  async check({ files, minDistance, mode, device }) {
+  async check({ check, files, minDistance, mode, device }) {
     const begun = performance.now();
-    const [before, after] = files.map(({ bytes, name }) => readMesh(new Uint8Array(bytes), name));
+    const frames = files.map(({ bytes, name }) => readMesh(new Uint8Array(bytes), name));
     const loading = performance.now() - begun;
-    const same = before.x.length === after.x.length
-      && before.faces.length === after.faces.length
-      && before.faces.every((v, i) => v === after.faces[i]);
-    if (!same) {
-      const [p, q] = [before, after].map(({ x, faces }) => (
-        `${x.length / 3} vertices and ${faces.length / 3} triangles`
-      ));
-      throw new Error(`${files[0].name} has ${p}, ${files[1].name} has ${q}: both must be frames `
-        + "of one mesh, with the same vertices and faces in the same order");
-    }
-    const mesh = new Mesh(before.x.length / 3, null, before.faces);
+    compareFrames(frames, files.map(({ name }) => name));
+    const [before, after] = frames;
+    const mesh = new Mesh(before.x.length / 3, before.edges, before.faces);
     const session = await Session.open(mesh, { minDistance, mode, device });
     try {
       const { contacts, counts, ms, undecided, toi, backend }
         = await session.stepAsync(before.x, after.x, { geometry: true });
-      checked = { contacts, polygons: before.polygons };
+      // A GPU may answer after a later check.
+      if (!(checked?.check > check)) checked = { check, contacts, polygons: before.polygons };
       return {
         faces: before.faces,
         x0: before.x, x1: after.x,
@@ -72,16 +68,22 @@ const answers = {
     }
   },
 
-  /** The contacts of the last check as CSV. */
-  csv() {
+  /** The contacts of a check as CSV, if it was the last one. */
+  csv({ check }) {
+    if (checked?.check !== check) {
+      throw new Error("these contacts are no longer kept: choose the files again");
+    }
     return contactsCsv(checked.contacts, checked.polygons);
   },
 };
 
 onmessage = async ({ data: { id, call, given } }) => {
   try {
+    await init();
     postMessage({ id, answer: await answers[call](given) });
   } catch (why) {
-    postMessage({ id, error: why instanceof Error ? why.message : String(why) });
+    // The module ended: another worker has to take over.
+    const ended = why instanceof WebAssembly.RuntimeError;
+    postMessage({ id, error: why instanceof Error ? why.message : String(why), ended });
   }
 };

@@ -4,6 +4,7 @@ use crate::columns::{Columns, Places};
 use crate::options::{RawMesh, RawOptions};
 use crate::refused;
 use crate::session::{Ends, numbers, places};
+use crate::watch::watched;
 use ccd::Aabb;
 use ccd::gpu::wgpu::DeviceType;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Session};
@@ -18,7 +19,7 @@ pub struct RawDevice(Device);
 impl RawDevice {
     /// The one that the browser prefers.
     pub async fn open() -> Result<RawDevice, JsError> {
-        Device::open_async(&DeviceOptions::default()).await.map(Self).map_err(refused)
+        watched(Device::open_async(&DeviceOptions::default())).await.map(Self).map_err(refused)
     }
 
     /// The adapter's name, which a browser may keep to itself.
@@ -86,22 +87,7 @@ impl RawGpuSession {
         to: f64,
         geometry: bool,
     ) -> Result<(), JsError> {
-        self.columns.clear();
-        let Self { inner, f32, f64, columns } = self;
-        let window = [from, to];
-        let report = if in_f64 {
-            inner.step_window_async(&f64[0], &f64[1], window).await
-        } else {
-            inner.step_window_async(&f32[0], &f32[1], window).await
-        };
-        let report = report.map_err(refused)?;
-        columns.fill(&report.contacts);
-        if geometry && in_f64 {
-            columns.fill_geometry(&report.contacts, report.mesh(), [&f64[0], &f64[1]]);
-        } else if geometry {
-            columns.fill_geometry(&report.contacts, report.mesh(), [&f32[0], &f32[1]]);
-        }
-        Ok(())
+        watched(self.fill(in_f64, [from, to], geometry)).await
     }
 
     /// Columns of the contacts.
@@ -118,9 +104,9 @@ impl RawGpuSession {
     pub async fn earliest_toi(&mut self, in_f64: bool) -> Result<Option<f64>, JsError> {
         let Self { inner, f32, f64, .. } = self;
         let toi = if in_f64 {
-            inner.earliest_toi_async(&f64[0], &f64[1]).await
+            watched(inner.earliest_toi_async(&f64[0], &f64[1])).await
         } else {
-            inner.earliest_toi_async(&f32[0], &f32[1]).await
+            watched(inner.earliest_toi_async(&f32[0], &f32[1])).await
         };
         toi.map_err(refused)
     }
@@ -135,5 +121,31 @@ impl RawGpuSession {
 
     pub fn set_sleeping(&mut self, body: u32, sleeping: bool) -> Result<(), JsError> {
         self.inner.set_sleeping(body, sleeping).map_err(refused)
+    }
+}
+
+impl RawGpuSession {
+    /// Finds the contacts in a window of time, and fills the columns.
+    async fn fill(
+        &mut self,
+        in_f64: bool,
+        window: [f64; 2],
+        geometry: bool,
+    ) -> Result<(), JsError> {
+        self.columns.clear();
+        let Self { inner, f32, f64, columns } = self;
+        let report = if in_f64 {
+            inner.step_window_async(&f64[0], &f64[1], window).await
+        } else {
+            inner.step_window_async(&f32[0], &f32[1], window).await
+        };
+        let report = report.map_err(refused)?;
+        columns.fill(&report.contacts);
+        if geometry && in_f64 {
+            columns.fill_geometry(&report.contacts, report.mesh(), [&f64[0], &f64[1]]);
+        } else if geometry {
+            columns.fill_geometry(&report.contacts, report.mesh(), [&f32[0], &f32[1]]);
+        }
+        Ok(())
     }
 }

@@ -12,6 +12,8 @@ mod columns;
 mod gpu;
 mod options;
 mod session;
+#[cfg(feature = "gpu")]
+mod watch;
 
 use wasm_bindgen::prelude::*;
 
@@ -28,7 +30,12 @@ fn start() {
     ccd::set_clock(now);
     #[cfg(feature = "gpu")]
     ccd::gpu::set_clock(now);
-    std::panic::set_hook(Box::new(|info| wasm_bindgen::throw_str(&info.to_string())));
+    std::panic::set_hook(Box::new(|info| {
+        let text = info.to_string();
+        #[cfg(feature = "gpu")]
+        watch::tell(&text);
+        wasm_bindgen::throw_str(&text)
+    }));
 }
 
 /// Version of the package.

@@ -107,6 +107,28 @@ const answers = {
       why: session.whyCpu,
     };
   },
+
+  /** A buffer that cannot be made ends the module in the midst of a step; what calls say then. */
+  async end() {
+    const { x0, x1, faces } = scene();
+    const frames = [x0, x1].map((x) => Float64Array.from(x));
+    const mesh = new Mesh(x0.length / 3, null, faces);
+    const open = () => Session.open(mesh, { device: "gpu" });
+    const [session, other] = [await open(), await open()];
+    // As a program goes on that has a handler of its own.
+    const uncaught = [];
+    process.on("uncaughtException", (why) => uncaught.push(String(why?.message ?? why)));
+    const { createBuffer } = GPUDevice.prototype;
+    GPUDevice.prototype.createBuffer = () => { throw new RangeError("injected"); };
+    const message = (call) => call.then(() => "no error", (why) => why.message);
+    const errors = [await message(session.stepAsync(...frames))];
+    GPUDevice.prototype.createBuffer = createBuffer;
+    errors.push(await message(other.earliestToiAsync(...frames)), await message(open()));
+    session.setMinDistance(0);
+    const onCpu = session.step(...frames).contacts.length;
+    session.free();
+    return { errors, onCpu, uncaught };
+  },
 };
 
 process.on("message", async ({ call, given }) => {

@@ -95,3 +95,11 @@ onDevice("where a device is lost, the CPU takes over a session of `auto`", async
     assert.equal(after, "cpu");
   }
 });
+
+// The last one: there are no more sessions on a device afterwards.
+onDevice("an exception in the module is an error of its calls", async () => {
+  const { errors, onCpu, uncaught } = await ask("end");
+  for (const error of errors) assert.match(error, /^the GPU module ended: /);
+  assert.equal(onCpu, 251);
+  assert.ok(uncaught.length > 0);
+});

@@ -1,8 +1,11 @@
 // The package as a user meets it: loading, errors, buffers, a worker.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { copyFileSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import test from "node:test";
+import { pathToFileURL } from "node:url";
 import { Worker } from "node:worker_threads";
 import { init, initSync, KINDS, Mesh, Session, STATES, version, wasmUrl } from "../pkg/index.js";
 
@@ -17,7 +20,10 @@ test("nothing works before the module is loaded, and says so", () => {
 
 test("a source that is no module is refused, and another one may follow", async () => {
   await assert.rejects(init(new Uint8Array([1, 2, 3])), WebAssembly.CompileError);
-  await init();
+  // Another load would replace the module of this one.
+  const loading = init();
+  assert.throws(() => initSync(readFileSync(wasmUrl)), /in flight: await it/);
+  await loading;
   await init();
   initSync(new Uint8Array());
   assert.equal(version(), JSON.parse(readFileSync("pkg/package.json", "utf8")).version);
@@ -104,6 +110,74 @@ test("what is refused is an Error with the library's text", () => {
   refused(() => session.step(x0, x1, { window: [0.5, 0.25] }), /0.5/);
   // It stays usable.
   assert.equal(session.step(x0, x1).contacts.length, 1);
+});
+
+test("numbers that WebAssembly would make of other values are refused", () => {
+  const bodies = { ofVertex: [0, 0, 0, 1] };
+  const session = new Session(floor(), { bodies });
+  const values = [undefined, null, NaN, -1, 0.5, "1", 2 ** 32, 1n, Symbol("x")];
+  for (const value of values) {
+    for (const call of ["setFixed", "setSleeping"]) {
+      const text = `body is ${String(value)};`;
+      assert.throws(() => session[call](value, true), (why) => why.message.startsWith(text));
+    }
+  }
+  // No body sleeps.
+  assert.equal(session.step(x0, x1).contacts.length, 1);
+  session.setSleeping(0, true);
+  session.setSleeping(1, true);
+  assert.equal(session.step(x0, x0).contacts.length, 0);
+  for (const maxMemory of [NaN, -1, "5"]) {
+    assert.throws(() => new Session(floor(), { maxMemory }), /maxMemory is (NaN|-1|5); it must be/);
+  }
+  assert.equal(new Session(floor(), { maxMemory: Infinity }).step(x0, x1).contacts.length, 1);
+  const own = new Session(floor());
+  for (const window of [null, [0], [0, 1, 2], 5]) {
+    assert.throws(() => own.step(x0, x1, { window }), /window is .*; it must be a list of two/);
+  }
+  assert.throws(() => own.step(x0, x1, { window: ["0", 1] }), /window\[0\] is 0; it must be a n/);
+  assert.throws(() => new Mesh(6, [0, 1, 2, 3, 4, 5]), /faces are missing/);
+});
+
+test("freeing twice does nothing, and what was freed says so", async () => {
+  const mesh = floor();
+  const session = new Session(mesh);
+  mesh.free();
+  mesh.free();
+  assert.throws(() => mesh.edges, /^Error: the mesh was freed/);
+  assert.throws(() => new Session(mesh), /^Error: the mesh was freed/);
+  assert.equal(session.step(x0, x1).contacts.length, 1);
+  session.free();
+  session.free();
+  const calls = [
+    () => session.step(x0, x1), () => session.earliestToi(x0, x1), () => session.setFixed(0, true),
+    () => session.positions(Float32Array), () => session.intersections(x0),
+  ];
+  for (const call of calls) assert.throws(call, /^Error: the session was freed/);
+  await assert.rejects(session.stepAsync(x0, x1), /^Error: the session was freed/);
+});
+
+test("a module that was loaded from bytes is asked for no more", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "meshccd-"));
+  try {
+    const names = ["index.js", "input.js", "output.js", "meshccd.js", "package.json"];
+    for (const name of names) copyFileSync(`pkg/${name}`, join(folder, name));
+    const alone = await import(pathToFileURL(join(folder, "index.js")));
+    alone.initSync(readFileSync(wasmUrl));
+    await alone.init();
+    const mesh = new alone.Mesh(4, null, [0, 1, 2]);
+    assert.equal((await alone.Session.open(mesh, { device: "cpu" })).backend, "cpu");
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test("bundlers for browsers meet no module of Node", () => {
+  for (const name of ["index.js", "gpu.js", "input.js", "output.js"]) {
+    const text = readFileSync(`pkg/${name}`, "utf8");
+    assert.ok(!/(import\(|from) *["'`]node:/.test(text), name);
+  }
+  assert.match('await import("node:fs/promises")', /(import\(|from) *["'`]node:/);
 });
 
 test("the session's buffers are kept by a call in which the module's memory grows", () => {

@@ -26,6 +26,17 @@ test("a cloth falls, touches, and never passes through anything", () => {
   assert.ok(exact.hasIntersections(cloth.x));
 });
 
+test("a cloth is no thicker than the distance of its vertices, and gone once it fell off", () => {
+  const cloth = new Cloth({ n: 60, thickness: 0.02, stiffness: 1 });
+  assert.ok(cloth.thickness > 0.01 && cloth.thickness < 0.0102, String(cloth.thickness));
+  // Neighbours do not touch.
+  assert.equal(cloth.step().report.contacts.length, 0);
+  assert.equal(cloth.isGone(), false);
+  for (let i = 1; i < 3 * cloth.nCloth; i += 3) cloth.x[i] = -3.1;
+  assert.equal(cloth.isGone(), true);
+  assert.equal(new Cloth({ n: 10, thickness: 0.02, stiffness: 1 }).thickness, 0.02);
+});
+
 /** Bytes of a PLY with one quad and one triangle. */
 function ply(format) {
   const head = `ply\nformat ${format} 1.0\nelement vertex 5\nproperty float x\nproperty float y\n`
@@ -79,9 +90,12 @@ test("OBJ with normals, ids from the end, quads", () => {
 test("what is wrong with a file is said with its name", () => {
   const read = (text, name) => () => readMesh(new TextEncoder().encode(text), name);
   assert.throws(read("", "a.stl"), /^Error: a.stl: this page reads .obj and .ply/);
-  assert.throws(read("", "a.obj"), /no vertices/);
+  assert.throws(read("", "a.obj"), /^Error: a.obj: the file is empty/);
+  assert.throws(read("# none\n", "a.obj"), /no vertices/);
+  assert.throws(read("", "a.ply"), /^Error: a.ply: the file is empty/);
+  assert.throws(read("solid a\n", "a.ply"), /^Error: a.ply: this is not a PLY file/);
   assert.throws(read("v 0 0\n", "a.obj"), /line 1/);
-  assert.throws(read("v 0 0 0\nf 1 2 3\n", "a.obj"), /face 0 refers to vertex 1/);
+  assert.throws(read("v 0 0 0\nf 1 2 3\n", "a.obj"), /face 0 .* refers to vertex 1/);
   assert.throws(read("ply\n", "a.ply"), /end_header/);
   const early = ply("binary_little_endian");
   assert.throws(() => readMesh(early.subarray(0, early.length - 3), "a.ply"), /ends early/);

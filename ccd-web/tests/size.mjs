@@ -13,7 +13,8 @@ const compressed = (names) => {
   const [raw, brotli] = [sum((bytes) => bytes), sum((bytes) => brotliCompressSync(bytes))];
   return { gzip, text: `${raw} bytes, ${gzip} by gzip, ${brotli} by brotli` };
 };
-const { gzip, text } = compressed(["meshccd_bg.wasm", "meshccd.js", "index.js"]);
+const names = ["meshccd_bg.wasm", "meshccd.js", "index.js", "input.js", "output.js"];
+const { gzip, text } = compressed(names);
 console.log(`npm package: ${text}; bar ${BAR} by gzip`);
 const kernels = compressed(["meshccd_gpu_bg.wasm", "meshccd_gpu.js", "gpu.js"]);
 console.log(`.. fetched for a GPU alone: ${kernels.text}`);

@@ -45,6 +45,10 @@ session.setFixed(0, true);
 session.setSleeping(1, false);
 session.free();
 mesh.free();
+{
+  using held: Session = new Session(mesh);
+  held[Symbol.dispose]();
+}
 
 // @ts-expect-error: points are there with `geometry: true` alone
 report.contacts.point;
@@ -56,6 +60,8 @@ session.step([0, 0, 0], x1);
 Session.open(mesh, { device: "tpu" });
 // @ts-expect-error: what is awaited is copied
 opened.stepAsync(x0, x1, { views: true });
+// @ts-expect-error: faces may be none, but not left out
+new Mesh(6, [0, 1, 2, 3, 4, 5]);
 // @ts-expect-error: there is no such backend
 report.backend === "webgpu";
 

@@ -231,6 +231,7 @@ impl Place {
 impl std::fmt::Display for Place {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
+            Place::Cpu { threads: 1 } => f.write_str("1 thread"),
             Place::Cpu { threads } => write!(f, "{threads} threads"),
             Place::Gpu { adapter } => f.write_str(adapter),
         }
@@ -291,8 +292,9 @@ impl<C, G> Either<C, G> {
 /// either, if it is no filter and nothing that is not compiled in, and a choice that was not free
 /// stands.
 fn give_up(why: Error, free: bool, notice: Option<Notice>) -> Result<(), Error> {
-    use crate::Error::{Filter, NotCompiled};
-    let of_gpu = matches!(why, Error::Input(Filter { .. } | NotCompiled { .. }));
+    use crate::Error::{Filter, NotCompiled, TooMany};
+    // Of what is too much for a CPU as well it says so itself.
+    let of_gpu = matches!(why, Error::Input(Filter { .. } | NotCompiled { .. } | TooMany { .. }));
     if !free || matches!(why, Error::Input(_)) && !of_gpu {
         return Err(why);
     }

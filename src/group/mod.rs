@@ -205,7 +205,11 @@ impl<E: Member> session::Engine for Engine<E> {
             }
             Change::Filter(filter) => {
                 // Whether it is taken at all; the next step gives each its own.
-                self.members[0].engine.change(Change::Filter(filter.clone()))?;
+                if let Err(refused) = self.members[0].engine.change(Change::Filter(filter.clone()))
+                {
+                    self.division = division;
+                    return Err(refused);
+                }
                 self.filter = filter;
             }
         }

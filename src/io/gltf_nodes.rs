@@ -7,10 +7,18 @@ use std::collections::HashMap;
 /// Where nodes are within their parents, and what is not applied to their meshes.
 #[derive(Deserialize)]
 pub(super) struct Nodes {
+    asset: Asset,
     #[serde(default)]
     nodes: Vec<Node>,
     #[serde(default)]
     meshes: Vec<Mesh>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Asset {
+    version: String,
+    min_version: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -38,7 +46,15 @@ const INSTANCES: &str = "EXT_mesh_gpu_instancing";
 impl Nodes {
     /// From the JSON of a file.
     pub fn new(json: &[u8]) -> Result<Self, String> {
-        serde_json::from_slice(json).map_err(|e| e.to_string())
+        let nodes: Self = serde_json::from_slice(json).map_err(|e| e.to_string())?;
+        let Asset { version, min_version } = &nodes.asset;
+        let needed = min_version.as_ref().unwrap_or(version);
+        for version in [version, needed] {
+            if !version.starts_with("2.") {
+                return Err(format!("version {version} of glTF; 2 is read"));
+            }
+        }
+        Ok(nodes)
     }
 
     /// The matrix of a node, by columns.
@@ -74,6 +90,10 @@ impl Nodes {
         let [x, y, z] = node.translation.unwrap_or_default();
         let [sx, sy, sz] = node.scale.unwrap_or([1.0; 3]);
         let [i, j, k, w] = node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]);
+        let length = (i * i + j * j + k * k + w * w).sqrt();
+        if (length - 1.0).abs() > 1e-3 {
+            return Err(format!("has a rotation of length {length}, not 1"));
+        }
         let (ii, jj, kk) = (2.0 * i * i, 2.0 * j * j, 2.0 * k * k);
         let (ij, ik, jk) = (2.0 * i * j, 2.0 * i * k, 2.0 * j * k);
         let (wi, wj, wk) = (2.0 * w * i, 2.0 * w * j, 2.0 * w * k);

@@ -1,5 +1,6 @@
 //! Input of a reader of meshes: bytes of a file or of a stream, unpacked if they are compressed.
 
+use super::ReadErrorKind;
 use flate2::read::MultiGzDecoder;
 use std::io::{BufReader, Cursor, Read, Result};
 
@@ -9,6 +10,15 @@ pub(super) type Input<'a> = BufReader<Box<dyn Read + 'a>>;
 /// Bytes by which a format is told; that many characters of comments may come before the `OFF` of a
 /// file of this format.
 const HEAD: u64 = 1024;
+
+/// Bytes of a line, with those that it goes on in: a compressed file may unpack to one without end.
+pub(super) const LONGEST_LINE: u64 = 1 << 24;
+
+/// The error of a line, counted from 1, that is longer.
+pub(super) fn too_long(line: usize) -> ReadErrorKind {
+    let what = format!("is longer than {} MiB", LONGEST_LINE >> 20);
+    ReadErrorKind::Line { line, what }
+}
 
 /// The bytes of a file or stream, without gzip's compression, and the first of them.
 pub(super) fn open<'a>(from: impl Read + 'a) -> Result<(Input<'a>, Vec<u8>)> {

@@ -12,8 +12,9 @@
 //!   programs and means nothing outside of rational surfaces in others.
 //! - `f` and `l`: words `v`, `v/vt`, `v//vn` or `v/vt/vn`; the last two numbers are not used.
 
+use super::input::{LONGEST_LINE, too_long};
 use super::{Frame, Input, ReadErrorKind, number, quote};
-use std::io::BufRead;
+use std::io::{BufRead, Read};
 use std::path::Path;
 
 /// Statements that hold neither vertices nor what joins them: normals, texture coordinates,
@@ -36,8 +37,12 @@ pub(super) fn read(mut reader: Input, _: &Path) -> Result<Frame, ReadErrorKind> 
     let mut most = (0, 0);
     loop {
         chunk.clear();
-        if reader.read_until(b'\n', &mut chunk)? == 0 {
+        let left = LONGEST_LINE.saturating_sub(begun.len() as u64);
+        if reader.by_ref().take(left).read_until(b'\n', &mut chunk)? == 0 && left > 0 {
             break;
+        }
+        if chunk.len() as u64 == left {
+            return Err(too_long(line + 1));
         }
         let text = chunk.strip_suffix(b"\n").unwrap_or(&chunk);
         let text = text.strip_suffix(b"\r").unwrap_or(text);

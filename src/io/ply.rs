@@ -1,11 +1,12 @@
 //! PLY through `ply-rs-bw`, straight into positions and triangles.
 
+use super::input::{LONGEST_LINE, too_long};
 use super::{Frame, Input, ReadErrorKind, of_comma, quote};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{
     ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult, PropertyType,
 };
-use std::io::{BufRead, ErrorKind};
+use std::io::{BufRead, ErrorKind, Read};
 use std::path::Path;
 
 /// An element while it is read; a property that the file lacks stays `None`.
@@ -176,8 +177,11 @@ impl<R: BufRead> Payload<R> {
             }
             Encoding::Ascii => {
                 let (mut text, line) = (String::new(), self.line);
-                if self.rest.read_line(&mut text)? == 0 {
+                if self.rest.by_ref().take(LONGEST_LINE).read_line(&mut text)? == 0 {
                     return Err(ends());
+                }
+                if text.len() as u64 == LONGEST_LINE {
+                    return Err(too_long(line));
                 }
                 self.line += 1;
                 if has_more(&text, element) {

@@ -3,8 +3,11 @@
 
 use ccd::VertexFace;
 use ccd::exact::{self, Exact};
+use ccd_core::narrow_phase::relative_motion::Patch;
 use ccd_testkit::degenerate::{FAMILIES, KINDS, Outcome, Query};
+use ccd_testkit::grazing::exact::{Contact, contact};
 use ccd_testkit::grazing::random::Random;
+use ccd_testkit::grazing::tangential::{self, query};
 use ccd_testkit::sturm;
 
 /// A few of each family and kind; `cargo xtask attack --kind exact` takes as many as it is told.
@@ -18,6 +21,40 @@ fn degenerate_queries() {
         contacts[family] += (outcome.unwrap() != Outcome::Miss) as usize;
     }
     assert!(contacts.iter().all(|&n| n > 60), "{contacts:?}");
+}
+
+/// Contacts in integers, by which queries in floating point are judged, against Sturm chains: of
+/// points anywhere, then of features that nearly graze.
+#[test]
+fn integers_and_sturm_chains_agree() {
+    let mut random = Random::new(5);
+    let mut seen = [0; 2];
+    for i in 0..80 {
+        let is_anywhere = i < 40;
+        let tangential::Query { patch, t0, t1 } = if is_anywhere {
+            let mut points = || std::array::from_fn(|_| random.vector());
+            let (t0, t1) = (points(), points());
+            let patch = [Patch::Triangle, Patch::Parallelogram][i % 2];
+            tangential::Query { patch, t0, t1 }
+        } else {
+            query::<f64>(&mut random)
+        };
+        let ask = match patch {
+            Patch::Triangle => sturm::vertex_face,
+            Patch::Parallelogram => sturm::edge_edge,
+        };
+        match (contact(patch, &t0, &t1), ask(&t0, &t1, [0.0, 1.0]).first()) {
+            (Contact::At([lo, hi], first), Some([from, until])) => {
+                let right = from <= hi && (until >= lo || !first);
+                assert!(right, "[{lo}, {hi}], [{from}, {until}]: {patch:?} {t0:?} {t1:?}");
+                seen[0] += 1;
+            }
+            (Contact::Free, None) => seen[1] += 1,
+            (Contact::Degenerate, _) if !is_anywhere => {}
+            (got, want) => panic!("{got:?} {want:?}: {patch:?} {t0:?} {t1:?}"),
+        }
+    }
+    assert!(seen[0] > 10 && seen[1] > 10, "{seen:?}");
 }
 
 /// The first of two crossings, near each other: `8 t^2 - 2 t + 1/16 = 0`, by a face that turns.

@@ -9,7 +9,9 @@ mod separation;
 mod worlds;
 
 use ccd::{EdgeEdge, TOI_TOLERANCE, Verdict, VertexFace};
-use ccd_testkit::oracle::{self, Answer};
+use ccd_core::narrow_phase::coplanarity::Coplanarity;
+use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use ccd_testkit::grazing::exact::{Contact, contact};
 use proptest::prelude::*;
 
 type Points = [[f64; 3]; 4];
@@ -45,14 +47,16 @@ fn check_consistent(a: Verdict<f64>, b: Verdict<f64>) {
     }
 }
 
-fn check_oracle(verdict: Verdict<f64>, answer: &Answer) {
+/// A verdict against the exact answer.
+fn check_oracle(verdict: Verdict<f64>, answer: &Contact) {
     match (verdict, answer) {
-        (Verdict::Miss, Answer::Contact(..)) => panic!("missed: {answer:?}"),
-        (Verdict::Hit { .. }, Answer::Free) => panic!("{verdict:?}, but there is no contact"),
-        (Verdict::Hit { toi }, Answer::Contact(lo, hi)) => {
+        (Verdict::Miss, Contact::At(..)) => panic!("missed: {answer:?}"),
+        (Verdict::Hit { .. }, Contact::Free) => panic!("{verdict:?}, but there is no contact"),
+        (Verdict::Hit { toi }, Contact::At([lo, hi], true)) => {
             assert!(toi <= *hi && toi >= lo - TOI_TOLERANCE, "{verdict:?} {answer:?}")
         }
-        (Verdict::Undecided { toi }, Answer::Contact(_, hi)) => {
+        // There may be a contact before the certain one.
+        (Verdict::Hit { toi } | Verdict::Undecided { toi }, Contact::At([_, hi], _)) => {
             assert!(toi <= *hi, "{verdict:?} {answer:?}")
         }
         _ => {}
@@ -109,16 +113,16 @@ proptest! {
 
     #[test]
     fn filters_reject_misses_only(t0 in points(), t1 in points(), distance in 0.0..0.2f64) {
-        use ccd_core::narrow_phase::coplanarity::{edge_edge_filter, vertex_face_filter};
         for d in [0.0, distance] {
             let (face, edges) = (VertexFace { t0, t1 }, EdgeEdge { t0, t1 });
-            if vertex_face_filter(&t0, &t1, d) {
+            let rejects = |motion: Motion<f64>| Coplanarity::new(&motion).clearance(d) > 0.0;
+            if rejects(Motion::vertex_face(&t0, &t1, 0.0)) {
                 prop_assert_eq!(ccd::vertex_face(&face, d), Verdict::Miss);
-                check_oracle(Verdict::Miss, &oracle::vertex_face(&t0, &t1));
+                check_oracle(Verdict::Miss, &contact(Patch::Triangle, &t0, &t1));
             }
-            if edge_edge_filter(&t0, &t1, d) {
+            if rejects(Motion::edge_edge(&t0, &t1, 0.0)) {
                 prop_assert_eq!(ccd::edge_edge(&edges, d), Verdict::Miss);
-                check_oracle(Verdict::Miss, &oracle::edge_edge(&t0, &t1));
+                check_oracle(Verdict::Miss, &contact(Patch::Parallelogram, &t0, &t1));
             }
         }
     }
@@ -152,8 +156,8 @@ proptest! {
 
     #[test]
     fn queries_agree_with_exact_arithmetic(t0 in points(), t1 in points()) {
-        check_oracle(vf(t0, t1), &oracle::vertex_face(&t0, &t1));
-        check_oracle(ee(t0, t1), &oracle::edge_edge(&t0, &t1));
+        check_oracle(vf(t0, t1), &contact(Patch::Triangle, &t0, &t1));
+        check_oracle(ee(t0, t1), &contact(Patch::Parallelogram, &t0, &t1));
     }
 }
 
@@ -163,14 +167,18 @@ fn the_comparison_with_exact_arithmetic_can_fail() {
         [[0.25, 1.0, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
         [[0.25, -1.0, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
     );
-    let answer = oracle::vertex_face(&t0, &t1);
-    assert!(matches!(answer, Answer::Contact(..)));
+    let answer = contact(Patch::Triangle, &t0, &t1);
+    assert!(matches!(answer, Contact::At(_, true)));
     let fails =
-        |v: Verdict<f64>, a: &Answer| std::panic::catch_unwind(|| check_oracle(v, a)).is_err();
+        |v: Verdict<f64>, a: &Contact| std::panic::catch_unwind(|| check_oracle(v, a)).is_err();
     assert!(!fails(vf(t0, t1), &answer));
     assert!(fails(Verdict::Miss, &answer));
     assert!(fails(Verdict::Hit { toi: 0.5 + 1e-9 }, &answer));
     assert!(fails(Verdict::Undecided { toi: 0.5 + 1e-9 }, &answer));
     assert!(fails(Verdict::Hit { toi: 0.49 }, &answer));
-    assert!(fails(Verdict::Hit { toi: 0.5 }, &Answer::Free));
+    assert!(fails(Verdict::Hit { toi: 0.5 }, &Contact::Free));
+    let maybe_later = Contact::At([0.5; 2], false);
+    assert!(!fails(Verdict::Hit { toi: 0.49 }, &maybe_later));
+    assert!(fails(Verdict::Miss, &maybe_later));
+    assert!(fails(Verdict::Hit { toi: 0.5 + 1e-9 }, &maybe_later));
 }

@@ -136,6 +136,18 @@ fn bytes_are_beside_the_file_or_in_it() {
 }
 
 #[test]
+fn other_versions_and_rotations_are_refused() {
+    let scene = Scene::default().json();
+    assert!(scene.contains(r#""version": "2.0""#), "{scene}");
+    let other = scene.replace(r#""version": "2.0""#, r#""version": "3.0""#);
+    let error = read("a.gltf", other.as_bytes()).unwrap_err();
+    assert!(error.contains("version 3.0"), "{error}");
+    let nodes = r#"{"mesh": 0, "rotation": [1, 2, 3, 4]}"#;
+    let error = read("a.gltf", Scene { nodes, ..Scene::default() }.json().as_bytes()).unwrap_err();
+    assert!(error.contains("rotation of length 5.4"), "{error}");
+}
+
+#[test]
 fn lists_of_zeros_are_as_long_as_the_file() {
     let sparse = r#""sparse": {"count": 2, "indices": {"bufferView": 1, "componentType": 5123},
         "values": {"bufferView": 0}}"#;

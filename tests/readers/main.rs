@@ -216,6 +216,21 @@ fn small<T>(content: &[u8], read: impl FnOnce() -> T) -> T {
 }
 
 #[test]
+fn lines_have_an_end() {
+    let blanks = vec![b' '; 17 << 20];
+    let more: Vec<u8> = b" 0".repeat(1 << 19).into_iter().chain(*b"\\\n").collect();
+    let head = b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n";
+    for (name, line, content) in [
+        ("a.obj", 1, blanks.clone()),
+        ("b.obj", 17, [&b"v 0 0 0\n"[..], &more.repeat(17)].concat()),
+        ("a.ply", 6, [&head[..], &blanks].concat()),
+    ] {
+        let error = read(name, &content).unwrap_err();
+        assert!(error.contains(&format!("line {line}: is longer than 16 MiB")), "{error}");
+    }
+}
+
+#[test]
 fn counts_of_ply_are_not_trusted() {
     let body = "element nothing 2000000000\nelement vertex 1000000\n";
     let text = format!("ply\nformat binary_little_endian 1.0\n{body}end_header\n");

@@ -1,6 +1,6 @@
 //! The example in a Bevy app: built by its own Rust, run without a screen, compared with the CPU.
 
-use crate::programs::{command, command_with, output, skipped};
+use crate::programs::{channel, command, command_with, output, skipped};
 use std::path::Path;
 use std::process::Command;
 
@@ -31,12 +31,4 @@ pub fn run(root: &Path) -> Result<(), String> {
     let run = [&["timeout", "1800", "xvfb-run", "-a"], &cargo[..], &run].concat();
     // Xvfb has no GPU: of Vulkan's drivers the software one alone presents there.
     command_with(&folder, &run, &[("WGPU_ADAPTER_NAME", "llvmpipe")])
-}
-
-/// The Rust that the example is for.
-fn channel(folder: &Path) -> Result<String, String> {
-    let path = folder.join("rust-toolchain.toml");
-    let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
-    let named = text.lines().find_map(|line| line.strip_prefix("channel = \"")?.strip_suffix('"'));
-    named.map(str::to_owned).ok_or_else(|| format!("{}: no channel", path.display()))
 }

@@ -5,7 +5,7 @@
 //! The tests of the workspace have compiled the libraries already (`ccd-c/tests/c_api.rs`).
 //! `--cargo` has CMake build them by cargo instead, which compiles everything anew.
 
-use crate::programs::{command, output, skipped, target_folder};
+use crate::programs::{command, output, skipped, target_folder, text};
 use std::path::Path;
 use std::process::Command;
 
@@ -70,8 +70,4 @@ fn has_tools() -> Result<(), String> {
     } else {
         Err("there is no compiler of C++".into())
     }
-}
-
-fn text(path: &Path) -> Result<&str, String> {
-    path.to_str().ok_or_else(|| format!("{}: not Unicode", path.display()))
 }

@@ -2,6 +2,7 @@
 //! how far that is from the bytes that must move.
 
 use crate::Part;
+use crate::growth::PEERS;
 use crate::measure::{Place, median, timed, warm};
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
 use ccd::method::BroadPhaseMethod;
@@ -14,20 +15,6 @@ use std::path::{Path, PathBuf};
 /// Bytes a second that an NVIDIA H200 copies, as TARGETS of the project state it; floors on other
 /// devices do not follow from it.
 const COPY: f64 = 4.3e12;
-
-/// Times of other libraries on the same scenes and an NVIDIA H200, in milliseconds, from TARGETS of
-/// the project.
-struct Peer {
-    scene: &'static str,
-    candidates: &'static str,
-    step: &'static str,
-}
-
-const PEERS: [Peer; 3] = [
-    Peer { scene: "cloth-ball", candidates: "Kitten 2.07, edges alone", step: "Scalable-CCD 138" },
-    Peer { scene: "cloth-funnel", candidates: "Kitten 0.34, edges alone", step: "Scalable-CCD 23" },
-    Peer { scene: "rod-twist", candidates: "Kitten 1.13, edges alone", step: "Scalable-CCD 59" },
-];
 
 type Stages = Vec<(&'static str, f64)>;
 
@@ -208,7 +195,7 @@ fn measure_scene(
         "candidates",
         &measured,
         trees + 8.0 * c.total() as f64,
-        peer.map_or("", |p| p.candidates),
+        &peer.map_or(String::new(), |p| format!("Kitten {}, edges alone", p.kitten[0])),
         &note,
     );
     let steps = of_session(&mut session, runs, |s| s.step(x0, x1).map(|_| ()))?;
@@ -225,7 +212,7 @@ fn measure_scene(
         "step, all contacts",
         &steps,
         trees + 24.0 * n.total() as f64,
-        peer.map_or("", |p| p.step),
+        &peer.map_or(String::new(), |p| format!("Scalable-CCD {}", p.scalable)),
         &note,
     );
     let (toi, exact) = (session.report().toi, want.toi);

@@ -6,7 +6,8 @@
 //! Works in `target/mutants` on a copy of the crate, so that the sources are never touched and one
 //! build serves the next.
 
-use std::path::{Path, PathBuf};
+use crate::programs::files_below;
+use std::path::Path;
 use std::process::Command;
 
 /// Dependency of `ccd-core` that the copy leaves out: documentation tests alone need it.
@@ -106,9 +107,7 @@ fn expected(outcome: &Outcome, explained: bool) -> bool {
 /// Copies what the tests of `ccd-core` need, and a manifest of a workspace around it.
 fn prepare(root: &Path, copy: &Path) -> Result<(), String> {
     // What is the same keeps its time, so that only what differs is built again.
-    let mut files = Vec::new();
-    collect(&root.join("ccd-core"), &mut files)?;
-    files.push(root.join("ccd-testkit/src/oracle.rs"));
+    let mut files = files_below(&root.join("ccd-core"))?;
     files.push(root.join("src/scenes/random.rs"));
     files.push(root.join("Cargo.lock"));
     for from in &files {
@@ -119,9 +118,7 @@ fn prepare(root: &Path, copy: &Path) -> Result<(), String> {
         }
         write_changed(&copy.join(name), &text)?;
     }
-    let mut old = Vec::new();
-    collect(&copy.join("ccd-core"), &mut old)?;
-    for path in old {
+    for path in files_below(&copy.join("ccd-core"))? {
         let name = path.strip_prefix(copy).map_err(|e| e.to_string())?;
         if !root.join(name).exists() {
             std::fs::remove_file(&path).map_err(|e| format!("{}: {e}", path.display()))?;
@@ -177,16 +174,6 @@ fn outcome(success: bool, stdout: &str, stderr: &str) -> Outcome {
             stderr.lines().find(|l| l.contains("error")).unwrap_or("no test ran").into(),
         ),
     }
-}
-
-/// Files below `dir`.
-fn collect(dir: &Path, out: &mut Vec<PathBuf>) -> Result<(), String> {
-    let entries = std::fs::read_dir(dir).map_err(|e| format!("{}: {e}", dir.display()))?;
-    for entry in entries.flatten() {
-        let path = entry.path();
-        if path.is_dir() { collect(&path, out)? } else { out.push(path) }
-    }
-    Ok(())
 }
 
 fn write_changed(path: &Path, text: &str) -> Result<(), String> {

@@ -2,7 +2,7 @@
 //! loudly and with the reason, never silently.
 
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
 use std::sync::Mutex;
 use std::time::Instant;
@@ -84,8 +84,34 @@ pub fn test(root: &Path, name: &str, args: &[String], env: &[(&str, &str)]) -> R
 }
 
 /// Cargo's target folder.
-pub fn target_folder(root: &Path) -> std::path::PathBuf {
+pub fn target_folder(root: &Path) -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), |dir| root.join(dir))
+}
+
+/// All files below a folder; a file itself.
+pub fn files_below(path: &Path) -> Result<Vec<PathBuf>, String> {
+    if !path.is_dir() {
+        return Ok(vec![path.to_path_buf()]);
+    }
+    let failed = |e: io::Error| format!("{}: {e}", path.display());
+    let mut files = Vec::new();
+    for entry in std::fs::read_dir(path).map_err(failed)? {
+        files.extend(files_below(&entry.map_err(failed)?.path())?);
+    }
+    Ok(files)
+}
+
+/// The Rust that is named by `rust-toolchain.toml` of a folder.
+pub fn channel(folder: &Path) -> Result<String, String> {
+    let path = folder.join("rust-toolchain.toml");
+    let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+    let named = text.lines().find_map(|line| line.strip_prefix("channel = \"")?.strip_suffix('"'));
+    named.map(str::to_owned).ok_or_else(|| format!("{}: no channel", path.display()))
+}
+
+/// A path as a word of a command.
+pub fn text(path: &Path) -> Result<&str, String> {
+    path.to_str().ok_or_else(|| format!("{}: not Unicode", path.display()))
 }
 
 /// Prints that a check was skipped.

@@ -6,7 +6,7 @@
 //! a wheel with maturin instead, which compiles much again. Packages are the versions of
 //! `ccd-python/requirements.txt`, and for a wheel also the large ones of `requirements-wheel.txt`.
 
-use crate::programs::{command, command_with, output, skipped, target_folder};
+use crate::programs::{command, command_with, output, skipped, target_folder, text};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -171,8 +171,4 @@ fn only_wheel(folder: &Path) -> Result<PathBuf, String> {
         [wheel] => Ok(wheel.clone()),
         _ => Err(format!("{} wheels in {}", wheels.len(), folder.display())),
     }
-}
-
-fn text(path: &Path) -> Result<&str, String> {
-    path.to_str().ok_or_else(|| format!("{}: not Unicode", path.display()))
 }

@@ -4,6 +4,9 @@
 //! manifest says what there is and what it was made from. The products are committed. A test here,
 //! on stable, compares hashes of the sources and of the products with those of the manifest.
 
+use crate::programs::channel;
+#[cfg(any(feature = "shaders", test))]
+use crate::programs::files_below;
 #[cfg(any(feature = "shaders", test))]
 use sha2::{Digest, Sha256};
 #[cfg(any(feature = "shaders", test))]
@@ -44,7 +47,7 @@ const INPUTS: [&str; 8] = [
 fn hash_of_inputs(root: &Path) -> Result<String, String> {
     let mut files = Vec::new();
     for input in INPUTS {
-        collect(&root.join(input), &mut files)?;
+        files.extend(files_below(&root.join(input))?);
     }
     Ok(hash_of(read(root, &files)?.iter()))
 }
@@ -82,19 +85,6 @@ fn hash_of<'a>(files: impl Iterator<Item = (&'a String, &'a Vec<u8>)>) -> String
     hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
 }
 
-/// All files below a folder.
-#[cfg(any(feature = "shaders", test))]
-fn collect(path: &Path, files: &mut Vec<PathBuf>) -> Result<(), String> {
-    if path.is_dir() {
-        for entry in std::fs::read_dir(path).map_err(|e| format!("{}: {e}", path.display()))? {
-            collect(&entry.map_err(|e| e.to_string())?.path(), files)?;
-        }
-    } else {
-        files.push(path.to_path_buf());
-    }
-    Ok(())
-}
-
 /// Why shaders cannot be rebuilt here, if they cannot.
 pub fn missing(root: &Path) -> Result<Option<String>, String> {
     let toolchain = toolchain(root)?;
@@ -107,13 +97,7 @@ pub fn missing(root: &Path) -> Result<Option<String>, String> {
 }
 
 fn toolchain(root: &Path) -> Result<String, String> {
-    let path = root.join("ccd-shaders/rust-toolchain.toml");
-    let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
-    let line = text
-        .lines()
-        .find_map(|l| l.strip_prefix("channel = \""))
-        .ok_or("rust-toolchain.toml names no channel")?;
-    Ok(line.trim_end_matches('"').to_string())
+    channel(&root.join("ccd-shaders"))
 }
 
 fn installed(toolchain: &str) -> bool {
@@ -338,9 +322,7 @@ mod tests {
             "a shader source changed: run `cargo xtask shaders`"
         );
         let folder = root().join(PRODUCTS);
-        let mut files = Vec::new();
-        collect(&folder, &mut files).unwrap();
-        let products = read(&folder, &files).unwrap();
+        let products = read(&folder, &files_below(&folder).unwrap()).unwrap();
         assert_eq!(
             manifest["products"],
             hash_of_products(&products).as_str(),
@@ -370,9 +352,7 @@ mod tests {
         let copy = tempfile::tempdir().unwrap();
         for input in INPUTS {
             let (from, to) = (root().join(input), copy.path().join(input));
-            let mut files = Vec::new();
-            collect(&from, &mut files).unwrap();
-            for file in files {
+            for file in files_below(&from).unwrap() {
                 let to = to.join(file.strip_prefix(&from).unwrap());
                 let to = if file == from { copy.path().join(input) } else { to };
                 std::fs::create_dir_all(to.parent().unwrap()).unwrap();

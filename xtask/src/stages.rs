@@ -32,6 +32,7 @@ pub fn part(stage: &str) -> Result<usize, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::programs::files_below;
     use std::path::Path;
 
     /// Strings in Rust between quotes; no stage has a quote in its name.
@@ -52,23 +53,16 @@ mod tests {
             .collect()
     }
 
-    /// The names of all stages in the sources below a folder.
-    fn collect(folder: &Path, found: &mut Vec<String>) {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                collect(&path, found);
-            } else if path.extension().is_some_and(|ending| ending == "rs") {
-                let text = std::fs::read_to_string(&path).unwrap();
-                found.extend(stages(&text).into_iter().map(String::from));
-            }
-        }
-    }
-
     #[test]
     fn every_stage_has_a_part_and_every_word_a_stage() {
         let mut all = Vec::new();
-        collect(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../ccd-gpu/src"), &mut all);
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../ccd-gpu/src");
+        for path in files_below(&folder).unwrap() {
+            if path.extension().is_some_and(|ending| ending == "rs") {
+                let text = std::fs::read_to_string(&path).unwrap();
+                all.extend(stages(&text).into_iter().map(String::from));
+            }
+        }
         assert!(all.len() > 20, "{all:?}");
         for stage in &all {
             part(stage).unwrap();

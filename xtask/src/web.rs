@@ -12,8 +12,10 @@ const FOLDER: &str = "ccd-web";
 /// Names of the modules, with their features: that of the CPU, and one that has the kernels, too.
 const MODULES: [(&str, &[&str]); 2] = [("meshccd", &[]), ("meshccd_gpu", &["--features", "gpu"])];
 /// Files of the package that are written by hand.
-const FILES: [(&str, &str); 7] = [
+const FILES: [(&str, &str); 9] = [
     ("ccd-web/js/index.js", "index.js"),
+    ("ccd-web/js/input.js", "input.js"),
+    ("ccd-web/js/output.js", "output.js"),
     ("ccd-web/js/gpu.js", "gpu.js"),
     ("ccd-web/js/index.d.ts", "index.d.ts"),
     ("ccd-web/js/package.json", "package.json"),

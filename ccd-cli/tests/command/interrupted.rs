@@ -146,6 +146,14 @@ pub fn a_reader_that_goes_away_leaves_files_and_status() {
     assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(1), ""));
     assert_eq!(names(dir.path()), ["contacts.csv", "f0.obj", "f1.obj", "f2.obj"]);
     assert!(std::fs::read_to_string(&contacts).unwrap().lines().count() > 2);
+    // The same where rows are what is printed.
+    let picture = path("times.png");
+    let mut child =
+        start(&["check", &a, &b, "--contacts", "-", "--picture", &picture, "--fail-on-contact"]);
+    drop(child.stdout.take());
+    let output = ended(child);
+    assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(1), ""));
+    std::fs::remove_file(&picture).unwrap();
     // What cannot be printed for another reason ends it, and leaves no part of a file.
     let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
     std::fs::remove_file(&contacts).unwrap();

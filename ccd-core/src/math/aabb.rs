@@ -81,12 +81,6 @@ impl<T: Real> Aabb<T> {
             & (other.min[2] <= self.max[2])
     }
 
-    /// Sum of the three side lengths.
-    #[inline]
-    pub fn extent_sum(&self) -> T {
-        (self.max[0] - self.min[0]) + (self.max[1] - self.min[1]) + (self.max[2] - self.min[2])
-    }
-
     /// The same box, or a slightly larger one, in `f32`. Bounds beyond [`GREATEST`] become that, on
     /// both sides of a comparison alike, so boxes that overlap still do; only the empty box has
     /// greater bounds.

@@ -228,8 +228,8 @@ impl<E: Engine, P> Session<E, P> {
     ///
     /// # Errors
     /// [`Error::NoPositions`] before [`Session::set_positions`]; [`Error::NoBody`];
-    /// [`Error::VertexCount`] for another number of positions than the body has vertices;
-    /// [`Error::MixedPrecision`]; besides those of [`Session::step`].
+    /// [`Error::RepeatedBody`]; [`Error::BodyPositions`]; [`Error::MixedPrecision`]; besides those
+    /// of [`Session::step`].
     pub fn step_bodies(&mut self, motions: &[BodyMotion]) -> Result<&Report, E::Error> {
         self.ask_of_bodies(motions, Ask::Contacts { window: [0.0, 1.0] })?;
         Ok(self.report())

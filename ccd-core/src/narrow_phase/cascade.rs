@@ -12,24 +12,11 @@ use crate::narrow_phase::separating_direction::{axis_separated, beside};
 /// Pairs that a thread of a device looks at before what the cheap filters leave is gathered.
 pub const PAIRS_A_THREAD: u32 = 4;
 
-/// Whether the features of a query over `patch` may come within `min_distance`; `false` is certain.
-/// Of two edges, the lesser id is the first.
+/// The first and cheapest filter: whether no axis keeps the features of a query over `patch`
+/// further than `min_distance` apart, by their boxes at both ends; `false` is certain. The others
+/// are [`apart_throughout`] and [`apart_in_halves`]. Of two edges, the lesser id is the first.
 ///
 /// `error`: how far a coordinate of a path may be from the true one.
-#[inline(always)]
-pub fn may_touch<P: Stored<Path>>(
-    patch: Patch,
-    ids: [u32; 4],
-    paths: &[P],
-    error: f32,
-    min_distance: f32,
-) -> bool {
-    near_on_axes(patch, ids, paths, error, min_distance)
-        && !apart(&motion(patch, ids, paths, error), patch, min_distance)
-}
-
-/// The first and cheapest filter of [`may_touch`]: whether no axis keeps the features apart, by
-/// their boxes at both ends. The others are [`apart_throughout`] and [`apart_in_halves`].
 #[inline(always)]
 pub fn near_on_axes<P: Stored<Path>>(
     patch: Patch,
@@ -171,8 +158,6 @@ mod tests {
         };
         let [a, b] = [a, b].map(|of| boxes_at_ends(of, &paths));
         assert_eq!(near_at_ends(a, b, e, d), left);
-        // It is one of the filters of the cascade.
-        assert!(left || !may_touch(patch, [0, 1, 2, 3], &paths, e, d));
         left
     }
 

@@ -96,31 +96,3 @@ impl<N: Num> Coplanarity<N> {
         low.max(-high) - needed
     }
 }
-
-/// Whether a vertex and a face certainly do not come within `min_distance` during the step; `false`
-/// says nothing.
-///
-/// `t0`, `t1`: `v f0 f1 f2` at the start and the end.
-#[inline]
-pub fn vertex_face_filter<R: crate::math::real::Real>(
-    t0: &[[R; 3]; 4],
-    t1: &[[R; 3]; 4],
-    min_distance: R,
-) -> bool {
-    let m = Motion::vertex_face(t0, t1, R::splat(0.0));
-    Coplanarity::new(&m).clearance(min_distance) > R::splat(0.0)
-}
-
-/// Whether two edges certainly do not come within `min_distance` during the step; `false` says
-/// nothing.
-///
-/// `t0`, `t1`: `ea0 ea1 eb0 eb1` at the start and the end.
-#[inline]
-pub fn edge_edge_filter<R: crate::math::real::Real>(
-    t0: &[[R; 3]; 4],
-    t1: &[[R; 3]; 4],
-    min_distance: R,
-) -> bool {
-    let m = Motion::edge_edge(t0, t1, R::splat(0.0));
-    Coplanarity::new(&m).clearance(min_distance) > R::splat(0.0)
-}

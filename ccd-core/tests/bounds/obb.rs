@@ -48,7 +48,6 @@ fn check_fit<T: Real>(points: &Points<T>) -> Obb<T> {
     // The same points as corners of what moves.
     let [p, q, r, s, t, u] = *points;
     assert_eq!(Obb::of_moving_triangle(&[p, q, r], &[s, t, u]), b);
-    check_around(&Obb::of_moving_edge(&[p, q], &[r, s]), &points[..4]);
     b
 }
 
@@ -205,8 +204,7 @@ fn check_touching<T: Real>() {
             let corner = std::array::from_fn(|k| [aabb.min[k], aabb.max[k]][c >> k & 1].to_f64());
             assert!(holds(&widen(&boxed), corner), "{corner:?} is not in {boxed:?}");
         }
-        let told = a.gap_to_box(&aabb) > T::splat(0.0);
-        assert_eq!(told, a.separated_from_box(&aabb));
+        let told = a.separated_from_box(&aabb);
         assert!(!told || disjoint(&widen(&a), &widen(&boxed)), "told apart: {a:?} {aabb:?}");
         assert_eq!(told, check_pair(&boxed, &a), "{a:?} {aabb:?}");
     }

@@ -2,7 +2,6 @@
 //! no contact is missed.
 
 use crate::common::exact::Contact;
-use crate::common::oracle::{self, Answer};
 use crate::common::random::Random;
 use crate::common::tangential::{Query, cubic, intervals, query};
 use crate::common::{Points, exact, widen};
@@ -110,28 +109,4 @@ fn a_wrong_interval_and_a_late_verdict_are_noticed() {
     assert_eq!(exact::contact(Patch::Triangle, &at(1.0), &at(0.5)), Contact::Free);
     let (t0, t1) = (narrow(at(1.0)), narrow(at(-1.0)));
     assert!(check_query(&Query { patch: Patch::Triangle, t0, t1 }));
-}
-
-#[test]
-fn integers_and_rational_numbers_agree() {
-    let mut random = Random::new(5);
-    let mut seen = [0; 2];
-    for i in 0..40 {
-        // Far from a tangent: there the rational oracle takes seconds.
-        let mut points = || std::array::from_fn(|_| random.vector());
-        let (t0, t1): (Points<f64>, Points<f64>) = (points(), points());
-        let (patch, want) = match i % 2 {
-            0 => (Patch::Triangle, oracle::vertex_face(&t0, &t1)),
-            _ => (Patch::Parallelogram, oracle::edge_edge(&t0, &t1)),
-        };
-        match (exact::contact(patch, &t0, &t1), want) {
-            (Contact::At(got, _), Answer::Contact(lo, hi)) => {
-                assert!(got[0] <= hi && lo <= got[1], "{got:?} {lo} {hi}: {patch:?} {t0:?} {t1:?}");
-                seen[0] += 1;
-            }
-            (Contact::Free, Answer::Free) => seen[1] += 1,
-            (got, want) => panic!("{got:?} {want:?}: {patch:?} {t0:?} {t1:?}"),
-        }
-    }
-    assert!(seen[0] > 2 && seen[1] > 10, "{seen:?}");
 }

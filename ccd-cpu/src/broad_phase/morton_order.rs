@@ -82,4 +82,17 @@ impl MortonOrder {
         }
         grid
     }
+
+    /// The same of one world where all moves; fills `codes` with the codes of the sorted boxes.
+    pub fn sort_codes(
+        &mut self,
+        threads: &Threads,
+        boxes: &[Aabb<f32>],
+        order: &mut Vec<u32>,
+        codes: &mut Vec<[u32; 2]>,
+    ) {
+        let grid = self.sort(threads, boxes, &Marks::default(), order);
+        codes.resize(boxes.len(), [0; 2]);
+        threads.fill(codes, |i| morton_key::morton(order[i] as usize, boxes, &grid));
+    }
 }

@@ -130,38 +130,27 @@ impl BinaryTree {
     }
 
     /// Lists all pairs of a kind, whose second set is that of the tree, one query a box of the
-    /// first. `oriented`: as above.
+    /// first. `oriented`: as above; `recursive`: by recursion.
     pub fn traverse_full(
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
         blocks: &Tree,
-        (args, oriented): (Queries, Option<&wgpu::Buffer>),
+        (args, oriented, recursive): (Queries, Option<&wgpu::Buffer>, bool),
         pairs: &List,
     ) {
         let (boxes, [_, order], nodes) = (&blocks.boxes, blocks.sorted(), &self.nodes);
         let n = frame.count[sets(args.kind)[0]];
         for dispatch in parts(n, DISPATCH_LIMIT, pairs.capacity()) {
-            let kernel = TraverseFull { boxes, order, nodes, pairs: pairs.buffer() };
+            let (pairs, n) = (pairs.buffer(), dispatch.n);
             let p = Params { frame: *frame, dispatch, args };
-            recorder.each_variant(&kernel, oriented, &p, dispatch.n);
-        }
-    }
-    /// As [`BinaryTree::traverse_full`], by recursion.
-    pub fn traverse_recursive(
-        &self,
-        recorder: &mut Recorder,
-        frame: &Frame,
-        blocks: &Tree,
-        (args, oriented): (Queries, Option<&wgpu::Buffer>),
-        pairs: &List,
-    ) {
-        let (boxes, [_, order], nodes) = (&blocks.boxes, blocks.sorted(), &self.nodes);
-        let n = frame.count[sets(args.kind)[0]];
-        for dispatch in parts(n, DISPATCH_LIMIT, pairs.capacity()) {
-            let kernel = TraverseRecursive { boxes, order, nodes, pairs: pairs.buffer() };
-            let p = Params { frame: *frame, dispatch, args };
-            recorder.each_variant(&kernel, oriented, &p, dispatch.n);
+            if recursive {
+                let kernel = TraverseRecursive { boxes, order, nodes, pairs };
+                recorder.each_variant(&kernel, oriented, &p, n);
+            } else {
+                let kernel = TraverseFull { boxes, order, nodes, pairs };
+                recorder.each_variant(&kernel, oriented, &p, n);
+            }
         }
     }
 }

@@ -101,10 +101,11 @@ impl Front {
             Fate::Dropped => {}
             Fate::Grows(capacity) => match slots(device, capacity as u32) {
                 Ok(slots) => {
+                    device.give_back(self.slots.size());
                     (self.slots, self.capacity) = (slots, capacity as u32);
                     return Ok(true);
                 }
-                Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => state.give_up(),
+                Err(e) if e.is_of_memory() => state.give_up(),
                 Err(e) => return Err(e),
             },
         }

@@ -94,10 +94,17 @@ impl BroadPhase {
         method: BroadPhaseMethod,
         scheduling: Scheduling,
     ) -> Result<Self, Error> {
+        Self::of_session(&device.limited(None), method, scheduling)
+    }
+
+    /// The same of a session, which counts its buffers.
+    pub(crate) fn of_session(
+        device: &Device,
+        method: BroadPhaseMethod,
+        scheduling: Scheduling,
+    ) -> Result<Self, Error> {
         method::check(method)?;
         method::check_scheduling(method, scheduling)?;
-        // One of a session counts what that holds.
-        let device = &device.limited(None);
         Ok(Self {
             method,
             scheduling,

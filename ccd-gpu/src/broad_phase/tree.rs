@@ -100,13 +100,11 @@ impl TreeSource {
             Traversal::Half if kind == EDGE_EDGE => {
                 b.traverse_half(recorder, frame, blocks, oriented, pairs);
             }
-            Traversal::Recursive => {
-                let args = Queries { kind, sorted: 0 };
-                b.traverse_recursive(recorder, frame, blocks, (args, oriented), pairs);
-            }
             other => {
-                let args = Queries { kind, sorted: (other != Traversal::Iterative) as u32 };
-                b.traverse_full(recorder, frame, blocks, (args, oriented), pairs);
+                let recursive = other == Traversal::Recursive;
+                let sorted = !recursive && other != Traversal::Iterative;
+                let args = Queries { kind, sorted: sorted as u32 };
+                b.traverse_full(recorder, frame, blocks, (args, oriented, recursive), pairs);
             }
         }
     }

@@ -145,8 +145,10 @@ impl Engine {
         self.submit_ask(ends(x0, x1), Ask::Earliest)
     }
 
-    /// The report of the step that was submitted, if the device is done; never blocks. If a list
-    /// was too short, the work is submitted once more. What the device leaves open is decided here.
+    /// The report of the step that was submitted, if the device is done; it does not wait for it.
+    /// If a list was too short, the work is submitted once more. What the device leaves open is
+    /// decided here, and pairs of particles, and of particles and rods, are found here, for which
+    /// it does wait.
     ///
     /// # Errors
     /// [`Error::NotSubmitted`] if no step is in flight; those of

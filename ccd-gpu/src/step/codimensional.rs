@@ -4,7 +4,7 @@
 //! decided on the host, one pair after the other.
 
 use crate::broad_phase::BroadPhase;
-use crate::device::Device;
+use crate::device::{BLOCKS, Device};
 use crate::error::Error;
 use ccd_core::backend::layout::Pair;
 use ccd_core::backend::rules::Rules;
@@ -19,7 +19,8 @@ use ccd_core::{Aabb, Real};
 /// Finds such pairs.
 pub struct Codimensional {
     features: Features,
-    broad_phase: BroadPhase,
+    /// Of vertices with edges, and of vertices.
+    broad_phases: [BroadPhase; 2],
     /// Candidates of the last step: vertex-edge, vertex-vertex; sorted.
     pub pairs: [Vec<Pair>; 2],
 }
@@ -31,9 +32,13 @@ impl Codimensional {
         if features.is_empty() {
             return Ok(None);
         }
+        if !BLOCKS {
+            return Err(Error::Particles);
+        }
         let (method, scheduling) = (options.broad_phase, options.scheduling);
-        let broad_phase = BroadPhase::scheduled(device, method, scheduling)?;
-        Ok(Some(Self { features, broad_phase, pairs: [Vec::new(), Vec::new()] }))
+        let broad_phase = || BroadPhase::of_session(device, method, scheduling);
+        let broad_phases = [broad_phase()?, broad_phase()?];
+        Ok(Some(Self { features, broad_phases, pairs: [Vec::new(), Vec::new()] }))
     }
 
     /// Lists the candidates of a step whose coordinates were checked.
@@ -56,17 +61,15 @@ impl Codimensional {
         (rules, distance): (Option<&Rules>, f64),
         x: [&[[T; 3]]; 2],
     ) -> Result<(), Error> {
-        let Self { features, broad_phase, pairs } = self;
+        let Self { features, broad_phases: [mixed, own], pairs } = self;
         let vertices: Vec<Aabb<f64>> =
             (0..features.vertices.len()).map(|i| features.vertex_box(i, x, distance)).collect();
         let edges: Vec<Aabb<f64>> =
             (0..features.edges.len()).map(|i| features.edge_box(i, mesh, x, distance)).collect();
         let rounded = |boxes: &[Aabb<f64>]| boxes.iter().map(Aabb::round_out).collect::<Vec<_>>();
         let (points, segments) = (rounded(&vertices), rounded(&edges));
-        let all = [
-            (broad_phase.pairs(&points, &segments)?, &edges),
-            (broad_phase.self_pairs(&points)?, &vertices),
-        ];
+        let all =
+            [(mixed.pairs(&points, &segments)?, &edges), (own.self_pairs(&points)?, &vertices)];
         for ((kind, (found, second)), out) in KINDS.into_iter().zip(all).zip(pairs) {
             let overlap = |at: &Pair| vertices[at.a as usize].overlaps(&second[at.b as usize]);
             let found = found.into_iter().filter(overlap);

@@ -19,6 +19,8 @@ pub struct Geometry {
     pub listed: bool,
     /// Made when first asked for.
     made: Option<Made>,
+    /// What it takes, under a limit of memory.
+    bytes: u64,
 }
 
 struct Made {
@@ -55,7 +57,9 @@ impl Geometry {
         }
         let capacity = buffers.contacts.capacity();
         if self.made.as_ref().is_none_or(|made| made.capacity < capacity) {
-            self.made = Some(Made::new(device, &buffers.contacts)?);
+            let (made, bytes) = device.counting(|| Made::new(device, &buffers.contacts))?;
+            device.give_back(std::mem::replace(&mut self.bytes, bytes));
+            self.made = Some(made);
         }
         let Some(Made { buffer, bench, .. }) = &mut self.made else {
             return Err(Error::NoContacts);

@@ -81,7 +81,7 @@ impl ExpansionInputs {
             None => None,
             Some(near) => match device.sent("tests of neighbours", &near.tests) {
                 Ok(buffer) => Some((near, buffer)),
-                Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => None,
+                Err(e) if e.is_of_memory() => None,
                 Err(e) => return Err(e),
             },
         };

@@ -83,7 +83,8 @@ def part_of(text: str | None, environment: Mapping[str, str]) -> tuple[int, int]
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser("python -m meshccd.distributed", description=_ABOUT)
-    parser.add_argument("frames", nargs="+", help="an animation (NPY, PC2, MDD), or a mesh a frame")
+    what = "an animation (NPY, NPZ, PC2, MDD), or a mesh a frame"
+    parser.add_argument("frames", nargs="+", help=what)
     parser.add_argument("--out", required=True, type=Path, help="the folder of the shards")
     parser.add_argument("--mesh", help="the mesh of an animation; by default the first frame")
     parser.add_argument("--part", help="share i/n; by default that of this task of Slurm, or all")

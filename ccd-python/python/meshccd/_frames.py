@@ -37,7 +37,11 @@ class Frames(Protocol):
 def frames_of(frames: object) -> Frames:
     """Frames of what a caller has: an array or arrays, a file or files."""
     if isinstance(frames, (str, os.PathLike)):
-        return _InOneFile(os.path.abspath(frames), _n_frames(os.fspath(frames)))
+        path = os.path.abspath(frames)
+        if path.lower().endswith(".npz"):
+            # Its frames are packed together: to read one would unpack all.
+            return _InArray(read_positions(path), 0)
+        return _InOneFile(path, _n_frames(path))
     if isinstance(frames, np.ndarray):
         return _InArray(frames, 0)
     listed = list(frames)  # type: ignore[call-overload]
@@ -58,16 +62,34 @@ def positions(frames: Frames, begin: int, end: int, mesh: Mesh) -> Iterator[NDAr
                 f"frame {at} has positions of the shape {x.shape}; the mesh has "
                 f"{mesh.n_vertices} vertices"
             )
+        if not np.isfinite(x).all():
+            raise FrameError(f"frame {at} has a coordinate that is not finite")
         yield x
 
 
+class Digest:
+    """SHA-256 of positions that go by."""
+
+    def __init__(self) -> None:
+        self._sha = hashlib.sha256()
+
+    def of(self, frames: Iterator[NDArray[Any]]) -> Iterator[NDArray[Any]]:
+        """The same frames."""
+        for x in frames:
+            # As numbers, so that the digest does not depend on type or order in memory.
+            self._sha.update(np.ascontiguousarray(x, "<f8").tobytes())
+            yield x
+
+    def text(self) -> str:
+        return self._sha.hexdigest()
+
+
 def digest_of_frames(frames: Frames, begin: int, end: int, mesh: Mesh) -> str:
-    """SHA-256 of the positions of some frames."""
-    sha = hashlib.sha256()
-    for x in positions(frames, begin, end, mesh):
-        # As numbers, so that the digest does not depend on type or order in memory.
-        sha.update(np.ascontiguousarray(x, "<f8").tobytes())
-    return sha.hexdigest()
+    """That of some frames."""
+    digest = Digest()
+    for _ in digest.of(positions(frames, begin, end, mesh)):
+        pass
+    return digest.text()
 
 
 @dataclass
@@ -129,7 +151,16 @@ class _InFiles:
             raise FrameError(f"frame {at} cannot be read: {why}") from why
         if not np.array_equal(other.faces, mesh.faces):
             raise FrameError(f"frame {at} ({path}) has other faces than the mesh")
+        # Not every format has rods, so the mesh may have more of them.
+        if not np.isin(_keys(other.edges), _keys(mesh.edges)).all():
+            raise FrameError(f"frame {at} ({path}) has edges that the mesh has not")
         return x
+
+
+def _keys(edges: NDArray[np.uint32]) -> NDArray[np.uint64]:
+    """A number for each edge."""
+    keys: NDArray[np.uint64] = edges[:, 0].astype(np.uint64) << np.uint64(32) | edges[:, 1]
+    return keys
 
 
 def _n_frames(path: str) -> int:

@@ -200,6 +200,9 @@ def alone(path: Path) -> Iterator[None]:
         file.truncate(0)
         file.write(f"process {os.getpid()} on {socket.gethostname()}\n")
         file.flush()
+        # What a process of this machine left that died while it wrote.
+        for left in path.parent.glob(f".{path.name}.{socket.gethostname()}.*"):
+            left.unlink(missing_ok=True)
         try:
             yield
         finally:

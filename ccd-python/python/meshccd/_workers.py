@@ -14,7 +14,7 @@ from multiprocessing import get_context
 from typing import Any
 
 from . import _shards
-from ._frames import Frames, digest_of_frames, positions
+from ._frames import Digest, FrameError, Frames, digest_of_frames, positions
 from ._native import Session
 from ._shards import Job
 
@@ -68,8 +68,12 @@ class Worker:
             if self._session is None:
                 device = assigned_gpu() if self._device == "gpu:assigned" else self._device
                 self._session = Session(job.mesh, job.options, device=device)
-            x = positions(task.frames, begin, end + 1, job.mesh)
-            _shards.write(job, begin, end, frames, self._session.step_many(x))
+            stepped = Digest()
+            x = stepped.of(positions(task.frames, begin, end + 1, job.mesh))
+            reports = self._session.step_many(x)
+            if stepped.text() != frames:
+                raise FrameError(f"frames {begin} to {end} were changed while they were read")
+            _shards.write(job, begin, end, frames, reports)
         return True
 
 

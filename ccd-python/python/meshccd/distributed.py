@@ -194,6 +194,8 @@ def map_frames(
         raise ValueError(f"part is {index} of {of}; the first is 1 of {of}")
     if steps_per_shard < 1:
         raise ValueError(f"steps_per_shard is {steps_per_shard}; it must be at least 1")
+    if isinstance(devices, str):
+        raise TypeError(f"devices is {devices!r}; it must be a list of names")
     if n_workers is None:
         n_workers = len(devices) if devices else _cores(runner)[0]
     if n_workers < 1:

@@ -1,8 +1,7 @@
 //! Weights and normals of contacts, judged at the true time without rounding.
 
 use super::zeros::{Place, Poly, Q, places};
-use super::{Vector, cross, dot, exact, minus, points};
-use crate::oracle::whole;
+use super::{Vector, cross, dot, exact, minus, points, whole};
 use num_bigint::BigInt;
 use num_traits::Signed;
 

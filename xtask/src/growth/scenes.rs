@@ -21,13 +21,13 @@ const TOO_FEW: u32 = 1024;
 
 /// Times of other libraries on an NVIDIA H200, on another day: Kitten's build and query over the
 /// boxes of edges and of faces, and all stages of Scalable-CCD [Belgrod 2023], in milliseconds.
-struct Peer {
-    scene: &'static str,
-    kitten: [&'static str; 2],
-    scalable: &'static str,
+pub struct Peer {
+    pub scene: &'static str,
+    pub kitten: [&'static str; 2],
+    pub scalable: &'static str,
 }
 
-const PEERS: [Peer; 3] = [
+pub const PEERS: [Peer; 3] = [
     Peer { scene: "cloth-ball", kitten: ["2.07", "1.92"], scalable: "138" },
     Peer { scene: "rod-twist", kitten: ["1.13", "0.96"], scalable: "59" },
     Peer { scene: "cloth-funnel", kitten: ["0.34", ""], scalable: "23" },

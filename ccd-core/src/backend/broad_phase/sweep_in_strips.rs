@@ -94,14 +94,11 @@ pub fn cell_of(key: u32) -> [u32; 2] {
 }
 
 /// On which axes a box whose lower corner is in the strip `first` begins in `cell`: bit `k` for
-/// axis `k`. Of two boxes in a strip, it reports them if the bits of both together are [`BOTH`].
+/// axis `k`. Of two boxes in a strip, it reports them if the bits of both together are 3.
 #[inline(always)]
 pub fn begins(first: [u32; 2], cell: [u32; 2]) -> u32 {
     (first[0] == cell[0]) as u32 | ((first[1] == cell[1]) as u32) << 1
 }
-
-/// In [`begins`]: on both axes.
-pub const BOTH: u32 = 3;
 
 /// How many strips a box is in, from that of its lower to that of its upper corner.
 #[inline(always)]

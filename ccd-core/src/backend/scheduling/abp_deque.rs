@@ -31,7 +31,7 @@ use crate::kernel::FencedWords;
 pub struct AbpDeque {
     /// Its first word.
     pub base: usize,
-    /// Capacity in items, at most [`AbpDeque::MAX_CAPACITY`].
+    /// Capacity in items, at most 2^14 - 1: what `top` counts.
     pub capacity: u32,
 }
 
@@ -43,8 +43,6 @@ const ITEMS: usize = 32;
 impl AbpDeque {
     const TOP: u32 = (1 << 14) - 1;
     const TAG: u32 = !Self::TOP;
-    /// The most items: what `top` counts.
-    pub const MAX_CAPACITY: u32 = Self::TOP;
 
     /// Words that a deque of so many items takes.
     pub const fn words(capacity: u32) -> usize {

@@ -58,7 +58,7 @@ pub enum Steal {
     Stolen(Range),
 }
 
-/// Batches that follow each other in a deque, at the most [`Deque::MAX_BATCHES`].
+/// Batches that follow each other in a deque, at the most 2^15.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Range {
     /// Where the first stands, modulo 2^16.
@@ -92,7 +92,7 @@ impl Range {
 pub struct Deque {
     /// Its first word.
     pub base: usize,
-    /// Capacity in batches: a power of two, at most [`Deque::MAX_BATCHES`].
+    /// Capacity in batches: a power of two, at most 2^15, half of what 16 bits count.
     pub batches: u32,
     /// Most items of a batch.
     pub batch: u32,
@@ -114,9 +114,6 @@ fn length(ends: u32) -> u32 {
 }
 
 impl Deque {
-    /// The most batches: half of what 16 bits count.
-    pub const MAX_BATCHES: u32 = 1 << (BITS - 1);
-
     /// Words that a deque of so many batches of so many items takes.
     pub const fn words(batches: u32, batch: u32) -> usize {
         SLOTS + batches as usize * (1 + 2 * batch as usize)

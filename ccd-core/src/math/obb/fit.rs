@@ -60,12 +60,6 @@ impl<T: Real> Obb<T> {
         Self { half: scale(add(self.half, [distance; 3]), up), ..self }
     }
 
-    /// The box of an edge that moves from `t0` to `t1`, likewise.
-    #[inline]
-    pub fn of_moving_edge(t0: &[[T; 3]; 2], t1: &[[T; 3]; 2]) -> Self {
-        Self::around(&[t0[0], t0[1], t1[0], t1[1]])
-    }
-
     /// The box with this centre and these axes that reaches as far as the points do; the axes
     /// orthonormal as in [`Obb`].
     #[inline]

@@ -12,13 +12,6 @@ impl<N: Num> Obb<N> {
         let pair = Placement::of_two(self, other);
         pair.along_normals().max(pair.along_edges()) - pair.margin
     }
-
-    /// Positive only if the box and one along the coordinates certainly have no point in common.
-    #[inline(always)]
-    pub fn gap_to_box(&self, other: &Aabb<N>) -> N {
-        let pair = Placement::of_box(&Self::of_box(other), self);
-        pair.along_normals().max(pair.along_edges()) - pair.margin
-    }
 }
 
 impl<T: Real> Obb<T> {

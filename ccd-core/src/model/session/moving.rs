@@ -68,6 +68,8 @@ pub struct Kept {
     gathered: Gathered,
     /// By the number of a body: its vertices in runs. Made when they are needed.
     runs: Option<Runs>,
+    /// Names of the bodies that move in this call, sorted.
+    names: Vec<u32>,
     /// What moved in the last call.
     last: Vec<Range<u32>>,
     /// What the next call finds in other places than the last one did.
@@ -151,7 +153,7 @@ impl Kept {
         bodies: Option<&Bodies>,
         motions: &[BodyMotion],
     ) -> Result<(Given<'_>, Moved<'_>), Error> {
-        let Self { x, gathered, runs, last, changed, calls } = self;
+        let Self { x, gathered, runs, names, last, changed, calls } = self;
         let x = x.as_mut().ok_or(Error::NoPositions)?;
         changed.clear();
         changed.append(last);
@@ -160,6 +162,12 @@ impl Kept {
             Precision::F64(x) => x.arrive(changed),
         }
         *calls += 1;
+        names.clear();
+        names.extend(motions.iter().map(|motion| motion.body));
+        names.sort_unstable();
+        if let Some(twice) = names.windows(2).find(|two| two[0] == two[1]) {
+            return Err(Error::RepeatedBody { body: twice[0] });
+        }
         for motion in motions {
             let body = motion.body;
             let bodies = bodies.ok_or(Error::NoBody { body })?;
@@ -168,9 +176,11 @@ impl Kept {
             let to = gathered.slices(motion.ends)?;
             last.extend_from_slice(runs);
             match (&mut *x, to) {
-                (Precision::F32(x), Precision::F32(to)) => x.go(runs, to, |p| p)?,
-                (Precision::F64(x), Precision::F64(to)) => x.go(runs, to, |p| p)?,
-                (Precision::F64(x), Precision::F32(to)) => x.go(runs, to, |p| p.map(f64::from))?,
+                (Precision::F32(x), Precision::F32(to)) => x.go(body, runs, to, |p| p)?,
+                (Precision::F64(x), Precision::F64(to)) => x.go(body, runs, to, |p| p)?,
+                (Precision::F64(x), Precision::F32(to)) => {
+                    x.go(body, runs, to, |p| p.map(f64::from))?
+                }
                 (Precision::F32(x), Precision::F64(_)) => {
                     x.stay(runs);
                     return Err(Error::MixedPrecision { body });
@@ -223,6 +233,7 @@ impl<T: Coordinate> Both<T> {
     /// Has a body move.
     fn go<U: Copy>(
         &mut self,
+        body: u32,
         runs: &[Range<u32>],
         to: [&[[U; 3]]; 2],
         exact: impl Fn([U; 3]) -> [T; 3],
@@ -232,7 +243,7 @@ impl<T: Coordinate> Both<T> {
         for (time, (x, to)) in self.ends.iter_mut().zip(to).enumerate() {
             if to.len() != expected {
                 let (time, found) = (time as u8, to.len());
-                return Err(Error::VertexCount { time, expected, found });
+                return Err(Error::BodyPositions { body, time, expected, found });
             }
             let mut to = to.iter();
             for run in runs {
@@ -245,13 +256,12 @@ impl<T: Coordinate> Both<T> {
 
     fn end(&mut self, runs: &[Range<u32>], failed: bool) {
         if failed {
-            // From the last on, so that a body that was named twice gets its oldest positions.
             let mut rest = &self.before[..];
-            for run in runs.iter().rev() {
-                let (head, positions) = rest.split_at(rest.len() - run.len());
+            for run in runs {
+                let (positions, others) = rest.split_at(run.len());
                 let run = run.start as usize..run.end as usize;
                 self.ends.iter_mut().for_each(|x| x[run.clone()].copy_from_slice(positions));
-                rest = head;
+                rest = others;
             }
         }
         self.before.clear();

@@ -3,30 +3,24 @@
 use super::Points;
 use ccd_core::narrow_phase::relative_motion::Patch;
 use num_bigint::BigInt;
-use num_traits::{Signed, Zero};
+use num_traits::{Float, Signed, Zero};
 
 /// Halvings after which a zero is located well enough: 2^-56.
 const NARROW: u32 = 56;
 /// Halvings after which two zeros count as one that nobody decides.
 const MAX_DEPTH: u32 = 110;
 
-/// `x` as a mantissa and a power of two; exact.
-fn parts(x: f64) -> (i64, i32) {
-    assert!(x.is_finite(), "{x} is no coefficient");
-    let bits = x.to_bits();
-    let exponent = (bits >> 52 & 0x7ff) as i32;
-    let fraction = (bits & ((1 << 52) - 1)) as i64;
-    let (m, e) =
-        if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
-    (if x < 0.0 { -m } else { m }, e)
-}
-
 /// All numbers times one power of two that makes them integers.
 pub fn integers<const N: usize>(x: [f64; N]) -> [BigInt; N] {
-    let parts = x.map(parts);
+    let parts = x.map(|x| {
+        assert!(x.is_finite(), "{x} is no coefficient");
+        x.integer_decode()
+    });
     let least = parts.iter().filter(|p| p.0 != 0).map(|p| p.1).min().unwrap_or(0);
-    parts
-        .map(|(m, e)| if m == 0 { BigInt::zero() } else { BigInt::from(m) << (e - least) as usize })
+    parts.map(|(m, e, sign)| match m {
+        0 => BigInt::zero(),
+        m => (BigInt::from(m) << (e - least)) * sign,
+    })
 }
 
 /// Three times the control values of a cubic.
@@ -92,8 +86,8 @@ type Vector = [BigInt; 3];
 /// Twice the control values of a quadratic.
 type Quadratic = [BigInt; 3];
 
-/// What is exactly true of a query. `oracle.rs` says the same in rational numbers, a thousand times
-/// slower near a tangent; a test compares them.
+/// What is exactly true of a query. Sturm chains say the same (`ccd-testkit/src/sturm.rs`);
+/// `tests/properties/exact.rs` compares them.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Contact {
     /// None in `[0, 1]`.

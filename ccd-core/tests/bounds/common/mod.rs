@@ -6,8 +6,6 @@ pub mod distance;
 pub mod exact;
 pub mod exact_distance;
 pub mod motion;
-#[path = "../../../../ccd-testkit/src/oracle.rs"]
-pub mod oracle;
 pub mod oriented;
 pub mod random;
 pub mod tangential;

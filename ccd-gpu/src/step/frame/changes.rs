@@ -18,7 +18,9 @@ impl Frames {
         mesh: &Mesh,
         options: &Options,
     ) -> Result<(), Error> {
-        let (buffers, bench) = (Buffers::new(device, mesh, options, None)?, Bench::new(device)?);
+        let (buffers, mut bench) =
+            (Buffers::new(device, mesh, options, None)?, Bench::new(device)?);
+        bench.set_timing(self.bench.timing())?;
         (self.buffers, self.bench, self.stale) = (buffers, bench, false);
         self.readback = Readback::default();
         self.order.forget();

@@ -1,11 +1,10 @@
 //! LBVH: a binary radix tree over sorted Morton codes, every internal node by itself [Karras 2012].
 
 use super::TreeBuilder;
-use crate::broad_phase::leaf_boxes::Marks;
 use crate::broad_phase::morton_order::MortonOrder;
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::backend::broad_phase::{morton_key, radix_tree};
+use ccd_core::backend::broad_phase::radix_tree;
 use ccd_core::backend::layout::Branch;
 
 /// Sorts by 63-bit codes; ties are broken by place.
@@ -24,9 +23,7 @@ impl TreeBuilder for Lbvh {
         branches: &mut Vec<Branch>,
     ) {
         let (n, codes) = (boxes.len(), &mut self.codes);
-        let grid = morton.sort(threads, boxes, &Marks::default(), order);
-        codes.resize(n, [0; 2]);
-        threads.fill(codes, |i| morton_key::morton(order[i] as usize, boxes, &grid));
+        morton.sort_codes(threads, boxes, order, codes);
         branches.resize(n.saturating_sub(1), Branch { left: 0, right: 0, first: 0, last: 0 });
         threads.fill(branches, |i| radix_tree::branch(i as u32, n as u32, codes));
     }

@@ -12,12 +12,10 @@
 //! 2012] needs no lists.
 
 use super::TreeBuilder;
-use crate::broad_phase::leaf_boxes::Marks;
 use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::tree::shared_words::{Shared, copy, copy_branches};
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::backend::broad_phase::morton_key;
 use ccd_core::backend::broad_phase::node_numbering::{BRANCH, store_branch};
 use ccd_core::backend::broad_phase::split_lists::{MAX_LEVELS, NONE, branch, last_level, level};
 use ccd_core::backend::kernel::Words;
@@ -55,9 +53,7 @@ impl TreeBuilder for SplitLists {
         branches: &mut Vec<Branch>,
     ) {
         let (n, codes) = (boxes.len(), &mut self.codes);
-        let grid = morton.sort(threads, boxes, &Marks::default(), order);
-        codes.resize(n, [0; 2]);
-        threads.fill(codes, |i| morton_key::morton(order[i] as usize, boxes, &grid));
+        morton.sort_codes(threads, boxes, order, codes);
         self.levels.resize(n.saturating_sub(1), 0);
         threads.fill(&mut self.levels, |i| level(i, 0, codes));
         let begins = self.write_lists(threads);
