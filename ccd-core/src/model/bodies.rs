@@ -16,8 +16,8 @@ use alloc::vec::Vec;
 /// - their bodies are in different worlds;
 /// - the pair of features itself is excluded.
 ///
-/// Rules are made of a default by setters, and say nothing but which pairs are left out: all that
-/// is left is found as without them.
+/// Setters add rules to a default. A rule only leaves pairs out: the others are found exactly as
+/// without it.
 ///
 /// ```
 /// use ccd::{Bodies, Groups};

@@ -159,7 +159,9 @@ impl Catalogued for Traversal {
             .about("Pairs of nodes from all pairs of a cut of 256 nodes on, in parallel")
             .source("Karras 2012b"),
         Row::new(Self::CUT_STACKS, "cut-stacks")
-            .about("The same, a device thread with a stack for each; a CPU's `cut` has these")
+            .about(
+                "As `cut`, but each starting pair has a thread and a stack of its own, as on a CPU",
+            )
             .source("Karras 2012b")
             .on(GPU),
     ];

@@ -95,8 +95,8 @@ pub struct Options {
     /// it. A session of a backend that does not have it is refused.
     pub scheduling: Scheduling,
     /// How early a certain time of impact may be, in units of the step, from
-    /// [`Options::LEAST_TOLERANCE`] to 1. What cannot be certified within it is as what cannot be
-    /// certified at all, see [`Mode::Conservative`]. Nothing to [`Mode::Exact`].
+    /// [`Options::LEAST_TOLERANCE`] to 1. A pair that cannot be certified within it is treated as
+    /// undecided, see [`Mode::Conservative`]. [`Mode::Exact`] does not use it.
     pub tolerance: f64,
     /// How times of impact are found.
     pub mode: Mode,

@@ -34,8 +34,8 @@ pub struct Times {
     pub total: f64,
 }
 
-/// Tests of features that pairs of triangles are, before and after each step that takes some away.
-/// What is left then are [`Report::candidates`], whose own boxes overlap, and of these
+/// How many tests of features come from pairs of triangles, before and after each stage that takes
+/// some away. What is left are [`Report::candidates`], whose own boxes overlap, and of these
 /// [`Report::filtered`]. The numbers but `separated` are the same on every backend and by every
 /// method; where only the earliest time was asked for, a CPU counts its last pass, over a shorter
 /// time, a GPU all of the step.

@@ -279,7 +279,7 @@ impl Catalogued for Scheduler {
             .about("A deque per worker; idle workers steal from others; GPU: passthrough only")
             .source("Arora 1998"),
         Row::new(Self::StealingAbp, "stealing-abp")
-            .about("The same by the published deque of two words, whose fences no kernel has")
+            .about("Stealing by the deque as published; it needs fences that kernels of a GPU lack")
             .source("Arora 1998")
             .on(CPU),
         Row::new(Self::LazyStealing, "lazy-stealing")

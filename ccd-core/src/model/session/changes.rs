@@ -46,8 +46,8 @@ impl<E: Engine, P> Session<E, P> {
         Ok(())
     }
 
-    /// From now on another [`Options::min_distance`]. Order, trees and fronts stay, but on a GPU
-    /// with free regions, which are there without a distance alone.
+    /// From now on another [`Options::min_distance`]. Order, trees and fronts are kept, except on a
+    /// GPU with free regions, which there are only without a distance.
     ///
     /// # Errors
     /// [`Error::MinDistance`]; [`Error::ExactDistance`]; what the device refuses.

@@ -58,9 +58,9 @@ impl<E: Engine, P> Session<E, P> {
     /// The first contact of a step, with its geometry; `None`: the whole step is free.
     ///
     /// Of contacts with the same time it is the first by kind and ids. [`Hit::toi`] is that of the
-    /// contact; it may differ from [`Session::earliest_toi`], whose search goes by other steps, by
-    /// some of the tolerance, by more where the pair is undecided, and neither is late. The report
-    /// is that of the part of the step up to the contact.
+    /// contact; it may differ from [`Session::earliest_toi`] by up to the tolerance, by more where
+    /// the pair is undecided, and neither is later than the contact. The report is that of the part
+    /// of the step up to the contact.
     ///
     /// ```
     /// use ccd::{Bodies, Mesh, Options, Session};
