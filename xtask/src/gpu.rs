@@ -2,8 +2,8 @@
 //! how far that is from the bytes that must move.
 
 use crate::Part;
-use crate::growth::PEERS;
 use crate::measure::{Place, median, timed, warm};
+use crate::peers::PEERS;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
 use ccd::method::BroadPhaseMethod;
 use ccd::{Mesh, PerKind};

@@ -32,6 +32,8 @@ mod mutants;
 #[cfg(feature = "shaders")]
 mod packed;
 #[cfg(feature = "report")]
+mod peers;
+#[cfg(feature = "report")]
 mod plot;
 mod programs;
 mod python;

@@ -223,7 +223,8 @@ impl Options {
     /// What queries of a step look for, from time `from` to `until`.
     pub fn search(&self, [from, until]: [f64; 2]) -> Search<f64> {
         let Self { min_distance, tolerance, leave_contact: leaves, .. } = *self;
-        Search { min_distance, tolerance, from, until, leaves }
+        // No time is a negative zero.
+        Search { min_distance, tolerance, from: from + 0.0, until: until + 0.0, leaves }
     }
 
     /// Checks the options for steps of `mesh`.

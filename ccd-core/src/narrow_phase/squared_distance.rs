@@ -170,18 +170,17 @@ impl VertexFaceType {
     /// The type at these positions. On the border of two it is either; of corners and sides that
     /// are equally far, that with the least number of a corner or of an end.
     pub fn of(x: &Points) -> Self {
-        let x = &in_unit(x);
-        let [v, f0, f1, f2] = *x;
-        let (a, b, c) = (sub(v, f0), sub(f1, f0), sub(f2, f0));
+        let d = in_unit(x);
+        let (a, b, c) = (d([0, 1]), d([2, 1]), d([3, 1]));
         let n = cross(b, c);
         let (s, r) = (dot(cross(a, c), n), dot(cross(b, a), n));
         if s > 0.0 && r > 0.0 && s + r < dot(n, n) {
             return Self::Face;
         }
         nearest([
-            beside(v, [f0, f1], [Self::F0, Self::F1, Self::F0F1]),
-            beside(v, [f1, f2], [Self::F1, Self::F2, Self::F1F2]),
-            beside(v, [f2, f0], [Self::F2, Self::F0, Self::F2F0]),
+            beside(&d, 0, [1, 2], [Self::F0, Self::F1, Self::F0F1]),
+            beside(&d, 0, [2, 3], [Self::F1, Self::F2, Self::F1F2]),
+            beside(&d, 0, [3, 1], [Self::F2, Self::F0, Self::F2F0]),
         ])
     }
 
@@ -243,8 +242,8 @@ impl EdgeEdgeType {
     /// The type at these positions. On the border of two it is either; of parallel edges, it is
     /// that of an end, of `ea0` before `ea1`, `eb0`, `eb1` where several are equally near.
     pub fn of(x: &Points) -> Self {
-        let [a0, a1, b0, b1] = in_unit(x);
-        let (u, v, w) = (sub(a1, a0), sub(b1, b0), sub(b0, a0));
+        let d = in_unit(x);
+        let (u, v, w) = (d([1, 0]), d([3, 2]), d([2, 0]));
         let n = cross(u, v);
         let nn = dot(n, n);
         let (s, t) = (dot(cross(w, v), n), dot(cross(w, u), n));
@@ -252,10 +251,10 @@ impl EdgeEdgeType {
             return Self::AB;
         }
         nearest([
-            beside(a0, [b0, b1], [Self::A0B0, Self::A0B1, Self::A0B]),
-            beside(a1, [b0, b1], [Self::A1B0, Self::A1B1, Self::A1B]),
-            beside(b0, [a0, a1], [Self::A0B0, Self::A1B0, Self::AB0]),
-            beside(b1, [a0, a1], [Self::A0B1, Self::A1B1, Self::AB1]),
+            beside(&d, 0, [2, 3], [Self::A0B0, Self::A0B1, Self::A0B]),
+            beside(&d, 1, [2, 3], [Self::A1B0, Self::A1B1, Self::A1B]),
+            beside(&d, 2, [0, 1], [Self::A0B0, Self::A1B0, Self::AB0]),
+            beside(&d, 3, [0, 1], [Self::A0B1, Self::A1B1, Self::AB1]),
         ])
     }
 
@@ -279,10 +278,15 @@ impl EdgeEdgeType {
     }
 }
 
-/// The square of the distance from a point to a segment, and which of the three is nearest: its
-/// first end, its second end, or its inside.
-fn beside<T>(p: [f64; 3], [e0, e1]: [[f64; 3]; 2], [first, second, inside]: [T; 3]) -> (f64, T) {
-    let (e, w, back) = (sub(e1, e0), sub(p, e0), sub(p, e1));
+/// The square of the distance from a vertex to a segment, by differences of vertices, and which of
+/// the three is nearest: its first end, its second end, or its inside.
+fn beside<T>(
+    difference: &impl Fn([usize; 2]) -> [f64; 3],
+    p: usize,
+    [e0, e1]: [usize; 2],
+    [first, second, inside]: [T; 3],
+) -> (f64, T) {
+    let [e, w, back] = [[e1, e0], [p, e0], [p, e1]].map(difference);
     let along = dot(w, e);
     if !(along > 0.0) {
         (dot(w, w), first)
@@ -306,10 +310,10 @@ fn unit_of([p, others @ ..]: &Points) -> f64 {
     if size >= f64::MIN_POSITIVE && size.is_finite() { size.to_unit() } else { 1.0 }
 }
 
-/// Positions relative to the first, in that unit.
-fn in_unit(x: &Points) -> Points {
+/// Differences in that unit, by the places of their vertices: the first minus the second.
+fn in_unit(x: &Points) -> impl Fn([usize; 2]) -> [f64; 3] {
     let unit = unit_of(x);
-    x.map(|p| scale(sub(p, x[0]), unit))
+    move |[i, j]| scale(sub(x[i], x[j]), unit)
 }
 
 #[cfg(test)]

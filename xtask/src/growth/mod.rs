@@ -18,7 +18,6 @@ use crate::cells::Cells;
 use crate::markdown::{rewrite, rewrite_alone, wrap};
 use crate::measure::{Place, this_run};
 use ccd_testkit::data::data_dir;
-pub use scenes::PEERS;
 use series::{Limits, Work, sizes};
 use std::path::Path;
 use std::time::Instant;

@@ -6,6 +6,7 @@ use crate::cells::Cells;
 use crate::gpu::{Measured, of_session};
 use crate::markdown::{Table, digits, thousands};
 use crate::measure::{Place, median, timed, warm};
+use crate::peers::PEERS;
 use ccd::gpu::{self, Device, DeviceOptions};
 use ccd::{Digest, Mesh, Mode, Options, Session};
 use ccd_testkit::compare::contact_digest;
@@ -18,20 +19,6 @@ use std::sync::Arc;
 pub const RUNS: usize = 25;
 /// Entries that all lists are cut down to, so that a frame must run again.
 const TOO_FEW: u32 = 1024;
-
-/// Times of other libraries on an NVIDIA H200, on another day: Kitten's build and query over the
-/// boxes of edges and of faces, and all stages of Scalable-CCD [Belgrod 2023], in milliseconds.
-pub struct Peer {
-    pub scene: &'static str,
-    pub kitten: [&'static str; 2],
-    pub scalable: &'static str,
-}
-
-pub const PEERS: [Peer; 3] = [
-    Peer { scene: "cloth-ball", kitten: ["2.07", "1.92"], scalable: "138" },
-    Peer { scene: "rod-twist", kitten: ["1.13", "0.96"], scalable: "59" },
-    Peer { scene: "cloth-funnel", kitten: ["0.34", ""], scalable: "23" },
-];
 
 /// Names of the scenes.
 pub fn names() -> impl Iterator<Item = &'static str> {

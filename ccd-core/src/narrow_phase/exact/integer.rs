@@ -177,6 +177,32 @@ impl<const N: usize> Fixed<N> {
         }
         out.trimmed(self.len)
     }
+
+    /// Quotient and remainder of magnitudes; `by` is not 0.
+    fn divided(&self, by: &Self) -> (Self, Self) {
+        let [mut rest, by] = [self, by].map(|x| Self { negative: false, ..*x });
+        let mut quotient = Self::ZERO;
+        while rest.compared(&by).is_ge() {
+            let k = rest.bits() - by.bits();
+            let fits = by.shifted(k).compared(&rest).is_le();
+            let k = if fits { k } else { k - 1 };
+            rest = rest.difference(&by.shifted(k));
+            quotient = quotient.sum(&Self::new(1, k));
+        }
+        (quotient, rest)
+    }
+
+    /// Two numbers, not both 0, without their greatest common divisor.
+    pub fn coprime([a, b]: [Self; 2]) -> [Self; 2] {
+        if a.lost || b.lost {
+            return [a, b];
+        }
+        let (mut divisor, mut rest) = (a, b);
+        while rest.len > 0 {
+            (divisor, rest) = (rest, divisor.divided(&rest).1);
+        }
+        [a, b].map(|x| Self { negative: x.negative, ..x.divided(&divisor).0 })
+    }
 }
 
 impl<const N: usize> Neg for Fixed<N> {
@@ -309,6 +335,31 @@ mod tests {
         assert!(!((most + most) - (most + most)).is_exact());
         assert!(!(Fixed::<1>::new(1, 32) * Fixed::<1>::new(1, 32)).is_exact());
         assert!((Fixed::<1>::new(1, 32) * Fixed::<1>::new(1, 31)).is_exact());
+    }
+
+    #[test]
+    fn numbers_are_divided() {
+        let mut random = Random::new(6);
+        for _ in 0..2000 {
+            let mut one = || (random.bits() as i64 | 1) >> random.below(63);
+            let [a, b, c, d] = [one(), one(), one(), one()].map(|x| Fixed::<6>::new(x, 0));
+            let of = a * b * c;
+            let (by, more) = (c * d, b * d);
+            if by.sign() == 0 || of.sign() == 0 {
+                continue;
+            }
+            let (quotient, rest) = of.divided(&by);
+            let magnitude = Fixed { negative: false, ..of };
+            let by_magnitude = Fixed { negative: false, ..by };
+            assert_eq!((quotient * by_magnitude + rest - magnitude).sign(), 0);
+            assert!(rest.compared(&by).is_lt());
+            // The same quotient, by numbers with no common divisor.
+            let [p, q] = Fixed::coprime([of, more]);
+            assert_eq!((p * more - q * of).sign(), 0);
+            let [r, s] = Fixed::coprime([p, q]);
+            assert!((r - p).sign() == 0 && (s - q).sign() == 0);
+            assert!(p.bits() + b.bits() <= of.bits() + 2 && p.sign() == of.sign());
+        }
     }
 
     #[test]

@@ -188,3 +188,17 @@ fn times_have_an_order() {
     assert!(b.is_before(&mut middle).unwrap() && !middle.is_before(b).unwrap());
     assert!(a.is_before(b).unwrap() && !middle.is_before(&mut time(&half)).unwrap());
 }
+
+/// Numbers far apart where a cubic has a double zero: `28 W` bits are enough.
+#[test]
+fn a_zero_beside_a_double_one_is_short() {
+    for k in [100, 153, 170, 200] {
+        let e = 2f64.powi(-k);
+        let (f, g) = ([3.0 * e; 3], [5.0 * e; 3]);
+        let t0 = [[1.0, 1.0, 0.25], f, [f[0], 1.0, f[2]], [f[0], f[1], 1.0]];
+        let t1 = [[-1.0, -1.0, -0.75], g, [g[0], -3.0, g[2]], [g[0], g[1], -3.0]];
+        let found = of_patch(Patch::Triangle, [&t0, &t1], WHOLE);
+        let Some(Exact::Contact([lo, hi])) = found else { panic!("2^-{k}: {found:?}") };
+        assert!(lo < 0.5 && 0.5 <= hi && hi - lo < 1e-15, "2^-{k}: {lo:?} {hi:?}");
+    }
+}

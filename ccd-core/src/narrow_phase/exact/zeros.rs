@@ -90,6 +90,9 @@ pub fn zeros<const N: usize>(form: &Form<N>, window: &Window<N>) -> Option<Zeros
     Some(out)
 }
 
+/// Bits from which on a common divisor costs less than it saves.
+const LONG: u32 = 768;
+
 /// Forms without double zeros that have the zeros of a form of degree 1 to 3, whose first and last
 /// coefficients are not 0.
 fn simple_factors<const N: usize>(form: &Form<N>) -> Option<[Option<Form<N>>; 2]> {
@@ -116,7 +119,12 @@ fn simple_factors<const N: usize>(form: &Form<N>) -> Option<[Option<Form<N>>; 2]
                 (0, 0) => Some([linear(b, k(3) * a), None]),
                 (0, _) => {
                     let twice = linear(b * c - k(9) * a * d, k(2) * apart)?;
-                    let once = linear(b * b * b + k(9) * a * a * d - k(4) * a * b * c, a * apart)?;
+                    // A factor of the cubic has no more bits than the cubic, but these have three
+                    // times as many, and more may not fit where another form is asked at the zero.
+                    let once = [b * b * b + k(9) * a * a * d - k(4) * a * b * c, a * apart];
+                    let is_long = once.iter().any(|c| c.bits() > LONG);
+                    let [c0, c1] = if is_long { Fixed::coprime(once) } else { once };
+                    let once = linear(c0, c1)?;
                     Some([Some(twice), Some(once)])
                 }
                 _ => Some([Some(*form), None]),
