@@ -128,7 +128,13 @@ impl Check {
         if let Some(path) = &self.options.picture {
             work.goes_on("drawing the picture");
             let (distance, place) = (self.options.min_distance, session.place());
-            let title = &output::title(&names, distance, &place);
+            let mut title = output::title(&names, distance, &place);
+            match self.others.len() {
+                0 => {}
+                1 => title += "; with another object",
+                n => title += &format!("; with {n} other objects"),
+            }
+            let title = &title;
             let x = [&t0.positions[..], &t1.positions];
             let scene = picture::Scene { title, mesh, x, contacts: &shown, look: self.look };
             picture::write(path, &scene)?;

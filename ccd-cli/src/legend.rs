@@ -120,7 +120,7 @@ impl Legend<'_> {
         ] {
             root.draw(&PathElement::new([a, b], self.frame.style(INK, 2)))?;
         }
-        self.below(root, &format!("{} (unit of the mesh)", number(length)), [24, 20], SIZE)
+        self.below(root, &format!("{} units of the mesh", number(length)), [24, 20], SIZE)
     }
 
     /// Half of the side of a small thing, in pixels.

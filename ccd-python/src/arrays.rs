@@ -147,6 +147,21 @@ fn converted<'py>(
     let (py, text) = (array.py(), wanted.to_string());
     let how: Bound<'py, PyDict> = [("order", "C"), ("casting", "safe")].into_py_dict(py)?;
     how.set_item("subok", false)?;
+    // NumPy takes rounding of these for safe.
+    if text == "float64" && array.dtype().itemsize() == 8 && !array.is_empty() {
+        let beyond = match array.dtype().kind() {
+            b'u' => array.call_method0("max")?.extract::<u64>()? > 1 << 53,
+            b'i' => {
+                let least: i64 = array.call_method0("min")?.extract()?;
+                let most: i64 = array.call_method0("max")?.extract()?;
+                least < -(1 << 53) || most > 1 << 53
+            }
+            _ => false,
+        };
+        if beyond {
+            return Err(refused(format!("{name} has integers beyond 2**53, which float64 rounds")));
+        }
+    }
     array.call_method("astype", (wanted,), Some(&how)).map_err(|_| {
         refused(format!("{name} is an array of {}, which {text} does not hold", array.dtype()))
     })

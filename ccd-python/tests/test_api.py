@@ -332,3 +332,15 @@ def test_everything_is_documented():
     for of in (Mesh, Bodies, Session, meshccd.Report, meshccd.Geometry, meshccd.Hit, BroadPhase):
         for name, member in vars(of).items():
             assert name.startswith("__") or member.__doc__, f"{of.__name__}.{name}"
+
+
+def test_integers_that_float64_rounds_are_refused():
+    far = 2**53
+    session, x = Session(Mesh(FACES)), np.zeros((7, 3), np.int64)
+    for kind, n in [(np.int64, far + 1), (np.int64, -far - 1), (np.uint64, far + 1)]:
+        x = x.astype(kind)
+        x[3, 1] = n
+        with pytest.raises(ValueError, match=r"x1 has integers beyond 2\*\*53"):
+            session.step(X0, x)
+        x[3, 1] = far if n > 0 else -far
+        session.step(X0, x)

@@ -174,3 +174,18 @@ fn another_thread_cancels() {
         assert_eq!(cancelled, 40);
     }
 }
+
+#[test]
+fn a_cancelled_session_looks_for_no_intersections() {
+    let step = crumpled_sheet(10, 1);
+    let plain = Options::default();
+    for options in [plain.clone().with_pipeline(ccd::method::Pipeline::TRIANGLES), plain] {
+        let mut session = Session::new(&step.mesh, options).unwrap();
+        session.intersections(&step.x0).unwrap();
+        let token = CancelToken::new();
+        session.set_cancel_token(token.clone());
+        token.cancel();
+        assert_eq!(session.has_intersections(&step.x0), Err(Error::Cancelled));
+        assert_eq!(session.intersections(&step.x0).err(), Some(Error::Cancelled));
+    }
+}

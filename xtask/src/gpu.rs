@@ -2,7 +2,7 @@
 //! how far that is from the bytes that must move.
 
 use crate::Part;
-use crate::measure::{Place, median, timed, warm};
+use crate::measure::{Place, median, this_run, timed, warm};
 use crate::peers::PEERS;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
 use ccd::method::BroadPhaseMethod;
@@ -18,8 +18,9 @@ const COPY: f64 = 4.3e12;
 
 type Stages = Vec<(&'static str, f64)>;
 
-/// Measures and writes Markdown to `out`. `only`: these parts; none: all.
-pub fn run(runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
+/// Measures and writes Markdown to `out` below `root`. `only`: these parts; none: all.
+pub fn run(root: &Path, runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
+    let out = &root.join(out);
     let wanted = |part| only.is_empty() || only.contains(&part);
     let of_scenes = wanted(Part::Scenes) || wanted(Part::Narrow);
     let dir = if of_scenes { Some(data_dir()?) } else { None };
@@ -28,15 +29,16 @@ pub fn run(runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
             |(s, dir): &(&'static Scene, &PathBuf)| dir.join("scenes").join(s.name).is_dir();
         dir.iter().flat_map(|dir| SCENES.iter().map(move |s| (s, dir))).filter(exists)
     };
-    let mut text = String::from(
-        "# GPU: measured times\n\n`cargo xtask report --gpu`. Milliseconds, medians. \
+    let mut text = format!(
+        "# GPU: measured times\n\n`cargo xtask report --gpu`, {}. Milliseconds, medians. \
          Device: all kernels together, by its timestamps; \
          stages: each by itself, so that none overlaps another. \
          Wall: with upload, waiting and reading back. \
          Floor: bytes that must move, at 4.3 TB/s. \
          A session steps one frame again and again, so that boxes keep their order, and trees are \
          refitted, as in a sequence: where there is no stage `sort`, a step that sorts takes some \
-         0.08 more, and times of others that build anew are to be compared with that.\n",
+         0.08 more: libraries that build in every step are to be compared with that.\n",
+        this_run(root)
     );
     // What was measured before a failure is kept.
     let write = |text: &str| {

@@ -46,12 +46,11 @@ fn scenes(is_emulated: bool) -> Vec<Scene> {
 
 /// Adds its table.
 pub fn measure(runs: usize, text: &mut String) -> Result<(), Error> {
-    let mut devices = Device::open_all(&DeviceOptions::default())?;
-    let _ = writeln!(text, "\n## One mesh on {} GPUs\n", devices.len());
+    let devices = Device::open_all(&DeviceOptions::default())?;
     if devices.len() == 1 {
-        text.push_str("There is one GPU, which both members of the group use.\n\n");
-        devices.push(Device::open(&DeviceOptions::default())?);
+        return Ok(());
     }
+    let _ = writeln!(text, "\n## One mesh on {} GPUs\n", devices.len());
     text.push_str(
         "Wall, in milliseconds, medians of steps in turn; positions in `f32`. Sent: until \
          positions are on their way. First: with parts being made and buffers.\n\n\

@@ -318,7 +318,7 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
         #[cfg(feature = "report")]
         Task::Report { level: true, .. } => level::run(),
         #[cfg(feature = "report")]
-        Task::Report { runs, gpu: true, out, only, .. } => gpu::run(runs, &root.join(out), &only),
+        Task::Report { runs, gpu: true, out, only, .. } => gpu::run(root, runs, &out, &only),
         #[cfg(feature = "report")]
         Task::Report { runs, .. } => report::run(root, runs),
         Task::CompileTimes { only } => compile_times::run(root, only),

@@ -98,7 +98,9 @@ impl Engine {
     ) -> Result<Vec<Intersection>, Error> {
         if !matches!(self.method, Method::Blocks(_)) || self.prepared.triangles.is_some() {
             let Stepped { mesh, options, .. } = &self.state;
-            return session(mesh, options)?.find_intersections(given, first);
+            let mut plain = session(mesh, options)?;
+            plain.set_cancel_token(self.threads.stop.token().cloned());
+            return plain.find_intersections(given, first);
         }
         let stop = self.threads.stop.clone();
         stop.begin()?;

@@ -59,7 +59,8 @@ impl<E: Engine, P> Session<E, P> {
 
     /// From now on other options, of which those count that differ: a pool of threads is started
     /// only if their number does; a method, its scheduling or a pipeline that is another one builds
-    /// anew, as bodies do. What a GPU does not have is refused there, whatever chose it.
+    /// anew, as bodies do. What a GPU does not have is refused there, whatever chose it. Memory
+    /// that a CPU's session once took stays its own, and counts against [`Options::max_memory`].
     ///
     /// # Errors
     /// Those of [`Session::new`].
