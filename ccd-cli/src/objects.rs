@@ -31,13 +31,10 @@ impl FromStr for Files {
 
     /// A name, or two with a comma between them.
     fn from_str(text: &str) -> Result<Self, String> {
-        let (mut names, nameless) = (text.split(',').map(PathBuf::from), PathBuf::new());
-        match [names.next(), names.next(), names.next()] {
-            [Some(start), end, None]
-                if ![Some(&start), end.as_ref()].contains(&Some(&nameless)) =>
-            {
-                Ok(Self { start, end })
-            }
+        let mut names = text.split(',').filter(|name| !name.is_empty()).map(PathBuf::from);
+        let n = text.split(',').count();
+        match [names.next(), names.next()] {
+            [Some(start), end] if n == 1 + end.is_some() as usize => Ok(Self { start, end }),
             _ => Err("one file, or two with a comma between them".into()),
         }
     }

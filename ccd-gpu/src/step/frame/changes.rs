@@ -52,6 +52,9 @@ impl Frames {
         // Under a limit of memory nothing is reused: it could not be counted anew.
         let old = Some(&self.buffers).filter(|_| device.memory().is_none());
         self.buffers = Buffers::new(device, mesh, options, old)?;
+        if device.memory().is_some() {
+            self.geometry = Geometry::default();
+        }
         (self.stale, self.of_bodies) = (false, 0);
         self.bench.forget();
         self.order.forget();
