@@ -76,32 +76,32 @@ var<storage, read_write> nodes: type_16;
 var<storage, read_write> control: type_16;
 
 fn function_(lane_1: u32) {
-    var phi_157_: type_8;
-    var phi_160_: u32;
-    var phi_158_: type_8;
-    var phi_183_: type_8;
-    var phi_226_: u32;
-    var phi_161_: u32;
+    var phi_156_: u32;
+    var phi_162_: type_8;
+    var phi_165_: u32;
+    var phi_163_: type_8;
+    var phi_188_: type_8;
+    var phi_231_: u32;
+    var phi_166_: u32;
     var local: u32;
-    var phi_230_: type_8;
-    var phi_233_: u32;
-    var phi_235_: u32;
-    var phi_237_: u32;
-    var phi_234_: u32;
-    var phi_231_: type_8;
-    var phi_260_: type_8;
-    var phi_276_: u32;
-    var phi_236_: u32;
-    var phi_238_: u32;
+    var phi_236_: type_8;
+    var phi_239_: u32;
+    var phi_241_: u32;
+    var phi_243_: u32;
+    var phi_240_: u32;
+    var phi_237_: type_8;
+    var phi_266_: type_8;
+    var phi_282_: u32;
+    var phi_242_: u32;
+    var phi_244_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_286_: type_8;
-    var phi_289_: u32;
-    var phi_287_: type_8;
-    var phi_312_: type_8;
-    var phi_366_: u32;
-    var phi_290_: u32;
-    var local_3: u32;
+    var phi_291_: type_8;
+    var phi_294_: u32;
+    var phi_292_: type_8;
+    var phi_317_: type_8;
+    var phi_371_: u32;
+    var phi_295_: u32;
     var lane_2: u32;
 
     lane_2 = lane_1;
@@ -111,156 +111,162 @@ fn function_(lane_1: u32) {
     let _e30 = params.member.member_1.member_1;
     let _e31 = (_e30 + 1u);
     let _e34 = (1u << bitcast<u32>((_e24 & 31u)));
-    let _e36 = atomicLoad((&control.member[_e31]));
-    let _e38 = ((_e34 + 255u) / 256u);
-    phi_157_ = type_8(0u, _e38);
-    phi_160_ = 0u;
+    if (_e18 == 0u) {
+        let _e37 = atomicLoad((&control.member[_e31]));
+        phi_156_ = _e37;
+    } else {
+        phi_156_ = 0u;
+    }
+    let _e39 = phi_156_;
+    let _e41 = ((_e34 + 255u) / 256u);
+    phi_162_ = type_8(0u, _e41);
+    phi_165_ = 0u;
     loop {
-        let _e41 = phi_157_;
-        let _e43 = phi_160_;
-        local = _e43;
-        local_3 = _e43;
-        local_2 = _e43;
-        if (_e41.member < _e41.member_1) {
-            phi_158_ = type_8((_e41.member + 1u), _e41.member_1);
-            phi_183_ = type_8(1u, _e41.member);
+        let _e44 = phi_162_;
+        let _e46 = phi_165_;
+        local = _e46;
+        local_2 = _e46;
+        if (_e44.member < _e44.member_1) {
+            phi_163_ = type_8((_e44.member + 1u), _e44.member_1);
+            phi_188_ = type_8(1u, _e44.member);
         } else {
-            phi_158_ = _e41;
-            phi_183_ = type_8(0u, type_8().member_1);
+            phi_163_ = _e44;
+            phi_188_ = type_8(0u, type_8().member_1);
         }
-        let _e55 = phi_158_;
-        let _e57 = phi_183_;
-        let _e61 = (bitcast<i32>(_e57.member) != 0i);
-        if _e61 {
-            let _e63 = ((_e18 * _e38) + _e57.member_1);
-            if (_e63 < _e34) {
-                let _e71 = ((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * _e63));
-                let _e73 = atomicLoad((&control.member[_e71]));
-                let _e76 = atomicLoad((&control.member[(_e71 + 1u)]));
-                phi_226_ = (_e43 + (_e73 + _e76));
+        let _e58 = phi_163_;
+        let _e60 = phi_188_;
+        let _e64 = (bitcast<i32>(_e60.member) != 0i);
+        if _e64 {
+            let _e66 = ((_e18 * _e41) + _e60.member_1);
+            if (_e66 < _e34) {
+                let _e74 = ((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * _e66));
+                let _e76 = atomicLoad((&control.member[_e74]));
+                let _e79 = atomicLoad((&control.member[(_e74 + 1u)]));
+                phi_231_ = (_e46 + (_e76 + _e79));
             } else {
-                phi_226_ = _e43;
+                phi_231_ = _e46;
             }
-            let _e80 = phi_226_;
-            phi_161_ = _e80;
+            let _e83 = phi_231_;
+            phi_166_ = _e83;
         } else {
-            phi_161_ = u32();
+            phi_166_ = u32();
         }
-        let _e82 = phi_161_;
+        let _e85 = phi_166_;
         continue;
         continuing {
-            phi_157_ = _e55;
-            phi_160_ = _e82;
-            break if !(_e61);
+            phi_162_ = _e58;
+            phi_165_ = _e85;
+            break if !(_e64);
         }
     }
-    let _e86 = local;
-    sums[_e18] = _e86;
-    phi_230_ = type_8(0u, 8u);
-    phi_233_ = 0u;
-    phi_235_ = 1u;
-    let _e234 = local_3;
-    phi_237_ = _e234;
-    phi_234_ = 256u;
+    let _e88 = local;
+    let _e89 = (_e39 + _e88);
+    sums[_e18] = _e89;
+    phi_236_ = type_8(0u, 8u);
+    phi_239_ = 0u;
+    phi_241_ = 1u;
+    phi_243_ = _e89;
+    phi_240_ = 256u;
     loop {
-        let _e88 = phi_230_;
-        let _e90 = phi_233_;
-        let _e92 = phi_235_;
-        let _e94 = phi_237_;
-        let _e96 = phi_234_;
-        local_1 = _e94;
-        if (_e88.member < _e88.member_1) {
-            phi_231_ = type_8((_e88.member + 1u), _e88.member_1);
-            phi_260_ = type_8(1u, _e88.member);
+        let _e92 = phi_236_;
+        let _e94 = phi_239_;
+        let _e96 = phi_241_;
+        let _e98 = phi_243_;
+        let _e100 = phi_240_;
+        local_1 = _e98;
+        if (_e92.member < _e92.member_1) {
+            phi_237_ = type_8((_e92.member + 1u), _e92.member_1);
+            phi_266_ = type_8(1u, _e92.member);
         } else {
-            phi_231_ = _e88;
-            phi_260_ = type_8(0u, type_8().member_1);
+            phi_237_ = _e92;
+            phi_266_ = type_8(0u, type_8().member_1);
         }
-        let _e108 = phi_231_;
-        let _e110 = phi_260_;
-        let _e113 = (bitcast<i32>(_e110.member) != 0i);
-        if _e113 {
+        let _e112 = phi_237_;
+        let _e114 = phi_266_;
+        let _e117 = (bitcast<i32>(_e114.member) != 0i);
+        if _e117 {
             workgroupBarrier();
-            if (_e18 >= _e92) {
-                let _e118 = sums[((_e90 + _e18) - _e92)];
-                phi_276_ = (_e94 + _e118);
+            if (_e18 >= _e96) {
+                let _e122 = sums[((_e94 + _e18) - _e96)];
+                phi_282_ = (_e98 + _e122);
             } else {
-                phi_276_ = _e94;
+                phi_282_ = _e98;
             }
-            let _e121 = phi_276_;
-            sums[(_e96 + _e18)] = _e121;
-            phi_236_ = (_e92 * 2u);
-            phi_238_ = _e121;
+            let _e125 = phi_282_;
+            sums[(_e100 + _e18)] = _e125;
+            phi_242_ = (_e96 * 2u);
+            phi_244_ = _e125;
         } else {
-            phi_236_ = u32();
-            phi_238_ = u32();
+            phi_242_ = u32();
+            phi_244_ = u32();
         }
-        let _e126 = phi_236_;
-        let _e128 = phi_238_;
+        let _e130 = phi_242_;
+        let _e132 = phi_244_;
         continue;
         continuing {
-            phi_230_ = _e108;
-            phi_233_ = _e96;
-            phi_235_ = _e126;
-            phi_237_ = _e128;
-            phi_234_ = _e90;
-            break if !(_e113);
+            phi_236_ = _e112;
+            phi_239_ = _e100;
+            phi_241_ = _e130;
+            phi_243_ = _e132;
+            phi_240_ = _e94;
+            break if !(_e117);
         }
     }
     workgroupBarrier();
-    let _e131 = local_1;
-    let _e134 = local_2;
-    let _e137 = sums[255u];
-    phi_286_ = type_8(0u, _e38);
-    phi_289_ = ((_e36 + _e131) - _e134);
+    let _e135 = local_1;
+    let _e137 = local_2;
+    let _e140 = sums[255u];
+    phi_291_ = type_8(0u, _e41);
+    phi_294_ = (_e135 - _e137);
     loop {
-        let _e140 = phi_286_;
-        let _e142 = phi_289_;
-        if (_e140.member < _e140.member_1) {
-            phi_287_ = type_8((_e140.member + 1u), _e140.member_1);
-            phi_312_ = type_8(1u, _e140.member);
+        let _e143 = phi_291_;
+        let _e145 = phi_294_;
+        if (_e143.member < _e143.member_1) {
+            phi_292_ = type_8((_e143.member + 1u), _e143.member_1);
+            phi_317_ = type_8(1u, _e143.member);
         } else {
-            phi_287_ = _e140;
-            phi_312_ = type_8(0u, type_8().member_1);
+            phi_292_ = _e143;
+            phi_317_ = type_8(0u, type_8().member_1);
         }
-        let _e154 = phi_287_;
-        let _e156 = phi_312_;
-        let _e160 = (bitcast<i32>(_e156.member) != 0i);
-        if _e160 {
-            let _e162 = ((_e18 * _e38) + _e156.member_1);
-            if (_e162 < _e34) {
-                atomicStore((&control.member[(((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + _e162)]), _e142);
-                let _e182 = ((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * _e162));
-                let _e184 = atomicLoad((&control.member[_e182]));
-                let _e187 = atomicLoad((&control.member[(_e182 + 1u)]));
-                phi_366_ = (_e142 + (_e184 + _e187));
+        let _e157 = phi_292_;
+        let _e159 = phi_317_;
+        let _e163 = (bitcast<i32>(_e159.member) != 0i);
+        if _e163 {
+            let _e165 = ((_e18 * _e41) + _e159.member_1);
+            if (_e165 < _e34) {
+                atomicStore((&control.member[(((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + _e165)]), _e145);
+                let _e185 = ((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * _e165));
+                let _e187 = atomicLoad((&control.member[_e185]));
+                let _e190 = atomicLoad((&control.member[(_e185 + 1u)]));
+                phi_371_ = (_e145 + (_e187 + _e190));
             } else {
-                phi_366_ = _e142;
+                phi_371_ = _e145;
             }
-            let _e191 = phi_366_;
-            phi_290_ = _e191;
+            let _e194 = phi_371_;
+            phi_295_ = _e194;
         } else {
-            phi_290_ = u32();
+            phi_295_ = u32();
         }
-        let _e193 = phi_290_;
+        let _e196 = phi_295_;
         continue;
         continuing {
-            phi_286_ = _e154;
-            phi_289_ = _e193;
-            break if !(_e160);
+            phi_291_ = _e157;
+            phi_294_ = _e196;
+            break if !(_e163);
         }
     }
     if (_e18 == 0u) {
-        atomicStore((&control.member[(((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + _e34)]), (_e36 + _e137));
-        if (_e137 > 0u) {
-            let _e211 = atomicAdd((&control.member[_e31]), _e137);
-            let _e214 = atomicMax((&nodes.member[0u]), (_e211 + _e137));
-            if ((_e211 + _e137) < _e211) {
-                let _e218 = atomicAdd((&nodes.member[2u]), 1u);
+        atomicStore((&control.member[(((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + _e34)]), _e140);
+        if (_e140 > _e39) {
+            let _e212 = (_e140 - _e39);
+            let _e214 = atomicAdd((&control.member[_e31]), _e212);
+            let _e217 = atomicMax((&nodes.member[0u]), (_e214 + _e212));
+            if ((_e214 + _e212) < _e214) {
+                let _e221 = atomicAdd((&nodes.member[2u]), 1u);
             }
             if (_e27 == 0u) {
             } else {
-                let _e221 = atomicMax((&control.member[1536u]), 4294967295u);
+                let _e224 = atomicMax((&control.member[1536u]), 4294967295u);
             }
         }
     }

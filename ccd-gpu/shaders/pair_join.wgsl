@@ -82,14 +82,14 @@ var<storage, read_write> items_out: type_13;
 var<storage, read_write> joins: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_97_: u32;
-    var phi_216_: f32;
-    var phi_221_: f32;
-    var phi_226_: f32;
-    var phi_232_: f32;
-    var phi_237_: f32;
-    var phi_242_: f32;
-    var phi_246_: type_15;
+    var phi_103_: u32;
+    var phi_246_: f32;
+    var phi_251_: f32;
+    var phi_256_: f32;
+    var phi_262_: f32;
+    var phi_267_: f32;
+    var phi_272_: f32;
+    var phi_276_: type_15;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -104,11 +104,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e34 = params.member.member_1.member;
     let _e35 = (_e34 / 2u);
     if ((_e34 % 2u) > 0u) {
-        phi_97_ = (_e35 + 1u);
+        phi_103_ = (_e35 + 1u);
     } else {
-        phi_97_ = _e35;
+        phi_103_ = _e35;
     }
-    let _e40 = phi_97_;
+    let _e40 = phi_103_;
     if (_e31 < _e40) {
         let _e44 = items.member[(2u * _e31)];
         let _e47 = clusters.member[_e44.w];
@@ -139,46 +139,46 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             joins.member[(_e101 + 2u)] = _e47.member_1.w;
             joins.member[(_e101 + 3u)] = (_e47.member_1.w + _e78.member_1.w);
             if (_e50 < _e81) {
-                phi_216_ = _e50;
+                phi_246_ = _e50;
             } else {
-                phi_216_ = _e81;
+                phi_246_ = _e81;
             }
-            let _e117 = phi_216_;
+            let _e117 = phi_246_;
             if (_e52 < _e83) {
-                phi_221_ = _e52;
+                phi_251_ = _e52;
             } else {
-                phi_221_ = _e83;
+                phi_251_ = _e83;
             }
-            let _e120 = phi_221_;
+            let _e120 = phi_251_;
             if (_e54 < _e85) {
-                phi_226_ = _e54;
+                phi_256_ = _e54;
             } else {
-                phi_226_ = _e85;
+                phi_256_ = _e85;
             }
-            let _e123 = phi_226_;
+            let _e123 = phi_256_;
             if (_e60 > _e90) {
-                phi_232_ = _e60;
+                phi_262_ = _e60;
             } else {
-                phi_232_ = _e90;
+                phi_262_ = _e90;
             }
-            let _e127 = phi_232_;
+            let _e127 = phi_262_;
             if (_e62 > _e92) {
-                phi_237_ = _e62;
+                phi_267_ = _e62;
             } else {
-                phi_237_ = _e92;
+                phi_267_ = _e92;
             }
-            let _e130 = phi_237_;
+            let _e130 = phi_267_;
             if (_e64 > _e94) {
-                phi_242_ = _e64;
+                phi_272_ = _e64;
             } else {
-                phi_242_ = _e94;
+                phi_272_ = _e94;
             }
-            let _e133 = phi_242_;
-            phi_246_ = type_15(array<f32, 3>(_e117, _e120, _e123), _e100, array<f32, 3>(_e127, _e130, _e133), (_e47.member_1.w + _e78.member_1.w));
+            let _e133 = phi_272_;
+            phi_276_ = type_15(array<f32, 3>(_e117, _e120, _e123), _e100, array<f32, 3>(_e127, _e130, _e133), (_e47.member_1.w + _e78.member_1.w));
         } else {
-            phi_246_ = type_15(array<f32, 3>(_e50, _e52, _e54), _e47.member.w, array<f32, 3>(_e60, _e62, _e64), _e47.member_1.w);
+            phi_276_ = type_15(array<f32, 3>(_e50, _e52, _e54), _e47.member.w, array<f32, 3>(_e60, _e62, _e64), _e47.member_1.w);
         }
-        let _e138 = phi_246_;
+        let _e138 = phi_276_;
         clusters_out.member[_e31] = type_19(vec4<u32>(bitcast<u32>(_e138.member[0]), bitcast<u32>(_e138.member[1]), bitcast<u32>(_e138.member[2]), _e138.member_1), vec4<u32>(bitcast<u32>(_e138.member_2[0]), bitcast<u32>(_e138.member_2[1]), bitcast<u32>(_e138.member_2[2]), _e138.member_3));
         items_out.member[_e31] = vec4<u32>(bitcast<u32>((_e138.member[0] + _e138.member_2[0])), bitcast<u32>((_e138.member[1] + _e138.member_2[1])), bitcast<u32>((_e138.member[2] + _e138.member_2[2])), _e31);
         if (_e40 == 1u) {

@@ -66,26 +66,26 @@ struct type_19 {
 var<storage> params: type_18;
 @group(0) @binding(2) 
 var<storage, read_write> found: type_10;
-var<workgroup> least: array<atomic<u32>, 2>;
 @group(0) @binding(1) 
 var<storage, read_write> items: type_15;
+var<workgroup> least: array<atomic<u32>, 3>;
 
 fn function_(lane_1: u32) {
-    var phi_99_: u32;
-    var phi_123_: u32;
-    var phi_126_: type_8;
-    var phi_129_: type_19;
-    var phi_127_: type_8;
-    var phi_152_: type_8;
-    var phi_204_: bool;
-    var phi_205_: bool;
-    var phi_210_: type_19;
-    var phi_211_: bool;
-    var phi_212_: type_19;
-    var phi_213_: bool;
-    var phi_218_: type_19;
-    var phi_222_: type_19;
-    var phi_130_: type_19;
+    var phi_109_: u32;
+    var phi_126_: u32;
+    var phi_129_: type_8;
+    var phi_132_: type_19;
+    var phi_130_: type_8;
+    var phi_155_: type_8;
+    var phi_207_: bool;
+    var phi_208_: bool;
+    var phi_213_: type_19;
+    var phi_214_: bool;
+    var phi_215_: type_19;
+    var phi_216_: bool;
+    var phi_221_: type_19;
+    var phi_225_: type_19;
+    var phi_133_: type_19;
     var local: type_19;
     var local_1: type_19;
     var local_2: type_19;
@@ -93,124 +93,125 @@ fn function_(lane_1: u32) {
 
     lane_2 = lane_1;
     let _e17 = lane_2;
-    let _e22 = found.member[0u];
-    let _e23 = (_e22 + 1u);
-    let _e26 = params.member.member_1.member;
-    let _e27 = (_e26 - _e23);
-    let _e28 = (_e27 / 256u);
-    if ((_e27 % 256u) > 0u) {
-        phi_99_ = (_e28 + 1u);
-    } else {
-        phi_99_ = _e28;
-    }
-    let _e33 = phi_99_;
     if (_e17 == 0u) {
         atomicStore((&least[0u]), 2137108966u);
         atomicStore((&least[1u]), 4294967295u);
+        let _e25 = found.member[0u];
+        atomicStore((&least[2u]), (_e25 + 1u));
     }
     workgroupBarrier();
-    let _e38 = (_e33 / 256u);
+    let _e29 = atomicLoad((&least[2u]));
+    let _e32 = params.member.member_1.member;
+    let _e33 = (_e32 - _e29);
+    let _e34 = (_e33 / 256u);
     if ((_e33 % 256u) > 0u) {
-        phi_123_ = (_e38 + 1u);
+        phi_109_ = (_e34 + 1u);
     } else {
-        phi_123_ = _e38;
+        phi_109_ = _e34;
     }
-    let _e43 = phi_123_;
-    phi_126_ = type_8(0u, _e43);
-    phi_129_ = type_19(300000000000000000000000000000000000000f, _e23);
+    let _e39 = phi_109_;
+    let _e41 = (_e39 / 256u);
+    if ((_e39 % 256u) > 0u) {
+        phi_126_ = (_e41 + 1u);
+    } else {
+        phi_126_ = _e41;
+    }
+    let _e46 = phi_126_;
+    phi_129_ = type_8(0u, _e46);
+    phi_132_ = type_19(300000000000000000000000000000000000000f, _e29);
     loop {
-        let _e46 = phi_126_;
-        let _e48 = phi_129_;
-        local = _e48;
-        local_1 = _e48;
-        local_2 = _e48;
-        if (_e46.member < _e46.member_1) {
-            phi_127_ = type_8((_e46.member + 1u), _e46.member_1);
-            phi_152_ = type_8(1u, _e46.member);
+        let _e49 = phi_129_;
+        let _e51 = phi_132_;
+        local = _e51;
+        local_1 = _e51;
+        local_2 = _e51;
+        if (_e49.member < _e49.member_1) {
+            phi_130_ = type_8((_e49.member + 1u), _e49.member_1);
+            phi_155_ = type_8(1u, _e49.member);
         } else {
-            phi_127_ = _e46;
-            phi_152_ = type_8(0u, type_8().member_1);
+            phi_130_ = _e49;
+            phi_155_ = type_8(0u, type_8().member_1);
         }
-        let _e60 = phi_127_;
-        let _e62 = phi_152_;
-        let _e66 = (bitcast<i32>(_e62.member) != 0i);
-        if _e66 {
-            let _e68 = ((_e62.member_1 * 256u) + _e17);
-            if (_e68 < _e33) {
-                let _e70 = (2u * _e68);
-                let _e73 = found.member[(1u + _e70)];
-                let _e74 = bitcast<f32>(_e73);
-                let _e77 = found.member[(_e70 + 2u)];
-                if (_e74 < _e48.member) {
-                    phi_212_ = type_19();
-                    phi_213_ = true;
+        let _e63 = phi_130_;
+        let _e65 = phi_155_;
+        let _e69 = (bitcast<i32>(_e65.member) != 0i);
+        if _e69 {
+            let _e71 = ((_e65.member_1 * 256u) + _e17);
+            if (_e71 < _e39) {
+                let _e73 = (2u * _e71);
+                let _e76 = found.member[(1u + _e73)];
+                let _e77 = bitcast<f32>(_e76);
+                let _e80 = found.member[(_e73 + 2u)];
+                if (_e77 < _e51.member) {
+                    phi_215_ = type_19();
+                    phi_216_ = true;
                 } else {
-                    if (_e74 == _e48.member) {
-                        if (_e77 < _e48.member_1) {
-                            phi_204_ = false;
+                    if (_e77 == _e51.member) {
+                        if (_e80 < _e51.member_1) {
+                            phi_207_ = false;
                         } else {
-                            phi_204_ = true;
+                            phi_207_ = true;
                         }
-                        let _e84 = phi_204_;
-                        phi_205_ = _e84;
+                        let _e87 = phi_207_;
+                        phi_208_ = _e87;
                     } else {
-                        phi_205_ = true;
+                        phi_208_ = true;
                     }
-                    let _e86 = phi_205_;
-                    if _e86 {
-                        phi_210_ = _e48;
-                        phi_211_ = false;
+                    let _e89 = phi_208_;
+                    if _e89 {
+                        phi_213_ = _e51;
+                        phi_214_ = false;
                     } else {
-                        phi_210_ = type_19();
-                        phi_211_ = true;
+                        phi_213_ = type_19();
+                        phi_214_ = true;
                     }
-                    let _e88 = phi_210_;
-                    let _e90 = phi_211_;
-                    phi_212_ = _e88;
-                    phi_213_ = _e90;
+                    let _e91 = phi_213_;
+                    let _e93 = phi_214_;
+                    phi_215_ = _e91;
+                    phi_216_ = _e93;
                 }
-                let _e92 = phi_212_;
-                let _e94 = phi_213_;
-                if _e94 {
-                    phi_218_ = type_19(_e74, _e77);
+                let _e95 = phi_215_;
+                let _e97 = phi_216_;
+                if _e97 {
+                    phi_221_ = type_19(_e77, _e80);
                 } else {
-                    phi_218_ = _e92;
+                    phi_221_ = _e95;
                 }
-                let _e97 = phi_218_;
-                phi_222_ = _e97;
+                let _e100 = phi_221_;
+                phi_225_ = _e100;
             } else {
-                phi_222_ = _e48;
+                phi_225_ = _e51;
             }
-            let _e99 = phi_222_;
-            phi_130_ = _e99;
+            let _e102 = phi_225_;
+            phi_133_ = _e102;
         } else {
-            phi_130_ = type_19();
+            phi_133_ = type_19();
         }
-        let _e101 = phi_130_;
+        let _e104 = phi_133_;
         continue;
         continuing {
-            phi_126_ = _e60;
-            phi_129_ = _e101;
-            break if !(_e66);
+            phi_129_ = _e63;
+            phi_132_ = _e104;
+            break if !(_e69);
         }
     }
-    let _e104 = local;
-    let _e108 = atomicMin((&least[0u]), bitcast<u32>(_e104.member));
+    let _e107 = local;
+    let _e111 = atomicMin((&least[0u]), bitcast<u32>(_e107.member));
     workgroupBarrier();
-    let _e110 = local_1;
-    let _e114 = atomicLoad((&least[0u]));
-    if (bitcast<u32>(_e110.member) == _e114) {
-        let _e117 = local_2;
-        let _e120 = atomicMin((&least[1u]), _e117.member_1);
+    let _e113 = local_1;
+    let _e117 = atomicLoad((&least[0u]));
+    if (bitcast<u32>(_e113.member) == _e117) {
+        let _e120 = local_2;
+        let _e123 = atomicMin((&least[1u]), _e120.member_1);
     }
     workgroupBarrier();
     if (_e17 == 0u) {
-        let _e123 = atomicLoad((&least[1u]));
-        let _e125 = items.member[_e23];
-        let _e127 = items.member[_e123];
-        items.member[_e123] = _e125;
-        items.member[_e23] = _e127;
-        found.member[0u] = (_e22 + 2u);
+        let _e126 = atomicLoad((&least[1u]));
+        let _e128 = items.member[_e29];
+        let _e130 = items.member[_e126];
+        items.member[_e126] = _e128;
+        items.member[_e29] = _e130;
+        found.member[0u] = (_e29 + 1u);
     }
     return;
 }

@@ -89,46 +89,46 @@ var<storage, read_write> joins: type_11;
 var<workgroup> sums: array<atomic<u32>, 2>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_111_: u32;
-    var phi_149_: u32;
-    var phi_165_: u32;
-    var phi_174_: bool;
-    var phi_190_: u32;
-    var phi_206_: u32;
-    var phi_222_: u32;
-    var phi_238_: u32;
-    var phi_241_: type_9;
-    var phi_244_: u32;
-    var phi_246_: u32;
-    var phi_242_: type_9;
-    var phi_269_: type_9;
-    var phi_294_: u32;
-    var phi_300_: u32;
-    var phi_307_: u32;
-    var phi_245_: u32;
+    var phi_114_: u32;
+    var phi_152_: u32;
+    var phi_168_: u32;
+    var phi_177_: bool;
+    var phi_193_: u32;
+    var phi_209_: u32;
+    var phi_225_: u32;
+    var phi_241_: u32;
+    var phi_244_: type_9;
     var phi_247_: u32;
+    var phi_249_: u32;
+    var phi_245_: type_9;
+    var phi_272_: type_9;
+    var phi_297_: u32;
+    var phi_303_: u32;
+    var phi_310_: u32;
+    var phi_248_: u32;
+    var phi_250_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_319_: u32;
-    var phi_352_: u32;
-    var phi_353_: u32;
-    var phi_354_: u32;
-    var phi_355_: bool;
-    var phi_359_: u32;
-    var phi_365_: bool;
-    var phi_393_: type_9;
-    var phi_396_: u32;
-    var phi_394_: type_9;
-    var phi_419_: type_9;
-    var phi_397_: u32;
-    var phi_525_: f32;
-    var phi_530_: f32;
-    var phi_535_: f32;
-    var phi_541_: f32;
-    var phi_546_: f32;
-    var phi_551_: f32;
-    var phi_555_: type_16;
+    var phi_322_: u32;
+    var phi_355_: u32;
+    var phi_356_: u32;
+    var phi_357_: u32;
+    var phi_358_: bool;
+    var phi_362_: u32;
+    var phi_368_: bool;
+    var phi_396_: type_9;
+    var phi_399_: u32;
+    var phi_397_: type_9;
+    var phi_422_: type_9;
+    var phi_400_: u32;
+    var phi_552_: f32;
+    var phi_557_: f32;
+    var phi_562_: f32;
+    var phi_568_: f32;
+    var phi_573_: f32;
+    var phi_578_: f32;
+    var phi_582_: type_16;
     var local_3: u32;
     var local_4: u32;
     var id_2: vec3<u32>;
@@ -145,11 +145,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e46 = params.member.member_1.member_1;
     let _e48 = counts.member[_e46];
     if (_e48 > 256u) {
-        phi_111_ = _e48;
+        phi_114_ = _e48;
     } else {
-        phi_111_ = 0u;
+        phi_114_ = 0u;
     }
-    let _e51 = phi_111_;
+    let _e51 = phi_114_;
     let _e54 = params.member.member_2.member;
     let _e58 = params.member.member.member[_e54];
     let _e60 = ((_e43 * 256u) + _e30);
@@ -162,107 +162,107 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     workgroupBarrier();
     let _e65 = (_e51 / 256u);
     if ((_e51 % 256u) > 0u) {
-        phi_149_ = (_e65 + 1u);
+        phi_152_ = (_e65 + 1u);
     } else {
-        phi_149_ = _e65;
+        phi_152_ = _e65;
     }
-    let _e70 = phi_149_;
+    let _e70 = phi_152_;
     let _e71 = (_e70 / 256u);
     if ((_e70 % 256u) > 0u) {
-        phi_165_ = (_e71 + 1u);
+        phi_168_ = (_e71 + 1u);
     } else {
-        phi_165_ = _e71;
+        phi_168_ = _e71;
     }
-    let _e76 = phi_165_;
+    let _e76 = phi_168_;
     let _e79 = (((_e43 / 256u) * 256u) + _e30);
     if (_e79 < _e43) {
-        phi_174_ = (_e79 < _e70);
+        phi_177_ = (_e79 < _e70);
     } else {
-        phi_174_ = false;
+        phi_177_ = false;
     }
-    let _e83 = phi_174_;
+    let _e83 = phi_177_;
     let _e84 = (_e58 / 256u);
     if ((_e58 % 256u) > 0u) {
-        phi_190_ = (_e84 + 1u);
+        phi_193_ = (_e84 + 1u);
     } else {
-        phi_190_ = _e84;
+        phi_193_ = _e84;
     }
-    let _e89 = phi_190_;
+    let _e89 = phi_193_;
     let _e90 = (_e89 / 256u);
     if ((_e89 % 256u) > 0u) {
-        phi_206_ = (_e90 + 1u);
+        phi_209_ = (_e90 + 1u);
     } else {
-        phi_206_ = _e90;
+        phi_209_ = _e90;
     }
-    let _e95 = phi_206_;
+    let _e95 = phi_209_;
     if _e83 {
         let _e99 = counts.member[(192u + (_e95 + _e79))];
-        phi_222_ = _e99;
+        phi_225_ = _e99;
     } else {
-        phi_222_ = 0u;
+        phi_225_ = 0u;
     }
-    let _e101 = phi_222_;
+    let _e101 = phi_225_;
     let _e102 = (_e76 / 256u);
     if ((_e76 % 256u) > 0u) {
-        phi_238_ = (_e102 + 1u);
+        phi_241_ = (_e102 + 1u);
     } else {
-        phi_238_ = _e102;
+        phi_241_ = _e102;
     }
-    let _e107 = phi_238_;
-    phi_241_ = type_9(0u, _e107);
-    phi_244_ = 0u;
-    phi_246_ = 0u;
+    let _e107 = phi_241_;
+    phi_244_ = type_9(0u, _e107);
+    phi_247_ = 0u;
+    phi_249_ = 0u;
     loop {
-        let _e110 = phi_241_;
-        let _e112 = phi_244_;
-        let _e114 = phi_246_;
+        let _e110 = phi_244_;
+        let _e112 = phi_247_;
+        let _e114 = phi_249_;
         local = _e114;
         local_1 = _e114;
         local_2 = _e112;
         if (_e110.member < _e110.member_1) {
-            phi_242_ = type_9((_e110.member + 1u), _e110.member_1);
-            phi_269_ = type_9(1u, _e110.member);
+            phi_245_ = type_9((_e110.member + 1u), _e110.member_1);
+            phi_272_ = type_9(1u, _e110.member);
         } else {
-            phi_242_ = _e110;
-            phi_269_ = type_9(0u, type_9().member_1);
+            phi_245_ = _e110;
+            phi_272_ = type_9(0u, type_9().member_1);
         }
-        let _e126 = phi_242_;
-        let _e128 = phi_269_;
+        let _e126 = phi_245_;
+        let _e128 = phi_272_;
         let _e132 = (bitcast<i32>(_e128.member) != 0i);
         if _e132 {
             let _e134 = ((_e128.member_1 * 256u) + _e30);
             if (_e134 < _e76) {
                 let _e138 = counts.member[(192u + _e134)];
-                phi_294_ = _e138;
+                phi_297_ = _e138;
             } else {
-                phi_294_ = 0u;
+                phi_297_ = 0u;
             }
-            let _e140 = phi_294_;
+            let _e140 = phi_297_;
             if (_e134 < (_e43 / 256u)) {
-                phi_300_ = _e140;
+                phi_303_ = _e140;
             } else {
-                phi_300_ = 0u;
+                phi_303_ = 0u;
             }
-            let _e144 = phi_300_;
+            let _e144 = phi_303_;
             if (_e134 < (_e43 / 256u)) {
-                phi_307_ = 0u;
+                phi_310_ = 0u;
             } else {
-                phi_307_ = _e140;
+                phi_310_ = _e140;
             }
-            let _e149 = phi_307_;
-            phi_245_ = (_e112 + _e149);
-            phi_247_ = (_e114 + _e144);
+            let _e149 = phi_310_;
+            phi_248_ = (_e112 + _e149);
+            phi_250_ = (_e114 + _e144);
         } else {
-            phi_245_ = u32();
-            phi_247_ = u32();
+            phi_248_ = u32();
+            phi_250_ = u32();
         }
-        let _e152 = phi_245_;
-        let _e154 = phi_247_;
+        let _e152 = phi_248_;
+        let _e154 = phi_250_;
         continue;
         continuing {
-            phi_241_ = _e126;
-            phi_244_ = _e152;
-            phi_246_ = _e154;
+            phi_244_ = _e126;
+            phi_247_ = _e152;
+            phi_249_ = _e154;
             break if !(_e132);
         }
     }
@@ -273,47 +273,47 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e167 = atomicAdd((&sums[1u]), (_e162 + _e164));
     let _e168 = (_e60 < _e51);
     if _e168 {
-        phi_319_ = _e60;
+        phi_322_ = _e60;
     } else {
-        phi_319_ = 0u;
+        phi_322_ = 0u;
     }
-    let _e170 = phi_319_;
+    let _e170 = phi_322_;
     let _e172 = neighbours.member[_e170];
     let _e174 = neighbours.member[_e172];
     if (_e170 == _e172) {
-        phi_354_ = u32();
-        phi_355_ = true;
+        phi_357_ = u32();
+        phi_358_ = true;
     } else {
         let _e176 = (_e174 != _e170);
         if _e176 {
-            phi_353_ = u32();
+            phi_356_ = u32();
         } else {
             if (_e170 < _e172) {
-                phi_352_ = 1u;
+                phi_355_ = 1u;
             } else {
-                phi_352_ = 2u;
+                phi_355_ = 2u;
             }
-            let _e179 = phi_352_;
-            phi_353_ = _e179;
+            let _e179 = phi_355_;
+            phi_356_ = _e179;
         }
-        let _e181 = phi_353_;
-        phi_354_ = _e181;
-        phi_355_ = _e176;
+        let _e181 = phi_356_;
+        phi_357_ = _e181;
+        phi_358_ = _e176;
     }
-    let _e183 = phi_354_;
-    let _e185 = phi_355_;
+    let _e183 = phi_357_;
+    let _e185 = phi_358_;
     if _e185 {
-        phi_359_ = 0u;
+        phi_362_ = 0u;
     } else {
-        phi_359_ = _e183;
+        phi_362_ = _e183;
     }
-    let _e187 = phi_359_;
+    let _e187 = phi_362_;
     if _e168 {
-        phi_365_ = !((_e187 == 2u));
+        phi_368_ = !((_e187 == 2u));
     } else {
-        phi_365_ = false;
+        phi_368_ = false;
     }
-    let _e191 = phi_365_;
+    let _e191 = phi_368_;
     if _e191 {
         let _e198 = atomicOr((&masks[(_e30 / 32u)]), (1u << bitcast<u32>(((_e30 % 32u) & 31u))));
     }
@@ -321,34 +321,34 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     if _e191 {
         let _e200 = atomicLoad((&sums[0u]));
         let _e203 = atomicLoad((&masks[(_e30 / 32u)]));
-        phi_393_ = type_9(0u, (_e30 / 32u));
-        phi_396_ = (_e200 + countOneBits((_e203 & ((1u << bitcast<u32>(((_e30 % 32u) & 31u))) - 1u))));
+        phi_396_ = type_9(0u, (_e30 / 32u));
+        phi_399_ = (_e200 + countOneBits((_e203 & ((1u << bitcast<u32>(((_e30 % 32u) & 31u))) - 1u))));
         loop {
-            let _e215 = phi_393_;
-            let _e217 = phi_396_;
+            let _e215 = phi_396_;
+            let _e217 = phi_399_;
             local_3 = _e217;
             local_4 = _e217;
             if (_e215.member < _e215.member_1) {
-                phi_394_ = type_9((_e215.member + 1u), _e215.member_1);
-                phi_419_ = type_9(1u, _e215.member);
+                phi_397_ = type_9((_e215.member + 1u), _e215.member_1);
+                phi_422_ = type_9(1u, _e215.member);
             } else {
-                phi_394_ = _e215;
-                phi_419_ = type_9(0u, type_9().member_1);
+                phi_397_ = _e215;
+                phi_422_ = type_9(0u, type_9().member_1);
             }
-            let _e229 = phi_394_;
-            let _e231 = phi_419_;
+            let _e229 = phi_397_;
+            let _e231 = phi_422_;
             let _e235 = (bitcast<i32>(_e231.member) != 0i);
             if _e235 {
                 let _e237 = atomicLoad((&masks[_e231.member_1]));
-                phi_397_ = (_e217 + countOneBits(_e237));
+                phi_400_ = (_e217 + countOneBits(_e237));
             } else {
-                phi_397_ = u32();
+                phi_400_ = u32();
             }
-            let _e241 = phi_397_;
+            let _e241 = phi_400_;
             continue;
             continuing {
-                phi_393_ = _e229;
-                phi_396_ = _e241;
+                phi_396_ = _e229;
+                phi_399_ = _e241;
                 break if !(_e235);
             }
         }
@@ -379,46 +379,46 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             joins.member[(_e290 + 2u)] = _e244.member_1.w;
             joins.member[(_e290 + 3u)] = (_e244.member_1.w + _e268.member_1.w);
             if (_e247 < _e271) {
-                phi_525_ = _e247;
+                phi_552_ = _e247;
             } else {
-                phi_525_ = _e271;
+                phi_552_ = _e271;
             }
-            let _e306 = phi_525_;
+            let _e306 = phi_552_;
             if (_e249 < _e273) {
-                phi_530_ = _e249;
+                phi_557_ = _e249;
             } else {
-                phi_530_ = _e273;
+                phi_557_ = _e273;
             }
-            let _e309 = phi_530_;
+            let _e309 = phi_557_;
             if (_e251 < _e275) {
-                phi_535_ = _e251;
+                phi_562_ = _e251;
             } else {
-                phi_535_ = _e275;
+                phi_562_ = _e275;
             }
-            let _e312 = phi_535_;
+            let _e312 = phi_562_;
             if (_e257 > _e280) {
-                phi_541_ = _e257;
+                phi_568_ = _e257;
             } else {
-                phi_541_ = _e280;
+                phi_568_ = _e280;
             }
-            let _e316 = phi_541_;
+            let _e316 = phi_568_;
             if (_e259 > _e282) {
-                phi_546_ = _e259;
+                phi_573_ = _e259;
             } else {
-                phi_546_ = _e282;
+                phi_573_ = _e282;
             }
-            let _e319 = phi_546_;
+            let _e319 = phi_573_;
             if (_e261 > _e284) {
-                phi_551_ = _e261;
+                phi_578_ = _e261;
             } else {
-                phi_551_ = _e284;
+                phi_578_ = _e284;
             }
-            let _e322 = phi_551_;
-            phi_555_ = type_16(array<f32, 3>(_e306, _e309, _e312), _e289, array<f32, 3>(_e316, _e319, _e322), (_e244.member_1.w + _e268.member_1.w));
+            let _e322 = phi_578_;
+            phi_582_ = type_16(array<f32, 3>(_e306, _e309, _e312), _e289, array<f32, 3>(_e316, _e319, _e322), (_e244.member_1.w + _e268.member_1.w));
         } else {
-            phi_555_ = type_16(array<f32, 3>(_e247, _e249, _e251), _e244.member.w, array<f32, 3>(_e257, _e259, _e261), _e244.member_1.w);
+            phi_582_ = type_16(array<f32, 3>(_e247, _e249, _e251), _e244.member.w, array<f32, 3>(_e257, _e259, _e261), _e244.member_1.w);
         }
-        let _e327 = phi_555_;
+        let _e327 = phi_582_;
         let _e348 = local_3;
         clusters_out.member[_e348] = type_20(vec4<u32>(bitcast<u32>(_e327.member[0]), bitcast<u32>(_e327.member[1]), bitcast<u32>(_e327.member[2]), _e327.member_1), vec4<u32>(bitcast<u32>(_e327.member_2[0]), bitcast<u32>(_e327.member_2[1]), bitcast<u32>(_e327.member_2[2]), _e327.member_3));
         let _e351 = names.member[_e60];

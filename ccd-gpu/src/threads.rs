@@ -6,6 +6,7 @@
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::iter::repeat_n;
+use std::process;
 use std::sync::{Mutex, OnceLock};
 
 /// Threads that copy: more wait for memory.
@@ -49,17 +50,19 @@ fn on_threads<P: Send>(
     }
 }
 
-/// The other threads, if there are any.
+/// The other threads, if there are any: none in a process forked from that of the pool.
 fn pool() -> Option<&'static ThreadPool> {
-    static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
+    static POOL: OnceLock<Option<(u32, ThreadPool)>> = OnceLock::new();
     let start = || {
         let others = std::thread::available_parallelism().map_or(1, |n| n.get()) - 1;
         let threads = ThreadPoolBuilder::new().num_threads(others);
         let named = threads.thread_name(|i| format!("ccd-gpu {i}"));
         // Without them this thread does everything.
-        (others > 0).then(|| named.build().ok()).flatten()
+        let pool = (others > 0).then(|| named.build().ok()).flatten();
+        pool.map(|pool| (process::id(), pool))
     };
-    POOL.get_or_init(start).as_ref()
+    let here = |&(of, _): &&(u32, _)| *of == process::id();
+    POOL.get_or_init(start).as_ref().filter(here).map(|(_, pool)| pool)
 }
 
 #[cfg(test)]

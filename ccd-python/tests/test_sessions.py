@@ -338,6 +338,30 @@ def test_a_fork_is_told_apart():
     assert all("before a fork" in why for why in refused) and "broad phase" in refused[2]
 
 
+def on_a_gpu(queue, mesh, x0, x1):
+    queue.put(len(Session(mesh, device="gpu").step(x0, x1)))
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_a_fork_opens_a_gpu_of_its_own():
+    # So many vertices that several threads copy them.
+    mesh, _, x0, x1 = pieces(1500)
+    try:
+        want = len(Session(mesh, device="gpu").step(x0, x1))
+    except RuntimeError as why:
+        pytest.skip(str(why))
+    context = multiprocessing.get_context("fork")
+    queue = context.Queue()
+    child = context.Process(target=on_a_gpu, args=(queue, mesh, x0, x1))
+    child.start()
+    try:
+        assert queue.get(timeout=60) == want > 0
+    finally:
+        child.kill()
+        child.join()
+
+
 def test_geometry_of_what_is_undecided_is_that_of_the_first_contact():
     x0 = np.array([[2, 0, 0], [1, 1, 1], [2, 0, 2], [1, 1, 1]], float)
     x1 = np.array([[2, 2, 0], [1, 1, 0], [1, 2, 2], [1, 1, 1]], float)

@@ -181,20 +181,20 @@ pub fn cluster_at(clusters: &[ClusterWords], i: u32) -> Cluster {
 #[inline(always)]
 pub fn put_join(joins: &mut [u32], parent: u32, children: [u32; 2], leaves: [u32; 2]) {
     let [a, b, c, d, e, f] = node_numbering::join_words(parent, children, leaves);
-    put(joins, a[0] as usize, a[1]);
-    put(joins, b[0] as usize, b[1]);
-    put(joins, c[0] as usize, c[1]);
-    put(joins, d[0] as usize, d[1]);
-    put(joins, e[0] as usize, e[1]);
-    put(joins, f[0] as usize, f[1]);
+    put(joins, a.0, a.1);
+    put(joins, b.0, b.1);
+    put(joins, c.0, c.1);
+    put(joins, d.0, d.1);
+    put(joins, e.0, e.1);
+    put(joins, f.0, f.1);
 }
 
 /// Likewise, when `node` becomes the root.
 #[inline(always)]
 pub fn put_root(joins: &mut [u32], node: u32) {
     let [a, b] = node_numbering::root_words(node);
-    put(joins, a[0] as usize, a[1]);
-    put(joins, b[0] as usize, b[1]);
+    put(joins, a.0, a.1);
+    put(joins, b.0, b.1);
 }
 
 /// An [`Obb`], and a word that is not used.

@@ -81,7 +81,9 @@ pub struct Options {
     /// more.
     pub min_distance: f64,
     /// Threads of work on a CPU: 0 for those of rayon's current pool, 1 for the calling one alone,
-    /// more for a pool of the session's own, up to [`Options::MAX_THREADS`].
+    /// more for a pool of the session's own, up to [`Options::MAX_THREADS`]. On a thread of a rayon
+    /// pool, a call that is not alone waits by taking up other work of that pool: hold no lock then
+    /// that such work takes.
     pub threads: usize,
     /// Which pairs of bodies are looked at; `None`: all pairs of features that share no vertex.
     pub bodies: Option<Bodies>,

@@ -7,6 +7,7 @@
 use super::Device;
 use crate::error::Error;
 use std::future::Future;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::pin::{Pin, pin};
 use std::sync::{Mutex, MutexGuard};
 use std::task::{Context, Poll, Waker};
@@ -161,15 +162,15 @@ impl Device {
 
     /// Waits for all that was submitted.
     pub(crate) fn wait(&self) -> Result<(), Error> {
-        let waited = self.wgpu().poll(wgpu::PollType::wait_indefinitely());
+        let waited = polled(|| self.wgpu().poll(wgpu::PollType::wait_indefinitely()));
         self.check_lost()?;
-        waited.map(|_| ()).map_err(|e| Error::Lost { why: e.to_string() })
+        waited
     }
 
     /// Lets callbacks run of what is done.
     pub(crate) fn run_callbacks(&self) {
         // An error is that of a lost device, which is asked for elsewhere.
-        let _ = self.wgpu().poll(wgpu::PollType::Poll);
+        let _ = polled(|| self.wgpu().poll(wgpu::PollType::Poll));
     }
 
     /// Blocks until `work`, which waits for this device alone, is done.
@@ -191,6 +192,19 @@ impl Device {
     }
 }
 
+/// Polls a device. wgpu panics where a driver says meanwhile that the device is lost.
+fn polled(poll: impl FnOnce() -> Result<wgpu::PollStatus, wgpu::PollError>) -> Result<(), Error> {
+    match catch_unwind(AssertUnwindSafe(poll)) {
+        Ok(polled) => polled.map(|_| ()).map_err(|e| Error::Lost { why: e.to_string() }),
+        Err(payload) => match payload.downcast_ref::<String>() {
+            Some(why) if why.starts_with("Error in Device::poll") => {
+                Err(Error::Lost { why: why.clone() })
+            }
+            _ => resume_unwind(payload),
+        },
+    }
+}
+
 /// Whether a thread may wait for a device; in a browser it may not.
 pub(crate) const BLOCKS: bool = !cfg!(target_arch = "wasm32");
 
@@ -205,4 +219,18 @@ pub(super) fn at_once<T>(work: impl Future<Output = T>) -> Option<T> {
         std::thread::yield_now();
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_of_a_lost_device_is_an_error() {
+        let lost = polled(|| panic!("Error in Device::poll: Validation Error: {}", "it is lost"));
+        assert!(matches!(lost, Err(Error::Lost { why }) if why.ends_with("it is lost")));
+        assert!(polled(|| Ok(wgpu::PollStatus::QueueEmpty)).is_ok());
+        let other = catch_unwind(|| polled(|| panic!("a callback's {}", "own")));
+        assert!(other.is_err());
+    }
 }

@@ -40,31 +40,31 @@ pub const JOIN: usize = 4;
 ///
 /// Thread of `parent`: no other writes these words.
 #[inline(always)]
-pub fn join_words(parent: u32, children: [u32; 2], leaves: [u32; 2]) -> [[u32; 2]; 6] {
-    let (at, join) = (parent * JOIN as u32, JOIN as u32);
-    let (left, right) = (children[0] * join, children[1] * join);
+pub fn join_words(parent: u32, children: [u32; 2], leaves: [u32; 2]) -> [(usize, u32); 6] {
+    let at = parent as usize * JOIN;
+    let (left, right) = (children[0] as usize * JOIN, children[1] as usize * JOIN);
     [
-        [left, parent],
-        [left + 1, 0],
-        [right, parent],
-        [right + 1, leaves[0]],
-        [at + 2, leaves[0]],
-        [at + 3, leaves[0] + leaves[1]],
+        (left, parent),
+        (left + 1, 0),
+        (right, parent),
+        (right + 1, leaves[0]),
+        (at + 2, leaves[0]),
+        (at + 3, leaves[0] + leaves[1]),
     ]
 }
 
 /// Likewise, when `node` becomes the root.
 #[inline(always)]
-pub fn root_words(node: u32) -> [[u32; 2]; 2] {
-    let at = node * JOIN as u32;
-    [[at, NO_PARENT], [at + 1, 0]]
+pub fn root_words(node: u32) -> [(usize, u32); 2] {
+    let at = node as usize * JOIN;
+    [(at, NO_PARENT), (at + 1, 0)]
 }
 
 /// Stores words where they are to be.
 #[inline(always)]
-pub fn store_words<const N: usize>(words: [[u32; 2]; N], joins: &impl Words) {
-    for [at, word] in words {
-        joins.store(at as usize, word);
+pub fn store_words<const N: usize>(words: [(usize, u32); N], joins: &impl Words) {
+    for (at, word) in words {
+        joins.store(at, word);
     }
 }
 

@@ -75,7 +75,7 @@ macro_rules! least_of {
 }
 
 #[inline(always)]
-fn clear(least: &mut [u32; 2]) {
+fn clear<const N: usize>(least: &mut [u32; N]) {
     set(least, 0, FAR.to_bits());
     set(least, 1, u32::MAX);
 }
@@ -106,13 +106,15 @@ kernel! {
 kernel! {
     /// One workgroup finds the nearest of those: it changes places with the node after the target,
     /// and the one after that is the next target.
-    pair_swap[256](t; params: Building; least: [u32; 2]; mut items: [UVec4], mut found: [u32]) {
-        let next = at(found, PLACE) + 1;
-        let n_groups = (params.dispatch.n - next).div_ceil(THREADS);
+    pair_swap[256](t; params: Building; least: [u32; 3]; mut items: [UVec4], mut found: [u32]) {
         if t.lane == 0 {
             clear(least);
+            // Of a word that it changes below, and a barrier is of workgroup memory alone.
+            set(least, 2, at(found, PLACE) + 1);
         }
         barrier();
+        let next = get(least, 2);
+        let n_groups = (params.dispatch.n - next).div_ceil(THREADS);
         let mut best = beginning(next);
         for k in 0..n_groups.div_ceil(THREADS) {
             let group = k * THREADS + t.lane;

@@ -27,8 +27,8 @@ kernel! {
         mut nodes: [u32]) {
         let (args, next_round) = (params.args, listed(params.dispatch.first + 1));
         let n = 1 << args.workers;
-        // Before the first thread changes it.
-        let begin = at(control, next_round);
+        // Of the first thread alone, which changes it: a barrier is of workgroup memory.
+        let begin = if t.lane == 0 { at(control, next_round) } else { 0 };
         let of_thread = (n + SCANNERS - 1) / SCANNERS;
         let mut sum = 0;
         for k in 0..of_thread {
@@ -37,8 +37,8 @@ kernel! {
                 sum += count(control, args.workers, worker);
             }
         }
-        let mut place = begin + scan(t.lane, 8, SCANNERS, sum, sums) - sum;
-        let total = get(sums, SCANNERS - 1);
+        let mut place = scan(t.lane, 8, SCANNERS, begin + sum, sums) - sum;
+        let end = get(sums, SCANNERS - 1);
         for k in 0..of_thread {
             let worker = t.lane * of_thread + k;
             if worker < n {
@@ -47,9 +47,9 @@ kernel! {
             }
         }
         if t.lane == 0 {
-            put(control, first(args.workers, n), begin + total);
-            if total > 0 {
-                reserve(control, next_round, nodes, total);
+            put(control, first(args.workers, n), end);
+            if end > begin {
+                reserve(control, next_round, nodes, end - begin);
                 if args.last != 0 {
                     raise(control, LEFT, u32::MAX);
                 }
