@@ -22,6 +22,7 @@ use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Options;
+use ccd_core::model::report::Report;
 use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, Kept, Moved, State};
 use passes::{collect, detect, drop_repeated, least_toi, prepare};
 use std::sync::Arc;
@@ -207,6 +208,12 @@ impl Engine {
         let codimensional = self.codimensional.as_ref();
         let pairs = codimensional.map(|found| found.pairs.each_ref().map(Vec::as_slice));
         Candidates::new(lists, pairs.unwrap_or_default())
+    }
+
+    #[doc(hidden)]
+    /// The report, for an engine over this one.
+    pub fn report_mut(&mut self) -> &mut Report {
+        &mut self.state.report
     }
 
     /// Number of threads that steps use.

@@ -17,6 +17,7 @@ use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Mode;
 use ccd_core::model::positions::Gathered;
 use ccd_core::model::precision::{Given, Precision};
+use ccd_core::model::report::Report;
 use ccd_core::model::session::{self, Ask, Change, Kept, Moved, On, State};
 use ccd_core::narrow_phase::decide;
 use in_flight::{Copied, Flight, Sought};
@@ -111,6 +112,7 @@ impl session::Engine for Engine {
         }
         self.state.report.clear();
         self.left_open = PerKind::default();
+        self.frames.stages.clear();
         self.frames.geometry.listed = false;
     }
 
@@ -157,6 +159,12 @@ impl Engine {
         self.codimensional = codimensional;
         self.device = device;
         Ok(())
+    }
+
+    #[doc(hidden)]
+    /// The report, for an engine over this one.
+    pub fn report_mut(&mut self) -> &mut Report {
+        &mut self.state.report
     }
 
     /// The device.

@@ -31,7 +31,7 @@ mod no_gpu;
 mod session;
 
 pub use broad_phase::{BroadPhase, Pairs};
-pub use session::{Candidates, Engine, Session};
+pub use session::{Candidates, Engine, FEW_CANDIDATES, FEW_VERTICES, Session};
 
 #[cfg(feature = "gpu")]
 pub use ccd_gpu::Error;

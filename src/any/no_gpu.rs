@@ -2,7 +2,7 @@
 //! methods never run.
 
 use crate::method::{BroadPhaseMethod, Scheduling};
-use crate::{Aabb, CancelToken, Pair};
+use crate::{Aabb, CancelToken, Pair, Report};
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Change, Kept, Moved, On, State};
 
@@ -65,6 +65,10 @@ pub enum Engine {}
 
 impl Engine {
     pub fn device(&self) -> &Device {
+        match *self {}
+    }
+
+    pub fn report_mut(&mut self) -> &mut Report {
         match *self {}
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Choice, Either, Error, Pairs, Place, Turn, gpu};
 use crate::method::BroadPhaseMethod;
-use crate::{AsPositions, CancelToken, CandidateSet, Intersection};
+use crate::{AsPositions, CancelToken, CandidateSet, Intersection, Mode, Real};
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::Engine as _;
 use ccd_core::model::session::{self, Ask, Change, Intersects, Kept, Moved, On, State};
@@ -42,7 +42,29 @@ pub type Session = session::Session<Engine, On<Choice>>;
 pub type Candidates<'a> = session::Candidates<Pairs<'a>>;
 
 /// A [`Session`] of either backend.
-pub struct Engine(Either<crate::Session, gpu::Session>);
+pub struct Engine {
+    on: Either<crate::Session, gpu::Session>,
+    /// Beside a GPU: what takes steps in which little moves.
+    beside: Option<Box<crate::Session>>,
+    /// Whether the last call found few candidates.
+    is_light: bool,
+    /// Whether the last call was taken beside the GPU.
+    was_beside: bool,
+}
+
+/// A session on a GPU has the CPU take a step of which it is told what moves
+/// ([`Session::step_bodies`](session::Session::step_bodies) and its like), if of so many vertices
+/// at most the positions differ from those of the call before, and that found at most
+/// [`FEW_CANDIDATES`]: two threads are done with so little before a GPU has begun.
+///
+/// The first such step makes a session on the CPU, which takes as long as a first step there and
+/// as much memory; so there is none with [`Options::max_memory`](crate::Options::max_memory), nor
+/// where another method than the default was chosen. Contacts are the same; where the device has
+/// no `f64`, or reads WGSL, conservative times are those of a CPU, which differ by up to the
+/// tolerance. Nothing of the step is on the device then.
+pub const FEW_VERTICES: usize = 512;
+/// See [`FEW_VERTICES`].
+pub const FEW_CANDIDATES: u64 = 4096;
 
 impl session::Engine for Engine {
     type On = Choice;
@@ -52,39 +74,53 @@ impl session::Engine for Engine {
     fn new(choice: &Choice, State { mesh, options, .. }: State) -> Result<Self, Error> {
         let on_cpu = || crate::Session::new(mesh.clone(), options.clone());
         let on_gpu = |device: &_| gpu::Session::new(device, mesh.clone(), options.clone());
-        Either::new(&choice.for_options(&options), on_cpu, on_gpu).map(Self)
+        let on = Either::new(&choice.for_options(&options), on_cpu, on_gpu)?;
+        Ok(Self { on, beside: None, is_light: false, was_beside: false })
     }
 
     fn state(&self) -> &State {
-        match &self.0 {
+        match &self.on {
             Either::Cpu(on) => on.state(),
             Either::Gpu { on, .. } => on.state(),
         }
     }
 
     fn kept(&mut self) -> &mut Kept {
-        match &mut self.0 {
+        match &mut self.on {
             Either::Cpu(on) => on.kept(),
             Either::Gpu { on, .. } => on.kept(),
         }
     }
 
     fn clear(&mut self) {
-        match &mut self.0 {
+        match &mut self.on {
             Either::Cpu(on) => on.clear(),
             Either::Gpu { on, .. } => on.clear(),
         }
     }
 
     fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
-        match self.0.run(|on| on.find(given, moved, ask), on_cpu)? {
-            Turn::Done(()) => Ok(()),
-            Turn::Cpu(on) => Ok(on.find(given, moved, ask)?),
+        let is_light = std::mem::take(&mut self.is_light);
+        let little = moved.filter(|moved| {
+            is_light && moved.runs.iter().map(|run| run.len()).sum::<usize>() <= FEW_VERTICES
+        });
+        self.was_beside = false;
+        match little.and_then(|moved| self.find_beside(given, moved, ask)) {
+            Some(found) => found?,
+            None => match self.on.run(|on| on.find(given, moved, ask), on_cpu)? {
+                Turn::Done(()) => {}
+                Turn::Cpu(on) => {
+                    self.beside = None;
+                    on.find(given, moved, ask)?;
+                }
+            },
         }
+        self.is_light = self.state().report.candidates.total() <= FEW_CANDIDATES;
+        Ok(())
     }
 
     fn candidates(&mut self, given: Given) -> Result<Candidates<'_>, Error> {
-        match self.0.run(|on| session::Engine::candidates(&mut **on, given), on_cpu)? {
+        match self.on.run(|on| session::Engine::candidates(&mut **on, given), on_cpu)? {
             Turn::Done(all) => {
                 let lists = [[all.vf, all.ee], [all.ve, all.vv]].map(|of| of.map(Pairs::owned));
                 let [of_faces, of_particles] = lists;
@@ -99,21 +135,28 @@ impl session::Engine for Engine {
     }
 
     fn change(&mut self, change: Change) -> Result<(), Error> {
-        match self.0.run(|on| on.change(change.clone()), on_cpu)? {
-            Turn::Done(()) => Ok(()),
-            Turn::Cpu(on) => Ok(on.change(change)?),
+        // Of another mesh there is nothing that it could keep.
+        let kept = self.beside.take().filter(|_| !matches!(change, Change::Mesh(..)));
+        let beside = kept.and_then(|mut on| on.change(change.clone()).is_ok().then_some(on));
+        match self.on.run(|on| on.change(change.clone()), on_cpu)? {
+            Turn::Done(()) => self.beside = beside,
+            Turn::Cpu(on) => on.change(change)?,
         }
+        Ok(())
     }
 
     fn set_cancel_token(&mut self, token: Option<CancelToken>) {
-        match &mut self.0 {
+        if let Some(on) = &mut self.beside {
+            on.set_cancel_token(token.clone());
+        }
+        match &mut self.on {
             Either::Cpu(on) => on.set_cancel_token(token),
             Either::Gpu { on, .. } => on.set_cancel_token(token),
         }
     }
 
     fn cancel_token(&self) -> Option<&CancelToken> {
-        match &self.0 {
+        match &self.on {
             Either::Cpu(on) => on.cancel_token(),
             Either::Gpu { on, .. } => on.cancel_token(),
         }
@@ -126,10 +169,10 @@ impl Intersects for Engine {
         given: Given,
         first: bool,
     ) -> Result<Vec<Intersection>, crate::Error> {
-        match &mut self.0 {
+        match &mut self.on {
             Either::Cpu(on) => Intersects::intersections(&mut ***on, given, first),
             Either::Gpu { on, .. } => {
-                let mut on = beside(on)?;
+                let mut on = beside(on, on.options().threads)?;
                 Intersects::intersections(&mut *on, given, first)
             }
         }
@@ -137,11 +180,49 @@ impl Intersects for Engine {
 }
 
 impl Engine {
-    /// Where steps run.
+    /// Has the CPU find what is asked for, beside a GPU, and leaves it in the GPU's report. `None`:
+    /// it may not, or there are no threads or no memory for it.
+    fn find_beside(&mut self, given: Given, moved: Moved, ask: Ask) -> Option<Result<(), Error>> {
+        let Either::Gpu { on, .. } = &mut self.on else { return None };
+        let options = on.options();
+        let methods = (options.broad_phase, options.scheduling, options.pipeline);
+        if options.max_memory.is_some() || methods != Default::default() {
+            return None;
+        }
+        let threads = if options.threads == 1 { 1 } else { 2 };
+        if self.beside.is_none() {
+            self.beside = beside(on, threads).ok().map(Box::new);
+        }
+        let cpu = self.beside.as_mut()?;
+        self.was_beside = true;
+        // It has the contacts of the step before, whose memory serves again.
+        std::mem::swap(on.report_mut(), cpu.report_mut());
+        on.clear();
+        let found = cpu.find(given, Some(moved), ask);
+        std::mem::swap(on.report_mut(), cpu.report_mut());
+        let options = cpu.options();
+        if ask == Ask::Earliest && options.mode == Mode::Conservative && options.tolerance >= 1e-7 {
+            // As a GPU says it.
+            let toi = &mut on.report_mut().toi;
+            *toi = toi.map(|toi| toi.round_down().into());
+        }
+        Some(found.map_err(Error::from))
+    }
+
+    /// Where steps run; those in which little moves run on the CPU all the same
+    /// ([`FEW_VERTICES`](super::FEW_VERTICES)).
     pub fn place(&self) -> Place {
-        match &self.0 {
+        match &self.on {
             Either::Cpu(on) => Place::Cpu { threads: on.threads() },
             Either::Gpu { on, .. } => Place::Gpu { adapter: gpu::name(on.device()).into() },
+        }
+    }
+
+    /// Where the last step ran: [`Engine::place`], but for one in which little moved.
+    pub fn last_place(&self) -> Place {
+        match &self.beside {
+            Some(on) if self.was_beside => Place::Cpu { threads: on.threads() },
+            _ => self.place(),
         }
     }
 
@@ -160,15 +241,17 @@ impl Engine {
         A: AsPositions + ?Sized,
         B: AsPositions<Scalar = A::Scalar> + ?Sized,
     {
-        match &mut self.0 {
+        match &mut self.on {
             Either::Cpu(on) => on.candidate_set(x0, x1, inflation),
-            Either::Gpu { on, .. } => beside(on)?.candidate_set(x0, x1, inflation),
+            Either::Gpu { on, .. } => {
+                beside(on, on.options().threads)?.candidate_set(x0, x1, inflation)
+            }
         }
     }
 
     /// The CPU's session, for calls that only the CPU has; `None` on a GPU.
     pub fn cpu(&mut self) -> Option<&mut crate::Session> {
-        match &mut self.0 {
+        match &mut self.on {
             Either::Cpu(on) => Some(on),
             Either::Gpu { .. } => None,
         }
@@ -177,7 +260,7 @@ impl Engine {
     /// The GPU's session, for calls that only a GPU has; `None` on the CPU.
     #[cfg(feature = "gpu")]
     pub fn gpu(&mut self) -> Option<&mut gpu::Session> {
-        match &mut self.0 {
+        match &mut self.on {
             Either::Cpu(_) => None,
             Either::Gpu { on, .. } => Some(on),
         }
@@ -193,8 +276,9 @@ fn on_cpu(on: &mut gpu::Session) -> Result<crate::Session, crate::Error> {
 }
 
 /// A session on the CPU for what a GPU does not do, by the default method.
-fn beside(on: &gpu::Session) -> Result<crate::Session, crate::Error> {
-    let options = on.options().clone().with_broad_phase(BroadPhaseMethod::default());
+fn beside(on: &gpu::Session, threads: usize) -> Result<crate::Session, crate::Error> {
+    let options = on.options().clone().with_threads(threads);
+    let options = options.with_broad_phase(BroadPhaseMethod::default());
     let options = options.with_scheduling(Default::default()).with_pipeline(Default::default());
     let mut session = crate::Session::new(on.mesh().clone(), options)?;
     session.set_cancel_token(on.cancel_token().cloned());

@@ -6,11 +6,12 @@ use crate::moving_bodies;
 use crate::scenes::{check_candidates, check_pairs, check_reports, check_step};
 use crate::support::{bytes, capacity, check_boxes, entries, list, read, run, twin, zeros};
 use crate::twin::{code, union};
+use ccd::any::{self, Choice};
 use ccd::gpu::bind::{NodePairsOfWorlds, WorldBounds, WorldKeys};
-use ccd::gpu::{Device, Session};
+use ccd::gpu::{Device, Path, Session};
 use ccd::method::Pipeline;
 use ccd::scenes::{Step, copies};
-use ccd::{Aabb, Bodies, Error, Groups, Kind, Options};
+use ccd::{Aabb, Bodies, BodyMotion, Error, Groups, Kind, Options};
 use ccd_core::backend::layout::{Dispatch, Params, Worlds};
 use ccd_testkit::compare;
 use ccd_testkit::generate::{crumpled_sheet, triangle_soup};
@@ -22,6 +23,7 @@ pub const TESTS: crate::Tests = &[
     ("worlds", check_worlds),
     ("dense_exclusions", check_dense_exclusions),
     ("moving_bodies", check_moving_bodies),
+    ("little_moves", check_little_moves),
 ];
 
 /// Steps that are told which bodies move are plain steps.
@@ -31,8 +33,52 @@ fn check_moving_bodies(device: &Device) {
     let far: Vec<[f64; 3]> = x.iter().map(|p| p.map(|c| c + 1e5 + 0.1)).collect();
     let options = Options::default().with_bodies(bodies);
     let session = || Session::new(device, &mesh, options.clone()).expect("a session");
-    moving_bodies::check("f32", (&mut session(), &mut session()), &narrow);
-    moving_bodies::check("f64", (&mut session(), &mut session()), &far);
+    moving_bodies::check("f32", 0.0, (&mut session(), &mut session()), &narrow);
+    moving_bodies::check("f64", 0.0, (&mut session(), &mut session()), &far);
+    if device.info().wide && device.info().path == Path::Passthrough {
+        // Else conservative times differ from those of a CPU by up to the tolerance.
+        let choice = Choice::of_device(device, false);
+        let mut told =
+            any::Session::new(&choice, mesh.clone(), options.clone()).expect("a session");
+        let mut plain = any::Session::new(&choice, mesh, options.clone()).expect("a session");
+        // The tolerance and the rounding to `f32`.
+        moving_bodies::check("either", 1.1e-6, (&mut told, &mut plain), &narrow);
+    }
+}
+
+/// Where little moves a session of either backend has the CPU take the step, and the GPU where much
+/// does or much was found; neither is told what the other one has seen.
+fn check_little_moves(device: &Device) {
+    let Step { mesh, mut x0, .. } = triangle_soup(400, 0.12, 5);
+    x0.iter_mut().for_each(|p| *p = p.map(|c| c as f32 as f64));
+    let bodies: Vec<u32> = (0..mesh.n_vertices() as u32).map(|v| v / 30).collect();
+    let options = Options::default().with_bodies(Bodies::new(&bodies));
+    let choice = Choice::of_device(device, false);
+    let mut told = any::Session::new(&choice, mesh.clone(), options.clone()).expect("a session");
+    told.set_positions(&x0).expect("positions");
+    let mut places = Vec::new();
+    for moving in [0..1, 1..3, 0..0, 3..40, 3..40, 1..2, 1..2, 5..6, 5..6] {
+        if places.len() == 7 {
+            let away: Vec<[f64; 3]> = x0.iter().map(|p| [p[0] + 1.0, p[1], p[2]]).collect();
+            let found = told.step(&x0, &away).expect("a step").candidates.total();
+            assert!(found > any::FEW_CANDIDATES, "{found}");
+        }
+        let mut x1 = x0.clone();
+        x1[30 * moving.start..30 * moving.end].iter_mut().for_each(|p| p[places.len() % 3] += 0.1);
+        let of = |body: usize| [&x0, &x1].map(|x| &x[30 * body..30 * (body + 1)]);
+        let motions: Vec<BodyMotion> = moving
+            .map(|k| (k as u32, of(k)))
+            .map(|(k, [x0, x1])| BodyMotion::new(k, x0, x1))
+            .collect();
+        let want = ccd::step(&mesh, &x0, &x1, &options).expect("a step");
+        let found = told.step_bodies(&motions).expect("a step");
+        assert!(found.candidates.total() <= any::FEW_CANDIDATES, "{:?}", found.candidates);
+        check_reports(&want, found, false);
+        places.push(told.last_place().backend());
+        x0 = x1;
+    }
+    let [gpu, cpu] = ["gpu", "cpu"];
+    assert_eq!(places, [gpu, cpu, cpu, gpu, gpu, gpu, cpu, gpu, cpu]);
 }
 
 /// All boxes overlap, and each pair is looked for among excluded ones: as many rounds of loops as a

@@ -22,9 +22,11 @@ pub fn scene() -> (Mesh, Bodies, Vec<[f64; 3]>) {
     (step.mesh, bodies, x)
 }
 
-/// Compares two sessions of one mesh and one choice of options over many steps.
+/// Compares two sessions of one mesh and one choice of options over many steps. `early`: by how
+/// much earliest times may differ where they are searched in two places.
 pub fn check<E: Engine, P, T: Coordinate>(
     what: &str,
+    early: f64,
     (told, plain): (&mut Session<E, P>, &mut Session<E, P>),
     at_rest: &[[T; 3]],
 ) where
@@ -90,7 +92,9 @@ pub fn check<E: Engine, P, T: Coordinate>(
         }
         let toi = told.earliest_toi_of_bodies(&motions).expect("a step");
         let want = plain.earliest_toi(&from, &to).expect("a step");
-        assert_eq!(toi, want, "{what}, step {k}");
+        assert_eq!(toi.is_some(), want.is_some(), "{what}, step {k}");
+        let apart = toi.zip(want).map_or(0.0, |(toi, want)| (toi - want).abs());
+        assert!(apart <= early, "{what}, step {k}: {toi:?}, {want:?}");
         // Bodies that have arrived are sent from where they were.
         let hit = told.first_contact_of_bodies(&motions).expect("a step");
         let first = plain.first_contact(&from, &to).expect("a step");
@@ -186,8 +190,8 @@ fn steps_of_bodies_are_plain_steps() {
         ("a tree", plain.with_broad_phase(ccd::method::BroadPhaseMethod::Tree(Default::default()))),
     ] {
         let session = || ccd::Session::new(&mesh, options.clone()).unwrap();
-        check(what, (&mut session(), &mut session()), &narrow);
-        check(what, (&mut session(), &mut session()), &far);
+        check(what, 0.0, (&mut session(), &mut session()), &narrow);
+        check(what, 0.0, (&mut session(), &mut session()), &far);
     }
 }
 
