@@ -99,12 +99,12 @@ impl Check {
                  next, as of `ccd sequence`"
             );
         }
-        if let Some(file) = listed {
-            work.goes_on("listing candidates");
-            list_candidates(&mut session, self.options.precision, t0, t1, file)?;
-        }
         let precision = self.options.precision;
         let place = |time, vertex| objects.place(time == 1, vertex);
+        if let Some(file) = listed {
+            work.goes_on("listing candidates");
+            list_candidates(&mut session, precision, [t0, t1], place, file)?;
+        }
         let window = self.window.unwrap_or([0.0, 1.0]);
         work.goes_on("looking for contacts");
         step(&mut session, precision, [t0, t1], window, place)?;
@@ -179,17 +179,18 @@ impl Check {
     }
 }
 
-fn list_candidates(
+fn list_candidates<'a>(
     session: &mut Session,
     precision: Precision,
-    t0: &Frame,
-    t1: &Frame,
+    [t0, t1]: [&Frame; 2],
+    place: impl Fn(u32, usize) -> (&'a Path, usize),
     mut file: rows::Rows,
 ) -> Result<(), Failure> {
     let found = match precision {
-        Precision::F64 => session.candidates(&t0.positions, &t1.positions)?,
-        Precision::F32 => session.candidates(&t0.positions_f32(), &t1.positions_f32())?,
+        Precision::F64 => session.candidates(&t0.positions, &t1.positions),
+        Precision::F32 => session.candidates(&t0.positions_f32(), &t1.positions_f32()),
     };
+    let found = found.map_err(|e| named(e, precision, place))?;
     for (kind, pairs) in Kind::ALL.into_iter().zip([found.vf, found.ee, found.ve, found.vv]) {
         file.pairs(kind, pairs.iter())?;
     }

@@ -6,6 +6,7 @@ use super::objects::{mesh_of, same_topology};
 use super::{Failure, in_file};
 use ccd::Mesh;
 use ccd::io::{Frame, MESH_EXTENSIONS, PointCache, listed, mesh_format, read_frame, read_frame_as};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Source of frames.
@@ -116,7 +117,7 @@ fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
         } else {
             of_pattern(path)?
         };
-        alphanumeric_sort::sort_path_slice(&mut found);
+        sort(&mut found);
         if !path.is_file() {
             check_order(&found)?;
         }
@@ -127,29 +128,52 @@ fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
         _ => e,
     })?;
     let mut sorted = frames.clone();
-    alphanumeric_sort::sort_path_slice(&mut sorted);
+    sort(&mut sorted);
     let is_sorted = sorted == frames;
     Ok((frames, !is_sorted))
 }
 
+/// Sorts by name, numbers in names as numbers, whatever the encoding of the names: the crate's
+/// functions for paths do not know numbers in names that are not UTF-8.
+fn sort(paths: &mut [PathBuf]) {
+    paths.sort_by(|a, b| {
+        let order = alphanumeric_sort::compare_str(a.to_string_lossy(), b.to_string_lossy());
+        order.then_with(|| a.cmp(b))
+    });
+}
+
+/// What names of one series may not differ in, and how it is taken away.
+type Form = (&'static str, fn(&str) -> String);
+
+const FORMS: [Form; 4] = [
+    ("letters in upper and lower case", |shape| shape.to_lowercase()),
+    ("numbers with a comma and with a point", |shape| shape.replace(',', ".")),
+    ("numbers with and without a minus", |shape| shape.replace("-0", "0")),
+    ("numbers with and without a digit before the point", |shape| shape.replace("0.0", ".0")),
+];
+
 /// Refuses files of a folder or a pattern whose order their names do not tell for certain.
 fn check_order(found: &[PathBuf]) -> Result<(), Failure> {
-    let stem = |path: &Path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let name = |path: &Path| path.with_extension("");
-    if let Some(two) = found.windows(2).find(|two| name(&two[0]) == name(&two[1])) {
-        let what = format!("and {} have one name: which is the frame?", two[1].display());
-        return Err(in_file(&two[0], what));
-    }
-    // Digits as one letter, and how many there are behind a point.
-    let mut fractions = std::collections::BTreeSet::new();
-    let mut shapes = std::collections::BTreeSet::new();
+    let mut names = BTreeMap::new();
     for path in found {
+        if let Some(other) = names.insert(name(path), path) {
+            let what = format!("and {} have one name: which is the frame?", path.display());
+            return Err(in_file(other, what));
+        }
+    }
+    // Folders that all are in tell no order.
+    let is_common = |folder: &&Path| found.iter().all(|path| path.starts_with(folder));
+    let folders = found.first().and_then(|path| path.ancestors().skip(1).find(is_common));
+    // Digits as one letter, and how many there are behind a point.
+    let (mut fractions, mut shapes) = (BTreeSet::new(), BTreeSet::new());
+    for path in names.keys() {
         let (mut shape, mut n) = (String::new(), 0);
-        for c in stem(path).chars().chain([' ']) {
+        let path = folders.and_then(|folders| path.strip_prefix(folders).ok()).unwrap_or(path);
+        for c in path.to_string_lossy().chars().chain([' ']) {
             match (c.is_ascii_digit(), n) {
                 (true, 0) => shape.push('0'),
                 (false, _) => {
-                    if n > 0 && shape.ends_with("0.0") {
+                    if n > 0 && (shape.ends_with("0.0") || shape.ends_with("0,0")) {
                         fractions.insert(n);
                     }
                     shape.push(c);
@@ -160,17 +184,35 @@ fn check_order(found: &[PathBuf]) -> Result<(), Failure> {
         }
         shapes.insert(shape);
     }
-    let is_signed = shapes.iter().any(|shape| {
-        let without = shape.replace("-0", "0");
-        without != *shape && shapes.contains(&without)
-    });
-    let what = match (fractions.len() > 1, is_signed) {
-        (true, _) => "numbers with a point, of different lengths",
-        (_, true) => "numbers with and without a minus",
-        _ => return Ok(()),
+    let refused = |what: &str| {
+        let name = found.first().map_or_else(Default::default, |path| path.display().to_string());
+        Err(Failure(format!("{name} and the others: {what}; list the frames in their order")))
     };
-    let name = found.first().map_or_else(Default::default, |path| path.display().to_string());
-    Err(Failure(format!("{name} and the others: {what}; list the frames in their order")))
+    if fractions.len() > 1 {
+        return refused("numbers with a point or a comma, of different lengths");
+    }
+    let has_exponent = |shape: &String| {
+        let shape = shape.to_lowercase();
+        shape.contains("0e-0") || shape.contains("0e+0")
+    };
+    if shapes.iter().any(has_exponent) {
+        return refused("numbers with an exponent");
+    }
+    for (what, without) in FORMS {
+        let fewer: BTreeSet<String> = shapes.iter().map(|shape| without(shape)).collect();
+        if fewer.len() < shapes.len() {
+            return refused(what);
+        }
+        shapes = fewer;
+    }
+    Ok(())
+}
+
+/// A path without the ending that names its format, and without `.gz`.
+fn name(path: &Path) -> PathBuf {
+    let is_packed = has_extension(path, &["gz"]);
+    let unpacked = if is_packed { path.with_extension("") } else { path.to_owned() };
+    unpacked.with_extension("")
 }
 
 fn at_least_two(n: usize) -> Result<(), Failure> {
@@ -234,6 +276,18 @@ mod tests {
         }
     }
 
+    #[cfg(unix)]
+    #[test]
+    fn names_need_not_be_utf_8() {
+        use std::os::unix::ffi::OsStrExt;
+        let path = |name: &[u8]| PathBuf::from(std::ffi::OsStr::from_bytes(name));
+        let sorted = [&b"M\xfcller/f2.ply"[..], b"M\xfcller/f10.ply"].map(path);
+        let mut found = sorted.clone();
+        found.reverse();
+        sort(&mut found);
+        assert_eq!(found, sorted);
+    }
+
     #[test]
     fn an_order_that_names_do_not_tell_is_refused() {
         for (names, why) in [
@@ -245,10 +299,22 @@ mod tests {
             ("t0.ply t0.5.ply", ""),
             ("f-2.ply f-1.ply f0.ply f1.ply", "a minus"),
             ("f0.obj f0.ply f1.obj f1.ply", "one name"),
+            ("f0.obj f0.obj.gz f1.obj", "one name"),
+            ("f0.obj f0.old.obj f0.ply", "one name"),
+            ("f0.obj f1.obj.gz f2.ply.GZ", ""),
             ("0/mesh.ply 1/mesh.ply 2/mesh.ply", ""),
+            ("t_0.05/mesh.ply t_0.1/mesh.ply", "with a point"),
+            ("t_9e-05.ply t_0.0001.ply t_1e-04.ply", "an exponent"),
+            ("t_1E+5.ply t_2E+5.ply", "an exponent"),
+            ("s01e05.ply s01e06.ply", ""),
+            ("of_1e-06/0.05/f0.ply of_1e-06/0.05/f1.ply", ""),
+            ("t0,5.ply t0,25.ply", "a comma"),
+            ("t0,5.ply t0.7.ply", "with a comma"),
+            ("t0.5.ply t.75.ply", "before the point"),
+            ("F1.ply f2.ply F3.ply", "upper and lower case"),
         ] {
             let mut found: Vec<_> = names.split(' ').map(PathBuf::from).collect();
-            alphanumeric_sort::sort_path_slice(&mut found);
+            sort(&mut found);
             match check_order(&found) {
                 Ok(()) => assert_eq!(why, "", "{names}"),
                 Err(Failure(what)) => assert!(!why.is_empty() && what.contains(why), "{what}"),

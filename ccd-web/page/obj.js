@@ -34,12 +34,11 @@ function statements(text) {
   let [begun, first] = ["", 0];
   text.split(/\r\n|\r|\n/).forEach((line, at) => {
     if (!begun) first = at + 1;
-    begun += line;
-    if (begun.endsWith("\\") && !begun.includes("#")) {
-      begun = `${begun.slice(0, -1)} `;
+    if (line.endsWith("\\") && !line.includes("#")) {
+      begun += `${line.slice(0, -1)} `;
       return;
     }
-    all.push([begun, first]);
+    all.push([begun + line, first]);
     begun = "";
   });
   if (begun) throw new Error(`line ${first}: goes on (\`\\\`), but the file ends`);

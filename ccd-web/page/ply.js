@@ -15,6 +15,8 @@ for (const [names, size, method, range] of [
 const ENCODINGS = ["ascii", "binary_little_endian", "binary_big_endian"];
 /** Names of the list of a face's vertices. */
 const LISTS = ["vertex_indices", "vertex_index"];
+/** Bytes of a header. */
+const LONGEST_HEADER = 1 << 20;
 /** The most elements that the library takes. */
 const LIMIT = 2 ** 31 - 1;
 const WHOLE = /^[+-]?\d+$/;
@@ -79,16 +81,31 @@ const READERS = Object.assign(Object.create(null), {
 
 /** The elements, and where the data begins. */
 function header(bytes) {
-  const text = new TextDecoder("latin1").decode(bytes.subarray(0, 1 << 20));
+  const text = new TextDecoder("latin1").decode(bytes.subarray(0, LONGEST_HEADER));
   const found = { encoding: null, elements: [], begin: 0 };
+  // Of elements, and of properties with their elements.
+  const names = new Set();
+  let nNames = 0;
   for (let line = 1; ; line++) {
     const end = text.indexOf("\n", found.begin);
-    if (end < 0) throw new Error("header: it has no end_header");
+    if (end < 0) {
+      const isLonger = bytes.length > LONGEST_HEADER;
+      throw new Error(`header: it ${isLonger ? "is longer than 1 MiB" : "has no end_header"}`);
+    }
     const words = text.slice(found.begin, end).trimEnd().split(/[ \t]+/);
     found.begin = end + 1;
     if (words[0] === "end_header") break;
     if (line === 1 ? words.join(" ") !== "ply" : !headerLine(words, found)) {
       throw new Error(`header: line ${line} is \`${words.join(" ").slice(0, 100)}\``);
+    }
+    const isElement = words[0] === "element";
+    if (!isElement && words[0] !== "property") continue;
+    const name = words.at(isElement ? 1 : -1);
+    names.add(isElement ? name : `${found.elements.at(-1).name} ${name}`);
+    nNames += 1;
+    if (names.size < nNames) {
+      const kind = isElement ? "elements" : "properties";
+      throw new Error(`header: line ${line}: \`${name}\` is the name of two ${kind}`);
     }
   }
   if (!found.encoding) throw new Error("header: it has no format");

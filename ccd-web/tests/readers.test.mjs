@@ -33,7 +33,11 @@ test("files that the command reads, in its way", () => {
   check(`vn 0 0 1\no x\n${V}f 1 2 2\n`, "a.obj", { faces: [0, 1, 1] });
   check(`f 1 2 3\n${V}`, "a.obj", {});
   check(`${V}l 1 2 -1\n`, "a.obj", rod);
+  // The time of a line is its own, however much there is of its statement already.
+  assert.equal(read(`${V}f 1 2 ${"\\\n".repeat(1 << 20)}3\n`, "a.obj").faces.length, 3);
   check(ply(FACE, "3 0 1 2\n\n \n"), "a.ply", {});
+  check(ply(FACE + FACE.replace("face", "other").replace("vertex_indices", "x"), "3 0 1 2\n1 0"),
+    "a.ply", {});
   check(ply(EDGE, "0 2\n"), "a.ply", { edges: [0, 2], faces: [] });
   check(ply(`comment a\n${FACE}`, "3 0 1 2").replaceAll("\n", "\r\n"), "a.ply", {});
   // Coordinates are of the type that the header has.
@@ -82,6 +86,9 @@ test("files that the command refuses", () => {
   refusedPly(ply("", "").replace("float x", "constructor x"), /header: line 4/);
   refusedPly(ply("property list float int a\n", ""), /header: line 7/);
   refusedPly(ply("", "").replaceAll("\n", "\r"), /no end_header/);
+  refusedPly(ply("element vertex 1\n", ""), /header: line 7: `vertex` is the name of two elements/);
+  refusedPly(ply("", "").replace("float y", "float x"), /5: `x` is the name of two properties/);
+  refusedPly(ply(`comment ${" ".repeat(1 << 20)}\n`, ""), /header: it is longer than 1 MiB/);
   // These end, too.
   refusedPly(ply("element none 1000000000000000\n", ""), /at most 2147483647 are possible/);
   const none = "element none 2147483647\n";

@@ -10,6 +10,7 @@ use super::gltf_nodes::Nodes;
 use super::weld::Weld;
 use super::{Frame, Input, ReadErrorKind, quote};
 use base64::Engine;
+use gltf::accessor::sparse::Sparse;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::Mode;
 use std::io::Read;
@@ -122,14 +123,16 @@ fn fetch(path: &Path, uri: &str, length: usize) -> Result<Vec<u8>, String> {
     read.map(|_| bytes).map_err(|e| format!("`{name}`: {e}"))
 }
 
+const OUTSIDE: &str = "has a list beyond the end of its buffer";
+
 struct Reading<'a> {
     buffers: &'a [Vec<u8>],
     frame: Frame,
 }
 
 impl Reading<'_> {
-    /// Whether buffers hold a list, which the crate takes as given.
-    fn holds(&self, list: &gltf::Accessor) -> bool {
+    /// Refuses a list that the buffers do not hold, which the crate takes as given.
+    fn check(&self, list: &gltf::Accessor) -> Result<(), &'static str> {
         let all = |view: gltf::buffer::View, offset: usize, count: usize, size: usize| {
             let bytes = self.buffers.get(view.buffer().index()).map_or(0, Vec::len);
             let stride = view.stride().unwrap_or(size);
@@ -140,18 +143,36 @@ impl Reading<'_> {
                 && end.is_some_and(|end| end <= view.length())
                 && view_end.is_some_and(|end| end <= bytes)
         };
-        let sparse = list.sparse().is_none_or(|sparse| {
+        let sparse = list.sparse();
+        let holds_sparse = sparse.as_ref().is_none_or(|sparse| {
             let (indices, values, n) = (sparse.indices(), sparse.values(), sparse.count());
             all(indices.view(), indices.offset(), n, indices.index_type().size())
                 && all(values.view(), values.offset(), n, list.size())
         });
         // Without a view it is all zeros but for the sparse ones: no more than there are bytes.
         let most = self.buffers.iter().map(Vec::len).max().unwrap_or(0);
-        sparse
-            && match list.view() {
-                Some(view) => all(view, list.offset(), list.count(), list.size()),
-                None => list.sparse().is_some() && list.count() <= most,
+        let holds_list = match list.view() {
+            Some(view) => all(view, list.offset(), list.count(), list.size()),
+            None => sparse.is_some() && list.count() <= most,
+        };
+        match (holds_list && holds_sparse, sparse) {
+            (false, _) => Err(OUTSIDE),
+            (true, Some(sparse)) if !self.rise(&sparse, list.count()) => {
+                Err("has a sparse list whose indices do not rise, or are beyond its end")
             }
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether the indices of sparse values, which the buffers hold, rise and are below `count`:
+    /// the crate passes over values from the first one on whose index does not.
+    fn rise(&self, sparse: &Sparse, count: usize) -> bool {
+        let indices = sparse.indices();
+        let (view, size) = (indices.view(), indices.index_type().size());
+        let bytes = &self.buffers[view.buffer().index()][view.offset() + indices.offset()..];
+        let index = |b: &[u8]| b[..size].iter().rev().fold(0usize, |i, &b| i << 8 | b as usize);
+        let all = bytes.chunks(view.stride().unwrap_or(size)).take(sparse.count()).map(index);
+        all.clone().is_sorted_by(|i, j| i < j) && all.max() < Some(count)
     }
 
     fn primitive(
@@ -172,30 +193,36 @@ impl Reading<'_> {
         if indices.as_ref().is_some_and(|indices| !is_index(indices)) {
             return Err("has indices that are no unsigned integers".into());
         }
-        if [Some(&accessor), indices.as_ref()].into_iter().flatten().any(|a| a.count() == 0) {
-            return Err("has a list of no elements".into());
+        for list in [Some(&accessor), indices.as_ref()].into_iter().flatten() {
+            if list.count() == 0 {
+                return Err("has a list of no elements".into());
+            }
+            self.check(list)?;
         }
-        let outside = "has a list beyond the end of its buffer";
-        if ![Some(&accessor), indices.as_ref()].into_iter().flatten().all(|a| self.holds(a)) {
-            return Err(outside.into());
-        }
-        let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(|b| &b[..]));
-        let positions: Vec<[f32; 3]> = reader.read_positions().ok_or(outside)?.collect();
+        let buffers = self.buffers;
+        let reader = primitive.reader(|buffer| buffers.get(buffer.index()).map(|b| &b[..]));
+        let mut positions = reader.read_positions().ok_or(OUTSIDE)?;
         let named: Vec<u32> = match indices {
-            None => (0..positions.len() as u32).collect(),
-            Some(_) => reader.read_indices().ok_or(outside)?.into_u32().collect(),
+            None => (0..accessor.count() as u32).collect(),
+            Some(_) => reader.read_indices().ok_or(OUTSIDE)?.into_u32().collect(),
         };
-        // A list may serve several meshes: what no index of this one names is none of its vertices.
-        let mut is_named = vec![false; positions.len()];
-        for &i in &named {
-            *is_named.get_mut(i as usize).ok_or("names a vertex that is not there")? = true;
+        // A list may serve many meshes: what no index of this one names is none of its vertices,
+        // and is not read.
+        let mut used = named.clone();
+        used.sort_unstable();
+        used.dedup();
+        if used.last().is_some_and(|&last| last as usize >= accessor.count()) {
+            return Err("names a vertex that is not there".into());
         }
-        let mut vertices = vec![0; positions.len()];
-        for (i, p) in positions.iter().enumerate().filter(|&(i, _)| is_named[i]) {
+        let (mut vertices, mut next) = (Vec::new(), 0);
+        for &i in &used {
+            let p = positions.nth(i as usize - next).ok_or(OUTSIDE)?;
+            next = i as usize + 1;
             let p = apply(place, [p[0] as f64, p[1] as f64, p[2] as f64, 1.0]);
-            vertices[i] = weld.vertex([p[0], p[1], p[2]], &mut self.frame);
+            vertices.push(weld.vertex([p[0], p[1], p[2]], &mut self.frame));
         }
-        let order: Vec<u32> = named.iter().map(|&i| vertices[i as usize]).collect();
+        let vertex = |i: &u32| vertices[used.partition_point(|before| before < i)];
+        let order: Vec<u32> = named.iter().map(vertex).collect();
         let frame = &mut self.frame;
         let n = order.len();
         match primitive.mode() {

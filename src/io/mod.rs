@@ -119,11 +119,15 @@ impl Frame {
         };
         let folds = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2] < 0.0;
         let (mut folded, mut last) = (0, None);
-        let pairs = self.polygons.windows(2).zip(self.faces.windows(2));
-        for (polygon, faces) in pairs.filter(|(polygon, _)| polygon[0] == polygon[1]) {
-            if last != Some(polygon[0]) && folds(normal(&faces[0]), normal(&faces[1])) {
-                (folded, last) = (folded + 1, Some(polygon[0]));
+        // The polygon of the triangle before, and its normal: one without area has none.
+        let mut before = (None, [0.0; 3]);
+        let triangles = self.polygons.iter().zip(self.faces.iter().map(normal));
+        for (polygon, normal) in triangles.filter(|(_, normal)| *normal != [0.0; 3]) {
+            let polygon = Some(*polygon);
+            if polygon == before.0 && polygon != last && folds(before.1, normal) {
+                (folded, last) = (folded + 1, polygon);
             }
+            before = (polygon, normal);
         }
         folded
     }
@@ -327,12 +331,20 @@ fn extension(path: &Path) -> Option<String> {
     path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase())
 }
 
-/// As much of a file's text as fits into a message.
+/// As much of a file's text as fits into a message, without control characters: a terminal would
+/// obey them.
 fn quote(text: &str) -> String {
-    let place = |n| text.char_indices().nth(n).map(|(at, _)| at);
+    let mut quoted = String::new();
+    for c in text.chars().take(201) {
+        match c.is_control() {
+            true => quoted.extend(c.escape_debug()),
+            false => quoted.push(c),
+        }
+    }
+    let place = |n| quoted.char_indices().nth(n).map(|(at, _)| at);
     match (place(198), place(200)) {
-        (Some(end), Some(_)) => format!("{}..", &text[..end]),
-        _ => text.to_owned(),
+        (Some(end), Some(_)) => format!("{}..", &quoted[..end]),
+        _ => quoted,
     }
 }
 

@@ -4,7 +4,7 @@
 //! the last is 3.
 
 use super::{ReadErrorKind, quote};
-use std::io::Read;
+use std::io::{Error, ErrorKind::UnexpectedEof, Read};
 
 /// An array of frames.
 pub(super) struct Header {
@@ -47,14 +47,15 @@ pub(super) fn look(from: &mut impl Read) -> Result<Header, (ReadErrorKind, bool)
 /// The dictionary of a header, and where it ends.
 fn text(from: &mut impl Read) -> Result<(String, u64), ReadErrorKind> {
     let bad = |what: &str| ReadErrorKind::Header(what.into());
+    let ends = |e: Error, what| if e.kind() == UnexpectedEof { bad(what) } else { e.into() };
     let mut first = [0; 8];
-    from.read_exact(&mut first).map_err(|_| bad("the file is no array of NumPy"))?;
+    from.read_exact(&mut first).map_err(|e| ends(e, "the file is no array of NumPy"))?;
     if &first[..6] != b"\x93NUMPY" || !(1..=3).contains(&first[6]) {
         return Err(bad("the file is no array of NumPy, version 1 to 3"));
     }
     let mut size = [0; 4];
     let n_bytes = if first[6] == 1 { 2 } else { 4 };
-    from.read_exact(&mut size[..n_bytes]).map_err(|_| bad("the file ends in its header"))?;
+    from.read_exact(&mut size[..n_bytes]).map_err(|e| ends(e, "the file ends in its header"))?;
     let length = u32::from_le_bytes(size);
     if length > LONGEST {
         return Err(bad(&format!("takes {length} bytes, more than {LONGEST}")));

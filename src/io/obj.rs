@@ -54,7 +54,7 @@ pub(super) fn read(mut reader: Input, _: &Path) -> Result<Frame, ReadErrorKind> 
             }
             begun.extend_from_slice(text);
             // The end of a comment, such as a path, is no sign for the line after it.
-            if begun.ends_with(b"\\") && !begun.contains(&b'#') {
+            if text.ends_with(b"\\") && !text.contains(&b'#') {
                 begun.pop();
                 begun.push(b' ');
                 continue;

@@ -4,8 +4,9 @@ use super::input::{LONGEST_LINE, too_long};
 use super::{Frame, Input, ReadErrorKind, of_comma, quote};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{
-    ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult, PropertyType,
+    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType,
 };
+use std::collections::HashSet;
 use std::io::{BufRead, ErrorKind, Read};
 use std::path::Path;
 
@@ -17,6 +18,9 @@ struct Element {
     corners: Option<Vec<i64>>,
     ends: [Option<i64>; 2],
 }
+
+/// Bytes of a header: a compressed file may unpack to one without end.
+const LONGEST_HEADER: u64 = 1 << 20;
 
 /// Names of the list of a face's vertices.
 const LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
@@ -88,14 +92,13 @@ fn integers(property: Property) -> Option<Vec<i64>> {
     })
 }
 
-pub(super) fn read(input: Input, _: &Path) -> Result<Frame, ReadErrorKind> {
-    let mut reader = Reader::new(input);
-    let header = Parser::<Element>::new().read_header(&mut reader).map_err(stopped)?;
+pub(super) fn read(mut input: Input, _: &Path) -> Result<Frame, ReadErrorKind> {
+    let (header, line) = header(&mut input)?;
     if !header.elements.contains_key("vertex") {
         return Err(ReadErrorKind::Header("there is no element named vertex".into()));
     }
-    let (encoding, line) = (header.encoding, reader.line().max(1));
-    let mut payload = Payload { rest: reader.into_inner(), line, encoding };
+    let encoding = header.encoding;
+    let mut payload = Payload { rest: input, line, encoding };
     let mut frame = Frame::default();
     for element in header.elements.values() {
         let (count, limit) = (element.count as u64, crate::Error::MAX_ELEMENTS);
@@ -150,6 +153,48 @@ pub(super) fn read(input: Input, _: &Path) -> Result<Frame, ReadErrorKind> {
     Ok(frame)
 }
 
+/// The header, and the number of the line after it. Comments may be in any encoding.
+fn header(input: &mut Input) -> Result<(Header, usize), ReadErrorKind> {
+    let (mut bytes, mut begin) = (Vec::new(), 0);
+    // Of a header without an end the parser says so.
+    while input.by_ref().take(LONGEST_HEADER - begin as u64).read_until(b'\n', &mut bytes)? > 0 {
+        if bytes[begin..].trim_ascii_end() == b"end_header" {
+            break;
+        }
+        begin = bytes.len();
+    }
+    if begin as u64 == LONGEST_HEADER {
+        return Err(ReadErrorKind::Header(format!("is longer than {} MiB", LONGEST_HEADER >> 20)));
+    }
+    let text = String::from_utf8_lossy(&bytes);
+    let mut reader = Reader::new(text.as_bytes());
+    let header = Parser::<Element>::new().read_header(&mut reader).map_err(stopped)?;
+    check_names(&text)?;
+    Ok((header, reader.line().max(1)))
+}
+
+/// Refuses a header with two elements, or two properties of one, of the same name: the parser keeps
+/// one of them.
+fn check_names(text: &str) -> Result<(), ReadErrorKind> {
+    let (mut elements, mut properties) = (HashSet::new(), HashSet::new());
+    for (at, line) in text.lines().enumerate() {
+        let words: Vec<&str> = line.split_ascii_whitespace().collect();
+        let (name, kind, is_new) = match words[..] {
+            ["element", name, ..] => {
+                properties.clear();
+                (name, "elements", elements.insert(name))
+            }
+            ["property", .., name] => (name, "properties", properties.insert(name)),
+            _ => continue,
+        };
+        if !is_new {
+            let what = format!("`{}` is the name of two {kind}", quote(name));
+            return Err(ReadErrorKind::Line { line: at + 1, what });
+        }
+    }
+    Ok(())
+}
+
 /// Elements after the header, read one by one: its counts are not trusted.
 struct Payload<R> {
     rest: R,
@@ -189,7 +234,12 @@ impl<R: BufRead> Payload<R> {
                         format!("`{}` has more numbers than the header says", quote(text.trim()));
                     return Err(ReadErrorKind::Line { line, what });
                 }
-                return parser.read_ascii_element(&text, element).map_err(|_| {
+                let read = parser.read_ascii_element(&text, element).or_else(|_| {
+                    let words = text.trim_end().split([' ', '\t']);
+                    let words: Vec<String> = words.map(filled).collect();
+                    parser.read_ascii_element(&words.join(" "), element)
+                });
+                return read.map_err(|_| {
                     let (name, comma) = (quote(&element.name), of_comma(&text));
                     let what = format!("`{}` is no {name}{comma}", quote(text.trim()));
                     ReadErrorKind::Line { line, what }
@@ -219,6 +269,19 @@ impl<R: BufRead> Payload<R> {
                 n => rest.consume(n),
             }
         }
+    }
+}
+
+/// A number with digits on both sides of its point, without which the parser refuses it.
+fn filled(word: &str) -> String {
+    let is_digit = |c: char| c.is_ascii_digit();
+    match word.split_once('.') {
+        Some((whole, rest)) if word.parse::<f64>().is_ok() => {
+            let before = if whole.ends_with(is_digit) { "" } else { "0" };
+            let behind = if rest.starts_with(is_digit) { "" } else { "0" };
+            format!("{whole}{before}.{behind}{rest}")
+        }
+        _ => word.to_owned(),
     }
 }
 

@@ -40,7 +40,7 @@ impl PointCache {
     ///
     /// # Errors
     /// A header that is not understood, an archive with no array `(frames, n, 3)` or with several,
-    /// a file that is too short or too long.
+    /// or with anything that is damaged, a file that is too short or too long.
     pub fn open(path: &Path) -> Result<Self, ReadError> {
         open(path).map_err(|kind| ReadError { path: path.to_owned(), kind })
     }
@@ -145,6 +145,12 @@ fn of_archive(path: &Path, file: BufReader<File>) -> Result<PointCache, ReadErro
         match npy::look(&mut entry) {
             Ok(_) => found.push((at, name)),
             Err((why, is_like)) => {
+                // What is damaged may have been the positions: it must be whole to be passed over.
+                let bad = |e: std::io::Error| ReadErrorKind::Format(quote(&format!("{name}: {e}")));
+                if let ReadErrorKind::Io(e) = why {
+                    return Err(bad(e));
+                }
+                std::io::copy(&mut entry, &mut std::io::sink()).map_err(bad)?;
                 let text = format!("{name}: {why}");
                 if is_like {
                     like.push(text.clone());

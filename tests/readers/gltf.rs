@@ -93,6 +93,32 @@ fn what_no_index_names_is_no_vertex() {
     assert_eq!((&frame.edges[..], &frame.merged[..]), (&[[0, 1]][..], &[0, 1][..]));
 }
 
+/// Vertices are numbered in the order of the list, however indices jump in it.
+#[test]
+fn some_of_a_list_are_its_vertices() {
+    let indices = "\"byteOffset\": 4, \"componentType\": 5123, \"count\": 4";
+    let accessors = Scene::default().accessors;
+    let accessors = accessors.replace("\"componentType\": 5123, \"count\": 6", indices);
+    let primitive = r#"{"attributes": {"POSITION": 0}, "indices": 1, "mode": 1}"#;
+    let scene = Scene { accessors, primitive, ..Scene::default() };
+    let frame = read("a.gltf", scene.json().as_bytes()).unwrap();
+    assert_eq!(frame.positions, [[0.0, 0.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.0, 0.0]]);
+    assert_eq!((&frame.edges[..], &frame.merged[..]), (&[[1, 1], [2, 0]][..], &[0, 1, 2][..]));
+}
+
+/// Each of many meshes takes the time of its own vertices, not of the list that all of them share.
+#[test]
+fn a_list_may_serve_many_meshes() {
+    let uri = format!("data:;base64,{}", "A".repeat(1 << 22));
+    let scene = Scene { uri, ..Scene::default() };
+    let json = scene.json().replace("\"count\": 4", "\"count\": 262144");
+    let json = json.replace("\"byteLength\": 48}", "\"byteLength\": 3145728}");
+    let json = json.replace("\"byteLength\": 60", "\"byteLength\": 3145728");
+    let json = json.replace(scene.primitive, &[scene.primitive; 4096].join(","));
+    let frame = read("a.gltf", json.as_bytes()).unwrap();
+    assert_eq!((frame.positions.len(), frame.faces.len()), (1, 2 * 4096));
+}
+
 #[test]
 fn every_mode_is_read() {
     let faces = |primitive| {
@@ -164,4 +190,10 @@ fn lists_of_zeros_are_as_long_as_the_file() {
     let long = scene(1 << 22);
     let error = super::small(long.as_bytes(), || read("b.gltf", long.as_bytes())).unwrap_err();
     assert!(error.contains("beyond the end"), "{error}");
+    // 2 2 and 3 0 do not rise, and of one element 1 is none.
+    let from = |at: usize| scene(6).replace("5123},", &format!("5123, \"byteOffset\": {at}}},"));
+    for text in [from(4), from(8), scene(1)] {
+        let error = read("c.gltf", text.as_bytes()).unwrap_err();
+        assert!(error.contains("indices do not rise, or are beyond its end"), "{error}");
+    }
 }

@@ -58,6 +58,15 @@ fn polygons_are_remembered() {
     }
 }
 
+/// A triangle without area does not hide that the one behind it turns against the one before.
+#[test]
+fn polygons_that_fold_are_counted() {
+    for (corners, folded) in [("1 2 3 4", 0), ("2 3 4 1", 1), ("2 3 4 4 1", 1), ("2 2 3 4 1", 1)] {
+        let text = format!("v 0 0 0\nv 2 0 0\nv 0.5 0.5 0\nv 0 2 0\nf {corners}\nf 1 3 2\n");
+        assert_eq!(read("a.obj", text.as_bytes()).unwrap().folded_polygons(), folded, "{corners}");
+    }
+}
+
 /// What is read of a file is read of it when it is compressed, and of a stream, by its first bytes.
 #[test]
 fn compressed_files_and_streams_are_read() {
@@ -220,6 +229,9 @@ fn lines_have_an_end() {
     let blanks = vec![b' '; 17 << 20];
     let more: Vec<u8> = b" 0".repeat(1 << 19).into_iter().chain(*b"\\\n").collect();
     let head = b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n";
+    let comments = [&b"ply\ncomment"[..], &blanks].concat();
+    let error = read("a.ply", &comments).unwrap_err();
+    assert!(error.contains("header: is longer than 1 MiB"), "{error}");
     for (name, line, content) in [
         ("a.obj", 1, blanks.clone()),
         ("b.obj", 17, [&b"v 0 0 0\n"[..], &more.repeat(17)].concat()),

@@ -122,6 +122,19 @@ fn what_does_not_fit_is_refused() {
     let x = ("x.npy", npy("<i4", 1, "(3,2,3)", "False"));
     let two = npz(&[("v.npy", good.clone()), x], zip::CompressionMethod::Stored);
     refused("a.npz", &two, "may be the positions; x.npy: ");
+    // The first of two, damaged or compressed in another way, may be them as well.
+    let two = [("x.npy", good.clone()), ("v.npy", good.clone())];
+    let two = npz(&two, zip::CompressionMethod::Stored);
+    let find = |bytes: &[u8]| two.windows(bytes.len()).position(|found| found == bytes).unwrap();
+    // The method stands in the entry, and in the list of entries.
+    for (places, says) in [
+        (vec![find(b"\x93NUMPY")], "x.npy: Invalid checksum"),
+        (vec![8, find(b"PK\x01\x02") + 10], "x.npy: compression method not supported"),
+    ] {
+        let mut damaged = two.clone();
+        places.into_iter().for_each(|at| damaged[at] ^= 12);
+        refused("a.npz", &damaged, says);
+    }
     refused("a.npz", &none[..none.len() - 30], "a.npz");
     refused("a.pc2", &pc2()[..31], "no point cache");
     refused("a.pc2", &pc2()[..60], "the file has 60");

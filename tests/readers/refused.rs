@@ -9,10 +9,11 @@ use std::fmt::Write;
 const FILES: &str = include_str!("refused.txt");
 
 /// What stands for letters that no line of a text can have.
-const ESCAPES: [(&str, &str); 6] = [
+const ESCAPES: [(&str, &str); 7] = [
     ("\\n", "\n"),
     ("\\v", "\u{b}"),
     ("\\0", "\0"),
+    ("\\e", "\u{1b}"),
     ("\\*", "\u{2605}\u{2605}\u{2605}\u{2605}"),
     ("\\x", "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"),
     ("\\\\", "\\"),

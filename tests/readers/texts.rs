@@ -87,6 +87,20 @@ fn obj_is_read_whatever_editor_wrote_it() {
         let name = String::from_utf8_lossy(text);
         assert_eq!(read(text).unwrap_or_else(|e| panic!("{name:?}: {e}")), plain, "{name:?}");
     }
+    // The time of a line is its own, however much there is of its statement already.
+    let [head, lines] = [b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 ".to_vec(), b"\\\n".repeat(1 << 20)];
+    assert_eq!(read(&[head, lines, b"3\n".to_vec()].concat()).unwrap(), plain);
+}
+
+#[test]
+fn ply_is_read_whatever_program_wrote_it() {
+    let plain = read("a.ply", ASCII.as_bytes()).unwrap();
+    let latin_1 = ASCII.replace("comment x", "comment W~rfel");
+    let latin_1: Vec<u8> = latin_1.bytes().map(|b| if b == b'~' { 0xfc } else { b }).collect();
+    let points = ASCII.replace("\n1 1 0 1\n", "\n1. +1.e0 -.0 1\n").replace(" 0.1 1\n", "\t.1 1\n");
+    for text in [&latin_1[..], points.as_bytes()] {
+        assert_eq!(read("a.ply", text).unwrap(), plain);
+    }
 }
 
 #[test]
