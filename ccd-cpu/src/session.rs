@@ -210,8 +210,8 @@ impl Engine {
         Candidates::new(lists, pairs.unwrap_or_default())
     }
 
-    #[doc(hidden)]
     /// The report, for an engine over this one.
+    #[doc(hidden)]
     pub fn report_mut(&mut self) -> &mut Report {
         &mut self.state.report
     }

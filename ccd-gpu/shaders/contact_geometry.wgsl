@@ -133,23 +133,23 @@ var<storage> contacts: type_11;
 var<storage, read_write> geometry: type_35;
 
 fn function_(param: array<f32, 4>, param_1: u32) -> array<f32, 4> {
-    var phi_4373_: array<f32, 4>;
+    var phi_4433_: array<f32, 4>;
 
     switch bitcast<i32>(param_1) {
         case 0: {
-            phi_4373_ = param;
+            phi_4433_ = param;
             break;
         }
         case 1: {
-            phi_4373_ = array<f32, 4>(param[0], param[3], param[1], param[2]);
+            phi_4433_ = array<f32, 4>(param[0], param[3], param[1], param[2]);
             break;
         }
         default: {
-            phi_4373_ = array<f32, 4>(param[0], param[2], param[3], param[1]);
+            phi_4433_ = array<f32, 4>(param[0], param[2], param[3], param[1]);
             break;
         }
     }
-    let _e14 = phi_4373_;
+    let _e14 = phi_4433_;
     return _e14;
 }
 
@@ -158,40 +158,40 @@ fn function_1(param_2: array<array<f32, 3>, 2>) -> array<f32, 3> {
 }
 
 fn function_2(param_3: type_38, param_4: type_38) -> type_38 {
-    var phi_4341_: type_38;
+    var phi_4401_: type_38;
 
     if (param_4.member_3 < param_3.member_3) {
-        phi_4341_ = param_4;
+        phi_4401_ = param_4;
     } else {
-        phi_4341_ = param_3;
+        phi_4401_ = param_3;
     }
-    let _e6 = phi_4341_;
+    let _e6 = phi_4401_;
     return _e6;
 }
 
 fn function_3(param_5: f32, param_6: f32) -> f32 {
-    var phi_3416_: f32;
-    var phi_3421_: f32;
-    var phi_3422_: f32;
+    var phi_3476_: f32;
+    var phi_3481_: f32;
+    var phi_3482_: f32;
 
     if (param_5 > 0f) {
         if (param_5 < param_6) {
-            phi_3416_ = param_5;
+            phi_3476_ = param_5;
         } else {
-            phi_3416_ = param_6;
+            phi_3476_ = param_6;
         }
-        let _e6 = phi_3416_;
+        let _e6 = phi_3476_;
         if (_e6 > 0f) {
-            phi_3421_ = _e6;
+            phi_3481_ = _e6;
         } else {
-            phi_3421_ = 0f;
+            phi_3481_ = 0f;
         }
-        let _e9 = phi_3421_;
-        phi_3422_ = _e9;
+        let _e9 = phi_3481_;
+        phi_3482_ = _e9;
     } else {
-        phi_3422_ = 0f;
+        phi_3482_ = 0f;
     }
-    let _e11 = phi_3422_;
+    let _e11 = phi_3482_;
     return _e11;
 }
 
@@ -226,28 +226,28 @@ fn function_6(param_13: ptr<function, type_26>, param_14: f32, param_15: f32) ->
 }
 
 fn function_7(param_16: ptr<function, type_26>, param_17: u32) -> type_38 {
-    var phi_4040_: f32;
-    var phi_4047_: f32;
-    var phi_4058_: type_38;
-    var phi_4059_: bool;
-    var phi_4060_: type_38;
-    var phi_4061_: bool;
-    var phi_3917_: bool;
-    var phi_3918_: bool;
-    var phi_3934_: f32;
-    var phi_3940_: f32;
-    var phi_3943_: type_38;
-    var phi_3944_: bool;
-    var phi_3945_: type_38;
-    var phi_3946_: bool;
-    var phi_3947_: type_38;
-    var phi_3948_: bool;
-    var phi_4065_: type_38;
-    var phi_4066_: bool;
-    var phi_4141_: type_38;
-    var phi_4142_: type_38;
-    var phi_4143_: bool;
-    var phi_4147_: type_38;
+    var phi_4100_: f32;
+    var phi_4107_: f32;
+    var phi_4118_: type_38;
+    var phi_4119_: bool;
+    var phi_4120_: type_38;
+    var phi_4121_: bool;
+    var phi_3977_: bool;
+    var phi_3978_: bool;
+    var phi_3994_: f32;
+    var phi_4000_: f32;
+    var phi_4003_: type_38;
+    var phi_4004_: bool;
+    var phi_4005_: type_38;
+    var phi_4006_: bool;
+    var phi_4007_: type_38;
+    var phi_4008_: bool;
+    var phi_4125_: type_38;
+    var phi_4126_: bool;
+    var phi_4201_: type_38;
+    var phi_4202_: type_38;
+    var phi_4203_: bool;
+    var phi_4207_: type_38;
 
     let _e9 = (param_17 == 0u);
     let _e11 = (*param_16).member_4;
@@ -264,65 +264,65 @@ fn function_7(param_16: ptr<function, type_26>, param_17: u32) -> type_38 {
         let _e154 = (*param_16).member_3;
         let _e163 = ((((((_e135[1] * _e140[2]) - (_e135[2] * _e140[1])) * _e154[0]) + (((_e135[2] * _e140[0]) - (_e135[0] * _e140[2])) * _e154[1])) + (((_e135[0] * _e140[1]) - (_e135[1] * _e140[0])) * _e154[2])) / _e103);
         if _e9 {
-            phi_3918_ = ((_e133 + _e163) <= 1f);
+            phi_3978_ = ((_e133 + _e163) <= 1f);
         } else {
             if (_e133 <= 1f) {
-                phi_3917_ = (_e163 <= 1f);
+                phi_3977_ = (_e163 <= 1f);
             } else {
-                phi_3917_ = false;
+                phi_3977_ = false;
             }
-            let _e167 = phi_3917_;
-            phi_3918_ = _e167;
+            let _e167 = phi_3977_;
+            phi_3978_ = _e167;
         }
-        let _e171 = phi_3918_;
+        let _e171 = phi_3978_;
         if (_e133 >= 0f) {
             if (_e163 >= 0f) {
                 if _e171 {
                     if _e9 {
-                        phi_3934_ = (1f - _e133);
+                        phi_3994_ = (1f - _e133);
                     } else {
-                        phi_3934_ = 1f;
+                        phi_3994_ = 1f;
                     }
-                    let _e176 = phi_3934_;
+                    let _e176 = phi_3994_;
                     let _e177 = function_6(param_16, _e133, _e176);
                     if _e9 {
-                        phi_3940_ = (1f - _e177);
+                        phi_4000_ = (1f - _e177);
                     } else {
-                        phi_3940_ = 1f;
+                        phi_4000_ = 1f;
                     }
-                    let _e180 = phi_3940_;
+                    let _e180 = phi_4000_;
                     let _e181 = function_4(param_16, _e177, _e180);
                     let _e182 = function_5(param_16, _e181, _e177);
-                    phi_3943_ = _e182;
-                    phi_3944_ = false;
+                    phi_4003_ = _e182;
+                    phi_4004_ = false;
                 } else {
-                    phi_3943_ = type_38();
-                    phi_3944_ = true;
+                    phi_4003_ = type_38();
+                    phi_4004_ = true;
                 }
-                let _e184 = phi_3943_;
-                let _e186 = phi_3944_;
-                phi_3945_ = _e184;
-                phi_3946_ = _e186;
+                let _e184 = phi_4003_;
+                let _e186 = phi_4004_;
+                phi_4005_ = _e184;
+                phi_4006_ = _e186;
             } else {
-                phi_3945_ = type_38();
-                phi_3946_ = true;
+                phi_4005_ = type_38();
+                phi_4006_ = true;
             }
-            let _e188 = phi_3945_;
-            let _e190 = phi_3946_;
-            phi_3947_ = _e188;
-            phi_3948_ = _e190;
+            let _e188 = phi_4005_;
+            let _e190 = phi_4006_;
+            phi_4007_ = _e188;
+            phi_4008_ = _e190;
         } else {
-            phi_3947_ = type_38();
-            phi_3948_ = true;
+            phi_4007_ = type_38();
+            phi_4008_ = true;
         }
-        let _e192 = phi_3947_;
-        let _e194 = phi_3948_;
-        phi_4065_ = _e192;
-        phi_4066_ = _e194;
+        let _e192 = phi_4007_;
+        let _e194 = phi_4008_;
+        phi_4125_ = _e192;
+        phi_4126_ = _e194;
     } else {
         if _e9 {
-            phi_4060_ = type_38();
-            phi_4061_ = true;
+            phi_4120_ = type_38();
+            phi_4121_ = true;
         } else {
             let _e14 = (*param_16).member;
             let _e19 = (*param_16).member_1;
@@ -335,41 +335,41 @@ fn function_7(param_16: ptr<function, type_26>, param_17: u32) -> type_38 {
             let _e57 = (*param_16).member_1;
             let _e65 = (((_e52[0] * _e57[0]) + (_e52[1] * _e57[1])) + (_e52[2] * _e57[2]));
             if (_e27 < _e50) {
-                phi_4040_ = _e27;
+                phi_4100_ = _e27;
             } else {
-                phi_4040_ = _e50;
+                phi_4100_ = _e50;
             }
-            let _e68 = phi_4040_;
+            let _e68 = phi_4100_;
             let _e70 = function_3((_e68 / _e65), 1f);
             if (_e27 > _e50) {
-                phi_4047_ = _e27;
+                phi_4107_ = _e27;
             } else {
-                phi_4047_ = _e50;
+                phi_4107_ = _e50;
             }
-            let _e73 = phi_4047_;
+            let _e73 = phi_4107_;
             let _e75 = function_3((_e73 / _e65), 1f);
             if (_e70 < _e75) {
                 let _e78 = ((_e70 + _e75) * 0.5f);
                 let _e79 = function_6(param_16, _e78, 1f);
                 let _e80 = function_5(param_16, _e78, _e79);
-                phi_4058_ = _e80;
-                phi_4059_ = false;
+                phi_4118_ = _e80;
+                phi_4119_ = false;
             } else {
-                phi_4058_ = type_38();
-                phi_4059_ = true;
+                phi_4118_ = type_38();
+                phi_4119_ = true;
             }
-            let _e82 = phi_4058_;
-            let _e84 = phi_4059_;
-            phi_4060_ = _e82;
-            phi_4061_ = _e84;
+            let _e82 = phi_4118_;
+            let _e84 = phi_4119_;
+            phi_4120_ = _e82;
+            phi_4121_ = _e84;
         }
-        let _e86 = phi_4060_;
-        let _e88 = phi_4061_;
-        phi_4065_ = _e86;
-        phi_4066_ = _e88;
+        let _e86 = phi_4120_;
+        let _e88 = phi_4121_;
+        phi_4125_ = _e86;
+        phi_4126_ = _e88;
     }
-    let _e196 = phi_4065_;
-    let _e198 = phi_4066_;
+    let _e196 = phi_4125_;
+    let _e198 = phi_4126_;
     if _e198 {
         let _e199 = function_4(param_16, 0f, 1f);
         let _e200 = function_5(param_16, _e199, 0f);
@@ -387,7 +387,7 @@ fn function_7(param_16: ptr<function, type_26>, param_17: u32) -> type_38 {
             let _e247 = function_3((((((_e224[0] - _e229[0]) * _e220) + ((_e224[1] - _e229[1]) * _e221)) + ((_e224[2] - _e229[2]) * _e222)) / (((_e220 * _e220) + (_e221 * _e221)) + (_e222 * _e222))), 1f);
             let _e249 = function_5(param_16, (1f - _e247), _e247);
             let _e250 = function_2(_e203, _e249);
-            phi_4141_ = _e250;
+            phi_4201_ = _e250;
         } else {
             let _e204 = function_6(param_16, 1f, 1f);
             let _e205 = function_5(param_16, 1f, _e204);
@@ -395,50 +395,50 @@ fn function_7(param_16: ptr<function, type_26>, param_17: u32) -> type_38 {
             let _e207 = function_5(param_16, _e206, 1f);
             let _e208 = function_2(_e205, _e207);
             let _e209 = function_2(_e203, _e208);
-            phi_4141_ = _e209;
+            phi_4201_ = _e209;
         }
-        let _e252 = phi_4141_;
-        phi_4142_ = _e252;
-        phi_4143_ = false;
+        let _e252 = phi_4201_;
+        phi_4202_ = _e252;
+        phi_4203_ = false;
     } else {
-        phi_4142_ = type_38();
-        phi_4143_ = true;
+        phi_4202_ = type_38();
+        phi_4203_ = true;
     }
-    let _e254 = phi_4142_;
-    let _e256 = phi_4143_;
+    let _e254 = phi_4202_;
+    let _e256 = phi_4203_;
     if _e256 {
-        phi_4147_ = _e196;
+        phi_4207_ = _e196;
     } else {
-        phi_4147_ = _e254;
+        phi_4207_ = _e254;
     }
-    let _e258 = phi_4147_;
+    let _e258 = phi_4207_;
     return _e258;
 }
 
 fn function_8(param_18: f32) -> f32 {
-    var phi_3773_: u32;
-    var phi_3776_: f32;
-    var phi_3777_: f32;
+    var phi_3833_: u32;
+    var phi_3836_: f32;
+    var phi_3837_: f32;
 
     if ((bitcast<u32>(param_18) & 2139095040u) != 2139095040u) {
         if (param_18 >= 0.000000000000000000000000000000000000011754944f) {
             let _e13 = (2130706432u - (bitcast<u32>(param_18) & 2139095040u));
             if (_e13 > 8388608u) {
-                phi_3773_ = _e13;
+                phi_3833_ = _e13;
             } else {
-                phi_3773_ = 8388608u;
+                phi_3833_ = 8388608u;
             }
-            let _e16 = phi_3773_;
-            phi_3776_ = bitcast<f32>(_e16);
+            let _e16 = phi_3833_;
+            phi_3836_ = bitcast<f32>(_e16);
         } else {
-            phi_3776_ = (1f / 0.000000000000000000000000000000000000011754944f);
+            phi_3836_ = (1f / 0.000000000000000000000000000000000000011754944f);
         }
-        let _e19 = phi_3776_;
-        phi_3777_ = _e19;
+        let _e19 = phi_3836_;
+        phi_3837_ = _e19;
     } else {
-        phi_3777_ = 1f;
+        phi_3837_ = 1f;
     }
-    let _e21 = phi_3777_;
+    let _e21 = phi_3837_;
     return _e21;
 }
 
@@ -448,12 +448,12 @@ fn function_9(param_19: array<f32, 3>, param_20: array<f32, 3>, param_21: f32) -
 }
 
 fn function_10(param_22: ptr<function, array<array<f32, 3>, 4>>, param_23: u32) -> array<array<f32, 3>, 4> {
-    var phi_3750_: array<array<f32, 3>, 4>;
+    var phi_3810_: array<array<f32, 3>, 4>;
 
     switch bitcast<i32>(param_23) {
         case 0: {
             let _e32 = (*param_22);
-            phi_3750_ = array<array<f32, 3>, 4>(array<f32, 3>(_e32[0][0], _e32[0][1], _e32[0][2]), array<f32, 3>(_e32[1][0], _e32[1][1], _e32[1][2]), array<f32, 3>(_e32[2][0], _e32[2][1], _e32[2][2]), array<f32, 3>(_e32[3][0], _e32[3][1], _e32[3][2]));
+            phi_3810_ = array<array<f32, 3>, 4>(array<f32, 3>(_e32[0][0], _e32[0][1], _e32[0][2]), array<f32, 3>(_e32[1][0], _e32[1][1], _e32[1][2]), array<f32, 3>(_e32[2][0], _e32[2][1], _e32[2][2]), array<f32, 3>(_e32[3][0], _e32[3][1], _e32[3][2]));
             break;
         }
         case 1: {
@@ -461,7 +461,7 @@ fn function_10(param_22: ptr<function, array<array<f32, 3>, 4>>, param_23: u32) 
             let _e14 = (*param_22)[2u];
             let _e20 = (*param_22)[3u];
             let _e26 = (*param_22)[1u];
-            phi_3750_ = array<array<f32, 3>, 4>(array<f32, 3>(_e8[0], _e8[1], _e8[2]), array<f32, 3>(_e14[0], _e14[1], _e14[2]), array<f32, 3>(_e20[0], _e20[1], _e20[2]), array<f32, 3>(_e26[0], _e26[1], _e26[2]));
+            phi_3810_ = array<array<f32, 3>, 4>(array<f32, 3>(_e8[0], _e8[1], _e8[2]), array<f32, 3>(_e14[0], _e14[1], _e14[2]), array<f32, 3>(_e20[0], _e20[1], _e20[2]), array<f32, 3>(_e26[0], _e26[1], _e26[2]));
             break;
         }
         default: {
@@ -469,28 +469,28 @@ fn function_10(param_22: ptr<function, array<array<f32, 3>, 4>>, param_23: u32) 
             let _e61 = (*param_22)[3u];
             let _e67 = (*param_22)[1u];
             let _e73 = (*param_22)[2u];
-            phi_3750_ = array<array<f32, 3>, 4>(array<f32, 3>(_e55[0], _e55[1], _e55[2]), array<f32, 3>(_e61[0], _e61[1], _e61[2]), array<f32, 3>(_e67[0], _e67[1], _e67[2]), array<f32, 3>(_e73[0], _e73[1], _e73[2]));
+            phi_3810_ = array<array<f32, 3>, 4>(array<f32, 3>(_e55[0], _e55[1], _e55[2]), array<f32, 3>(_e61[0], _e61[1], _e61[2]), array<f32, 3>(_e67[0], _e67[1], _e67[2]), array<f32, 3>(_e73[0], _e73[1], _e73[2]));
             break;
         }
     }
-    let _e80 = phi_3750_;
+    let _e80 = phi_3810_;
     return _e80;
 }
 
 fn function_11(param_24: ptr<function, array<array<f32, 3>, 4>>, param_25: ptr<function, array<array<f32, 3>, 4>>, param_26: f32) -> u32 {
-    var phi_3478_: f32;
-    var phi_3485_: f32;
-    var phi_3493_: f32;
-    var phi_3546_: f32;
+    var phi_3538_: f32;
+    var phi_3545_: f32;
     var phi_3553_: f32;
-    var phi_3561_: f32;
-    var phi_3614_: f32;
+    var phi_3606_: f32;
+    var phi_3613_: f32;
     var phi_3621_: f32;
-    var phi_3629_: f32;
-    var phi_3639_: bool;
-    var phi_3640_: bool;
-    var phi_3648_: u32;
-    var phi_3649_: u32;
+    var phi_3674_: f32;
+    var phi_3681_: f32;
+    var phi_3689_: f32;
+    var phi_3699_: bool;
+    var phi_3700_: bool;
+    var phi_3708_: u32;
+    var phi_3709_: u32;
 
     let _e11 = (*param_24)[3u];
     let _e16 = (*param_24)[2u];
@@ -498,23 +498,23 @@ fn function_11(param_24: ptr<function, array<array<f32, 3>, 4>>, param_25: ptr<f
     let _e30 = (*param_25)[2u];
     let _e38 = function_9(array<f32, 3>((_e11[0] - _e16[0]), (_e11[1] - _e16[1]), (_e11[2] - _e16[2])), array<f32, 3>((_e25[0] - _e30[0]), (_e25[1] - _e30[1]), (_e25[2] - _e30[2])), param_26);
     if (_e38[0] < 0f) {
-        phi_3478_ = -(_e38[0]);
+        phi_3538_ = -(_e38[0]);
     } else {
-        phi_3478_ = _e38[0];
+        phi_3538_ = _e38[0];
     }
-    let _e43 = phi_3478_;
+    let _e43 = phi_3538_;
     if (_e38[1] < 0f) {
-        phi_3485_ = -(_e38[1]);
+        phi_3545_ = -(_e38[1]);
     } else {
-        phi_3485_ = _e38[1];
+        phi_3545_ = _e38[1];
     }
-    let _e48 = phi_3485_;
+    let _e48 = phi_3545_;
     if (_e38[2] < 0f) {
-        phi_3493_ = -(_e38[2]);
+        phi_3553_ = -(_e38[2]);
     } else {
-        phi_3493_ = _e38[2];
+        phi_3553_ = _e38[2];
     }
-    let _e54 = phi_3493_;
+    let _e54 = phi_3553_;
     let _e55 = ((_e43 + _e48) + _e54);
     let _e57 = (*param_24)[1u];
     let _e62 = (*param_24)[3u];
@@ -522,23 +522,23 @@ fn function_11(param_24: ptr<function, array<array<f32, 3>, 4>>, param_25: ptr<f
     let _e76 = (*param_25)[3u];
     let _e84 = function_9(array<f32, 3>((_e57[0] - _e62[0]), (_e57[1] - _e62[1]), (_e57[2] - _e62[2])), array<f32, 3>((_e71[0] - _e76[0]), (_e71[1] - _e76[1]), (_e71[2] - _e76[2])), param_26);
     if (_e84[0] < 0f) {
-        phi_3546_ = -(_e84[0]);
+        phi_3606_ = -(_e84[0]);
     } else {
-        phi_3546_ = _e84[0];
+        phi_3606_ = _e84[0];
     }
-    let _e89 = phi_3546_;
+    let _e89 = phi_3606_;
     if (_e84[1] < 0f) {
-        phi_3553_ = -(_e84[1]);
+        phi_3613_ = -(_e84[1]);
     } else {
-        phi_3553_ = _e84[1];
+        phi_3613_ = _e84[1];
     }
-    let _e94 = phi_3553_;
+    let _e94 = phi_3613_;
     if (_e84[2] < 0f) {
-        phi_3561_ = -(_e84[2]);
+        phi_3621_ = -(_e84[2]);
     } else {
-        phi_3561_ = _e84[2];
+        phi_3621_ = _e84[2];
     }
-    let _e100 = phi_3561_;
+    let _e100 = phi_3621_;
     let _e101 = ((_e89 + _e94) + _e100);
     let _e103 = (*param_24)[2u];
     let _e108 = (*param_24)[1u];
@@ -546,48 +546,48 @@ fn function_11(param_24: ptr<function, array<array<f32, 3>, 4>>, param_25: ptr<f
     let _e122 = (*param_25)[1u];
     let _e130 = function_9(array<f32, 3>((_e103[0] - _e108[0]), (_e103[1] - _e108[1]), (_e103[2] - _e108[2])), array<f32, 3>((_e117[0] - _e122[0]), (_e117[1] - _e122[1]), (_e117[2] - _e122[2])), param_26);
     if (_e130[0] < 0f) {
-        phi_3614_ = -(_e130[0]);
+        phi_3674_ = -(_e130[0]);
     } else {
-        phi_3614_ = _e130[0];
+        phi_3674_ = _e130[0];
     }
-    let _e135 = phi_3614_;
+    let _e135 = phi_3674_;
     if (_e130[1] < 0f) {
-        phi_3621_ = -(_e130[1]);
+        phi_3681_ = -(_e130[1]);
     } else {
-        phi_3621_ = _e130[1];
+        phi_3681_ = _e130[1];
     }
-    let _e140 = phi_3621_;
+    let _e140 = phi_3681_;
     if (_e130[2] < 0f) {
-        phi_3629_ = -(_e130[2]);
+        phi_3689_ = -(_e130[2]);
     } else {
-        phi_3629_ = _e130[2];
+        phi_3689_ = _e130[2];
     }
-    let _e146 = phi_3629_;
+    let _e146 = phi_3689_;
     let _e147 = ((_e135 + _e140) + _e146);
     if (_e55 >= _e101) {
         if (_e55 >= _e147) {
-            phi_3639_ = false;
+            phi_3699_ = false;
         } else {
-            phi_3639_ = true;
+            phi_3699_ = true;
         }
-        let _e151 = phi_3639_;
-        phi_3640_ = _e151;
+        let _e151 = phi_3699_;
+        phi_3700_ = _e151;
     } else {
-        phi_3640_ = true;
+        phi_3700_ = true;
     }
-    let _e153 = phi_3640_;
+    let _e153 = phi_3700_;
     if _e153 {
         if (_e101 >= _e147) {
-            phi_3648_ = 1u;
+            phi_3708_ = 1u;
         } else {
-            phi_3648_ = 2u;
+            phi_3708_ = 2u;
         }
-        let _e156 = phi_3648_;
-        phi_3649_ = _e156;
+        let _e156 = phi_3708_;
+        phi_3709_ = _e156;
     } else {
-        phi_3649_ = 0u;
+        phi_3709_ = 0u;
     }
-    let _e158 = phi_3649_;
+    let _e158 = phi_3709_;
     return _e158;
 }
 
@@ -790,121 +790,128 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2379_: f32;
     var phi_2386_: f32;
     var phi_2391_: f32;
-    var phi_2402_: f32;
-    var phi_2409_: f32;
-    var phi_2414_: f32;
-    var phi_2421_: f32;
-    var phi_2426_: f32;
-    var phi_2459_: type_14;
-    var phi_2462_: f32;
-    var phi_2483_: bool;
-    var phi_2489_: type_15;
-    var phi_2460_: type_14;
-    var phi_2503_: type_15;
-    var phi_2463_: f32;
+    var phi_2399_: array<f32, 3>;
+    var phi_2406_: f32;
+    var phi_2413_: f32;
+    var phi_2418_: f32;
+    var phi_2425_: f32;
+    var phi_2430_: f32;
+    var phi_2441_: f32;
+    var phi_2448_: f32;
+    var phi_2453_: f32;
+    var phi_2460_: f32;
+    var phi_2465_: f32;
+    var phi_2498_: type_14;
+    var phi_2501_: f32;
+    var phi_2522_: bool;
+    var phi_2528_: type_15;
+    var phi_2499_: type_14;
+    var phi_2542_: type_15;
+    var phi_2502_: f32;
     var local_6: f32;
-    var phi_2452_: f32;
-    var phi_2516_: f32;
-    var phi_2543_: array<f32, 3>;
-    var phi_2550_: f32;
-    var phi_2557_: f32;
-    var phi_2565_: f32;
-    var phi_2583_: f32;
+    var phi_2491_: f32;
+    var phi_2555_: f32;
+    var phi_2582_: array<f32, 3>;
     var phi_2589_: f32;
-    var phi_2594_: f32;
-    var phi_2600_: f32;
-    var phi_2605_: f32;
-    var phi_2635_: type_14;
-    var phi_2638_: f32;
-    var phi_2659_: bool;
-    var phi_2665_: type_15;
-    var phi_2636_: type_14;
-    var phi_2679_: type_15;
-    var phi_2639_: f32;
-    var local_7: f32;
+    var phi_2596_: f32;
+    var phi_2604_: f32;
+    var phi_2622_: f32;
     var phi_2628_: f32;
-    var phi_2692_: f32;
-    var phi_2708_: array<f32, 3>;
-    var phi_2709_: bool;
-    var phi_2710_: array<f32, 3>;
-    var phi_2711_: bool;
-    var phi_2866_: f32;
-    var phi_2873_: f32;
-    var phi_2878_: f32;
-    var phi_2885_: f32;
-    var phi_2890_: f32;
-    var phi_2897_: f32;
-    var phi_2904_: f32;
-    var phi_2909_: f32;
-    var phi_2916_: f32;
-    var phi_2921_: f32;
-    var phi_2926_: array<f32, 3>;
-    var phi_2933_: f32;
-    var phi_2940_: f32;
-    var phi_2945_: f32;
-    var phi_2952_: f32;
-    var phi_2957_: f32;
-    var phi_2968_: f32;
-    var phi_2975_: f32;
-    var phi_2982_: f32;
-    var phi_2992_: array<f32, 3>;
-    var phi_2993_: bool;
-    var phi_2994_: array<f32, 3>;
-    var phi_2995_: bool;
-    var phi_3005_: array<f32, 3>;
-    var phi_3006_: array<f32, 3>;
-    var phi_3013_: f32;
-    var phi_3020_: f32;
-    var phi_3025_: f32;
-    var phi_3032_: f32;
-    var phi_3037_: f32;
-    var phi_3070_: type_14;
-    var phi_3073_: f32;
-    var phi_3094_: bool;
-    var phi_3100_: type_15;
-    var phi_3071_: type_14;
-    var phi_3114_: type_15;
-    var phi_3074_: f32;
+    var phi_2633_: f32;
+    var phi_2639_: f32;
+    var phi_2644_: f32;
+    var phi_2674_: type_14;
+    var phi_2677_: f32;
+    var phi_2698_: bool;
+    var phi_2704_: type_15;
+    var phi_2675_: type_14;
+    var phi_2718_: type_15;
+    var phi_2678_: f32;
+    var local_7: f32;
+    var phi_2667_: f32;
+    var phi_2731_: f32;
+    var phi_2747_: array<f32, 3>;
+    var phi_2748_: bool;
+    var phi_2749_: array<f32, 3>;
+    var phi_2750_: bool;
+    var phi_2905_: f32;
+    var phi_2912_: f32;
+    var phi_2917_: f32;
+    var phi_2924_: f32;
+    var phi_2929_: f32;
+    var phi_2936_: f32;
+    var phi_2943_: f32;
+    var phi_2948_: f32;
+    var phi_2955_: f32;
+    var phi_2960_: f32;
+    var phi_2965_: array<f32, 3>;
+    var phi_2972_: f32;
+    var phi_2979_: f32;
+    var phi_2984_: f32;
+    var phi_2991_: f32;
+    var phi_2996_: f32;
+    var phi_3007_: f32;
+    var phi_3014_: f32;
+    var phi_3021_: f32;
+    var phi_3031_: array<f32, 3>;
+    var phi_3032_: bool;
+    var phi_3033_: array<f32, 3>;
+    var phi_3034_: bool;
+    var phi_3044_: array<f32, 3>;
+    var phi_3045_: array<f32, 3>;
+    var phi_3052_: f32;
+    var phi_3059_: f32;
+    var phi_3064_: f32;
+    var phi_3071_: f32;
+    var phi_3076_: f32;
+    var phi_3109_: type_14;
+    var phi_3112_: f32;
+    var phi_3133_: bool;
+    var phi_3139_: type_15;
+    var phi_3110_: type_14;
+    var phi_3153_: type_15;
+    var phi_3113_: f32;
     var local_8: f32;
-    var phi_3063_: f32;
-    var phi_3127_: f32;
-    var phi_3162_: f32;
-    var phi_3168_: f32;
-    var phi_3173_: f32;
-    var phi_3179_: f32;
-    var phi_3184_: f32;
-    var phi_3214_: type_14;
-    var phi_3217_: f32;
-    var phi_3238_: bool;
-    var phi_3244_: type_15;
-    var phi_3215_: type_14;
-    var phi_3258_: type_15;
-    var phi_3218_: f32;
-    var local_9: f32;
+    var phi_3102_: f32;
+    var phi_3166_: f32;
+    var phi_3201_: f32;
     var phi_3207_: f32;
-    var phi_3271_: f32;
-    var phi_3288_: array<f32, 3>;
-    var phi_2723_: f32;
-    var phi_2729_: f32;
-    var phi_2734_: f32;
-    var phi_2740_: f32;
-    var phi_2745_: f32;
-    var phi_2775_: type_14;
-    var phi_2778_: f32;
-    var phi_2799_: bool;
-    var phi_2805_: type_15;
-    var phi_2776_: type_14;
-    var phi_2819_: type_15;
-    var phi_2779_: f32;
-    var local_10: f32;
+    var phi_3212_: f32;
+    var phi_3218_: f32;
+    var phi_3223_: f32;
+    var phi_3253_: type_14;
+    var phi_3256_: f32;
+    var phi_3277_: bool;
+    var phi_3283_: type_15;
+    var phi_3254_: type_14;
+    var phi_3297_: type_15;
+    var phi_3257_: f32;
+    var local_9: f32;
+    var phi_3246_: f32;
+    var phi_3310_: f32;
+    var phi_3327_: array<f32, 3>;
+    var phi_2762_: f32;
     var phi_2768_: f32;
-    var phi_2832_: f32;
-    var phi_3289_: array<f32, 3>;
-    var phi_3290_: array<f32, 3>;
-    var phi_3291_: bool;
-    var phi_3292_: array<f32, 3>;
-    var phi_3293_: array<f32, 3>;
-    var phi_3294_: bool;
+    var phi_2773_: f32;
+    var phi_2779_: f32;
+    var phi_2784_: f32;
+    var phi_2814_: type_14;
+    var phi_2817_: f32;
+    var phi_2838_: bool;
+    var phi_2844_: type_15;
+    var phi_2815_: type_14;
+    var phi_2858_: type_15;
+    var phi_2818_: f32;
+    var local_10: f32;
+    var phi_2807_: f32;
+    var phi_2871_: f32;
+    var phi_3328_: array<f32, 3>;
+    var phi_3349_: array<f32, 3>;
+    var phi_3350_: array<f32, 3>;
+    var phi_3351_: bool;
+    var phi_3352_: array<f32, 3>;
+    var phi_3353_: array<f32, 3>;
+    var phi_3354_: bool;
     var phi_1506_: array<f32, 3>;
     var phi_1513_: f32;
     var phi_1520_: f32;
@@ -943,15 +950,15 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1702_: f32;
     var phi_1766_: f32;
     var phi_1782_: array<f32, 3>;
-    var phi_3298_: array<f32, 3>;
-    var phi_3299_: array<f32, 3>;
-    var phi_3300_: bool;
-    var phi_3304_: array<f32, 3>;
-    var phi_3321_: array<f32, 3>;
-    var phi_3349_: f32;
-    var phi_3377_: array<f32, 3>;
-    var phi_3378_: array<f32, 3>;
-    var phi_3379_: array<f32, 4>;
+    var phi_3358_: array<f32, 3>;
+    var phi_3359_: array<f32, 3>;
+    var phi_3360_: bool;
+    var phi_3364_: array<f32, 3>;
+    var phi_3381_: array<f32, 3>;
+    var phi_3409_: f32;
+    var phi_3437_: array<f32, 3>;
+    var phi_3438_: array<f32, 3>;
+    var phi_3439_: array<f32, 4>;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1656,245 +1663,245 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e951 = (_e945[2] * _e882);
                 let _e954 = local.member_6;
                 if (_e878 > _e954) {
-                    let _e2065 = (_e814.member_2[0] * _e882);
-                    let _e2067 = (_e814.member_2[1] * _e882);
-                    let _e2069 = (_e814.member_2[2] * _e882);
+                    let _e2110 = (_e814.member_2[0] * _e882);
+                    let _e2112 = (_e814.member_2[1] * _e882);
+                    let _e2114 = (_e814.member_2[2] * _e882);
                     if _e943 {
                         if _e940 {
-                            let _e2071 = local.member_5;
-                            let _e2074 = local.member_6;
-                            let _e2076 = local.member_4;
-                            if ((_e2071 * _e878) <= (_e2074 * _e2076)) {
-                                if ((((_e2065 * _e949) + (_e2067 * _e950)) + (_e2069 * _e951)) >= 0f) {
+                            let _e2116 = local.member_5;
+                            let _e2119 = local.member_6;
+                            let _e2121 = local.member_4;
+                            if ((_e2116 * _e878) <= (_e2119 * _e2121)) {
+                                if ((((_e2110 * _e949) + (_e2112 * _e950)) + (_e2114 * _e951)) >= 0f) {
                                     phi_1506_ = array<f32, 3>(_e949, _e950, _e951);
                                 } else {
-                                    let _e2085 = -(1f);
-                                    phi_1506_ = array<f32, 3>((_e949 * _e2085), (_e950 * _e2085), (_e951 * _e2085));
+                                    let _e2130 = -(1f);
+                                    phi_1506_ = array<f32, 3>((_e949 * _e2130), (_e950 * _e2130), (_e951 * _e2130));
                                 }
-                                let _e2091 = phi_1506_;
-                                if (_e2091[0] < 0f) {
-                                    phi_1513_ = -(_e2091[0]);
+                                let _e2136 = phi_1506_;
+                                if (_e2136[0] < 0f) {
+                                    phi_1513_ = -(_e2136[0]);
                                 } else {
-                                    phi_1513_ = _e2091[0];
+                                    phi_1513_ = _e2136[0];
                                 }
-                                let _e2096 = phi_1513_;
-                                if (_e2091[1] < 0f) {
-                                    phi_1520_ = -(_e2091[1]);
+                                let _e2141 = phi_1513_;
+                                if (_e2136[1] < 0f) {
+                                    phi_1520_ = -(_e2136[1]);
                                 } else {
-                                    phi_1520_ = _e2091[1];
+                                    phi_1520_ = _e2136[1];
                                 }
-                                let _e2101 = phi_1520_;
-                                if (_e2096 > _e2101) {
-                                    phi_1525_ = _e2096;
+                                let _e2146 = phi_1520_;
+                                if (_e2141 > _e2146) {
+                                    phi_1525_ = _e2141;
                                 } else {
-                                    phi_1525_ = _e2101;
+                                    phi_1525_ = _e2146;
                                 }
-                                let _e2104 = phi_1525_;
-                                if (_e2091[2] < 0f) {
-                                    phi_1532_ = -(_e2091[2]);
+                                let _e2149 = phi_1525_;
+                                if (_e2136[2] < 0f) {
+                                    phi_1532_ = -(_e2136[2]);
                                 } else {
-                                    phi_1532_ = _e2091[2];
+                                    phi_1532_ = _e2136[2];
                                 }
-                                let _e2109 = phi_1532_;
-                                if (_e2104 > _e2109) {
-                                    phi_1537_ = _e2104;
+                                let _e2154 = phi_1532_;
+                                if (_e2149 > _e2154) {
+                                    phi_1537_ = _e2149;
                                 } else {
-                                    phi_1537_ = _e2109;
+                                    phi_1537_ = _e2154;
                                 }
-                                let _e2112 = phi_1537_;
-                                let _e2113 = function_8(_e2112);
-                                let _e2115 = (_e2091[0] * _e2113);
-                                let _e2117 = (_e2091[1] * _e2113);
-                                let _e2119 = (_e2091[2] * _e2113);
-                                let _e2124 = (((_e2115 * _e2115) + (_e2117 * _e2117)) + (_e2119 * _e2119));
-                                if (_e2124 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e2124 > 0f) {
+                                let _e2157 = phi_1537_;
+                                let _e2158 = function_8(_e2157);
+                                let _e2160 = (_e2136[0] * _e2158);
+                                let _e2162 = (_e2136[1] * _e2158);
+                                let _e2164 = (_e2136[2] * _e2158);
+                                let _e2169 = (((_e2160 * _e2160) + (_e2162 * _e2162)) + (_e2164 * _e2164));
+                                if (_e2169 <= 0.000000000000000000000000000000000000011754944f) {
+                                    if (_e2169 > 0f) {
                                         phi_1563_ = (0.000000000000000000106433627f * 2f);
                                     } else {
                                         phi_1563_ = 0f;
                                     }
-                                    let _e2177 = phi_1563_;
-                                    phi_1627_ = _e2177;
+                                    let _e2222 = phi_1563_;
+                                    phi_1627_ = _e2222;
                                 } else {
                                     phi_1570_ = type_14(0i, 5i);
-                                    phi_1573_ = bitcast<f32>(((bitcast<u32>(_e2124) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_1573_ = bitcast<f32>(((bitcast<u32>(_e2169) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e2132 = phi_1570_;
-                                        let _e2134 = phi_1573_;
-                                        local_11 = _e2134;
-                                        if (_e2132.member < _e2132.member_1) {
-                                            let _e2141 = (_e2132.member + 1i);
-                                            if ((false == (_e2141 > _e2132.member)) != false) {
+                                        let _e2177 = phi_1570_;
+                                        let _e2179 = phi_1573_;
+                                        local_11 = _e2179;
+                                        if (_e2177.member < _e2177.member_1) {
+                                            let _e2186 = (_e2177.member + 1i);
+                                            if ((false == (_e2186 > _e2177.member)) != false) {
                                                 phi_1594_ = true;
                                             } else {
                                                 phi_1594_ = false;
                                             }
-                                            let _e2146 = phi_1594_;
-                                            if _e2146 {
+                                            let _e2191 = phi_1594_;
+                                            if _e2191 {
                                                 phi_1600_ = type_15(0u, type_15().member_1);
                                             } else {
-                                                phi_1600_ = type_15(1u, _e2141);
+                                                phi_1600_ = type_15(1u, _e2186);
                                             }
-                                            let _e2151 = phi_1600_;
-                                            phi_1571_ = type_14(_e2151.member_1, _e2132.member_1);
-                                            phi_1614_ = type_15(1u, _e2132.member);
+                                            let _e2196 = phi_1600_;
+                                            phi_1571_ = type_14(_e2196.member_1, _e2177.member_1);
+                                            phi_1614_ = type_15(1u, _e2177.member);
                                         } else {
-                                            phi_1571_ = _e2132;
+                                            phi_1571_ = _e2177;
                                             phi_1614_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e2157 = phi_1571_;
-                                        let _e2159 = phi_1614_;
-                                        let _e2162 = (bitcast<i32>(_e2159.member) != 0i);
-                                        if _e2162 {
-                                            phi_1574_ = (0.5f * (_e2134 + (_e2124 / _e2134)));
+                                        let _e2202 = phi_1571_;
+                                        let _e2204 = phi_1614_;
+                                        let _e2207 = (bitcast<i32>(_e2204.member) != 0i);
+                                        if _e2207 {
+                                            phi_1574_ = (0.5f * (_e2179 + (_e2169 / _e2179)));
                                         } else {
                                             phi_1574_ = f32();
                                         }
-                                        let _e2167 = phi_1574_;
+                                        let _e2212 = phi_1574_;
                                         continue;
                                         continuing {
-                                            phi_1570_ = _e2157;
-                                            phi_1573_ = _e2167;
-                                            break if !(_e2162);
+                                            phi_1570_ = _e2202;
+                                            phi_1573_ = _e2212;
+                                            break if !(_e2207);
                                         }
                                     }
-                                    let _e2172 = local_11;
-                                    phi_1627_ = (_e2172 * (1f + (8f * 0.000000059604645f)));
+                                    let _e2217 = local_11;
+                                    phi_1627_ = (_e2217 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e2179 = phi_1627_;
-                                let _e2180 = (1f / _e2179);
-                                let _e2181 = (_e2115 * _e2180);
-                                let _e2182 = (_e2117 * _e2180);
-                                let _e2183 = (_e2119 * _e2180);
-                                let _e2190 = ((3f - (((_e2181 * _e2181) + (_e2182 * _e2182)) + (_e2183 * _e2183))) * 0.5f);
-                                phi_1643_ = array<f32, 3>((_e2181 * _e2190), (_e2182 * _e2190), (_e2183 * _e2190));
+                                let _e2224 = phi_1627_;
+                                let _e2225 = (1f / _e2224);
+                                let _e2226 = (_e2160 * _e2225);
+                                let _e2227 = (_e2162 * _e2225);
+                                let _e2228 = (_e2164 * _e2225);
+                                let _e2235 = ((3f - (((_e2226 * _e2226) + (_e2227 * _e2227)) + (_e2228 * _e2228))) * 0.5f);
+                                phi_1643_ = array<f32, 3>((_e2226 * _e2235), (_e2227 * _e2235), (_e2228 * _e2235));
                                 phi_1644_ = false;
                             } else {
                                 phi_1643_ = array<f32, 3>();
                                 phi_1644_ = true;
                             }
-                            let _e2196 = phi_1643_;
-                            let _e2198 = phi_1644_;
-                            phi_1645_ = _e2196;
-                            phi_1646_ = _e2198;
+                            let _e2241 = phi_1643_;
+                            let _e2243 = phi_1644_;
+                            phi_1645_ = _e2241;
+                            phi_1646_ = _e2243;
                         } else {
                             phi_1645_ = array<f32, 3>();
                             phi_1646_ = true;
                         }
-                        let _e2200 = phi_1645_;
-                        let _e2202 = phi_1646_;
-                        phi_1647_ = _e2200;
-                        phi_1648_ = _e2202;
+                        let _e2245 = phi_1645_;
+                        let _e2247 = phi_1646_;
+                        phi_1647_ = _e2245;
+                        phi_1648_ = _e2247;
                     } else {
                         phi_1647_ = array<f32, 3>();
                         phi_1648_ = true;
                     }
-                    let _e2204 = phi_1647_;
-                    let _e2206 = phi_1648_;
-                    if _e2206 {
-                        if (_e2065 < 0f) {
-                            phi_1657_ = -(_e2065);
+                    let _e2249 = phi_1647_;
+                    let _e2251 = phi_1648_;
+                    if _e2251 {
+                        if (_e2110 < 0f) {
+                            phi_1657_ = -(_e2110);
                         } else {
-                            phi_1657_ = _e2065;
+                            phi_1657_ = _e2110;
                         }
-                        let _e2210 = phi_1657_;
-                        if (_e2067 < 0f) {
-                            phi_1663_ = -(_e2067);
+                        let _e2255 = phi_1657_;
+                        if (_e2112 < 0f) {
+                            phi_1663_ = -(_e2112);
                         } else {
-                            phi_1663_ = _e2067;
+                            phi_1663_ = _e2112;
                         }
-                        let _e2214 = phi_1663_;
-                        if (_e2210 > _e2214) {
-                            phi_1668_ = _e2210;
+                        let _e2259 = phi_1663_;
+                        if (_e2255 > _e2259) {
+                            phi_1668_ = _e2255;
                         } else {
-                            phi_1668_ = _e2214;
+                            phi_1668_ = _e2259;
                         }
-                        let _e2217 = phi_1668_;
-                        if (_e2069 < 0f) {
-                            phi_1674_ = -(_e2069);
+                        let _e2262 = phi_1668_;
+                        if (_e2114 < 0f) {
+                            phi_1674_ = -(_e2114);
                         } else {
-                            phi_1674_ = _e2069;
+                            phi_1674_ = _e2114;
                         }
-                        let _e2221 = phi_1674_;
-                        if (_e2217 > _e2221) {
-                            phi_1679_ = _e2217;
+                        let _e2266 = phi_1674_;
+                        if (_e2262 > _e2266) {
+                            phi_1679_ = _e2262;
                         } else {
-                            phi_1679_ = _e2221;
+                            phi_1679_ = _e2266;
                         }
-                        let _e2224 = phi_1679_;
-                        let _e2225 = function_8(_e2224);
-                        let _e2226 = (_e2065 * _e2225);
-                        let _e2227 = (_e2067 * _e2225);
-                        let _e2228 = (_e2069 * _e2225);
-                        let _e2233 = (((_e2226 * _e2226) + (_e2227 * _e2227)) + (_e2228 * _e2228));
-                        if (_e2233 <= 0.000000000000000000000000000000000000011754944f) {
-                            if (_e2233 > 0f) {
+                        let _e2269 = phi_1679_;
+                        let _e2270 = function_8(_e2269);
+                        let _e2271 = (_e2110 * _e2270);
+                        let _e2272 = (_e2112 * _e2270);
+                        let _e2273 = (_e2114 * _e2270);
+                        let _e2278 = (((_e2271 * _e2271) + (_e2272 * _e2272)) + (_e2273 * _e2273));
+                        if (_e2278 <= 0.000000000000000000000000000000000000011754944f) {
+                            if (_e2278 > 0f) {
                                 phi_1702_ = (0.000000000000000000106433627f * 2f);
                             } else {
                                 phi_1702_ = 0f;
                             }
-                            let _e2286 = phi_1702_;
-                            phi_1766_ = _e2286;
+                            let _e2331 = phi_1702_;
+                            phi_1766_ = _e2331;
                         } else {
                             phi_1709_ = type_14(0i, 5i);
-                            phi_1712_ = bitcast<f32>(((bitcast<u32>(_e2233) >> bitcast<u32>(1i)) + 532369198u));
+                            phi_1712_ = bitcast<f32>(((bitcast<u32>(_e2278) >> bitcast<u32>(1i)) + 532369198u));
                             loop {
-                                let _e2241 = phi_1709_;
-                                let _e2243 = phi_1712_;
-                                local_12 = _e2243;
-                                if (_e2241.member < _e2241.member_1) {
-                                    let _e2250 = (_e2241.member + 1i);
-                                    if ((false == (_e2250 > _e2241.member)) != false) {
+                                let _e2286 = phi_1709_;
+                                let _e2288 = phi_1712_;
+                                local_12 = _e2288;
+                                if (_e2286.member < _e2286.member_1) {
+                                    let _e2295 = (_e2286.member + 1i);
+                                    if ((false == (_e2295 > _e2286.member)) != false) {
                                         phi_1733_ = true;
                                     } else {
                                         phi_1733_ = false;
                                     }
-                                    let _e2255 = phi_1733_;
-                                    if _e2255 {
+                                    let _e2300 = phi_1733_;
+                                    if _e2300 {
                                         phi_1739_ = type_15(0u, type_15().member_1);
                                     } else {
-                                        phi_1739_ = type_15(1u, _e2250);
+                                        phi_1739_ = type_15(1u, _e2295);
                                     }
-                                    let _e2260 = phi_1739_;
-                                    phi_1710_ = type_14(_e2260.member_1, _e2241.member_1);
-                                    phi_1753_ = type_15(1u, _e2241.member);
+                                    let _e2305 = phi_1739_;
+                                    phi_1710_ = type_14(_e2305.member_1, _e2286.member_1);
+                                    phi_1753_ = type_15(1u, _e2286.member);
                                 } else {
-                                    phi_1710_ = _e2241;
+                                    phi_1710_ = _e2286;
                                     phi_1753_ = type_15(0u, type_15().member_1);
                                 }
-                                let _e2266 = phi_1710_;
-                                let _e2268 = phi_1753_;
-                                let _e2271 = (bitcast<i32>(_e2268.member) != 0i);
-                                if _e2271 {
-                                    phi_1713_ = (0.5f * (_e2243 + (_e2233 / _e2243)));
+                                let _e2311 = phi_1710_;
+                                let _e2313 = phi_1753_;
+                                let _e2316 = (bitcast<i32>(_e2313.member) != 0i);
+                                if _e2316 {
+                                    phi_1713_ = (0.5f * (_e2288 + (_e2278 / _e2288)));
                                 } else {
                                     phi_1713_ = f32();
                                 }
-                                let _e2276 = phi_1713_;
+                                let _e2321 = phi_1713_;
                                 continue;
                                 continuing {
-                                    phi_1709_ = _e2266;
-                                    phi_1712_ = _e2276;
-                                    break if !(_e2271);
+                                    phi_1709_ = _e2311;
+                                    phi_1712_ = _e2321;
+                                    break if !(_e2316);
                                 }
                             }
-                            let _e2281 = local_12;
-                            phi_1766_ = (_e2281 * (1f + (8f * 0.000000059604645f)));
+                            let _e2326 = local_12;
+                            phi_1766_ = (_e2326 * (1f + (8f * 0.000000059604645f)));
                         }
-                        let _e2288 = phi_1766_;
-                        let _e2289 = (1f / _e2288);
-                        let _e2290 = (_e2226 * _e2289);
-                        let _e2291 = (_e2227 * _e2289);
-                        let _e2292 = (_e2228 * _e2289);
-                        let _e2299 = ((3f - (((_e2290 * _e2290) + (_e2291 * _e2291)) + (_e2292 * _e2292))) * 0.5f);
-                        phi_1782_ = array<f32, 3>((_e2290 * _e2299), (_e2291 * _e2299), (_e2292 * _e2299));
+                        let _e2333 = phi_1766_;
+                        let _e2334 = (1f / _e2333);
+                        let _e2335 = (_e2271 * _e2334);
+                        let _e2336 = (_e2272 * _e2334);
+                        let _e2337 = (_e2273 * _e2334);
+                        let _e2344 = ((3f - (((_e2335 * _e2335) + (_e2336 * _e2336)) + (_e2337 * _e2337))) * 0.5f);
+                        phi_1782_ = array<f32, 3>((_e2335 * _e2344), (_e2336 * _e2344), (_e2337 * _e2344));
                     } else {
-                        phi_1782_ = _e2204;
+                        phi_1782_ = _e2249;
                     }
-                    let _e2305 = phi_1782_;
-                    phi_3298_ = _e2305;
-                    phi_3299_ = array<f32, 3>();
-                    phi_3300_ = true;
+                    let _e2350 = phi_1782_;
+                    phi_3358_ = _e2350;
+                    phi_3359_ = array<f32, 3>();
+                    phi_3360_ = true;
                 } else {
                     if (_e421.member[0][0] < 0f) {
                         phi_1790_ = -(_e421.member[0][0]);
@@ -2430,763 +2437,807 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_2391_ = _e1384;
                             }
                             let _e1387 = phi_2391_;
-                            if (_e1387 > 0f) {
-                                if (_e1366[0] < 0f) {
-                                    phi_2402_ = -(_e1366[0]);
+                            let _e1389 = local.member_6;
+                            if (_e1387 > _e1389) {
+                                phi_2399_ = _e1366;
+                            } else {
+                                phi_2399_ = array<f32, 3>(0f, 0f, 0f);
+                            }
+                            let _e1392 = phi_2399_;
+                            if (_e1392[0] < 0f) {
+                                phi_2406_ = -(_e1392[0]);
+                            } else {
+                                phi_2406_ = _e1392[0];
+                            }
+                            let _e1397 = phi_2406_;
+                            if (_e1392[1] < 0f) {
+                                phi_2413_ = -(_e1392[1]);
+                            } else {
+                                phi_2413_ = _e1392[1];
+                            }
+                            let _e1402 = phi_2413_;
+                            if (_e1397 > _e1402) {
+                                phi_2418_ = _e1397;
+                            } else {
+                                phi_2418_ = _e1402;
+                            }
+                            let _e1405 = phi_2418_;
+                            if (_e1392[2] < 0f) {
+                                phi_2425_ = -(_e1392[2]);
+                            } else {
+                                phi_2425_ = _e1392[2];
+                            }
+                            let _e1410 = phi_2425_;
+                            if (_e1405 > _e1410) {
+                                phi_2430_ = _e1405;
+                            } else {
+                                phi_2430_ = _e1410;
+                            }
+                            let _e1413 = phi_2430_;
+                            if (_e1413 > 0f) {
+                                if (_e1392[0] < 0f) {
+                                    phi_2441_ = -(_e1392[0]);
                                 } else {
-                                    phi_2402_ = _e1366[0];
+                                    phi_2441_ = _e1392[0];
                                 }
-                                let _e1393 = phi_2402_;
-                                if (_e1366[1] < 0f) {
-                                    phi_2409_ = -(_e1366[1]);
+                                let _e1419 = phi_2441_;
+                                if (_e1392[1] < 0f) {
+                                    phi_2448_ = -(_e1392[1]);
                                 } else {
-                                    phi_2409_ = _e1366[1];
+                                    phi_2448_ = _e1392[1];
                                 }
-                                let _e1398 = phi_2409_;
-                                if (_e1393 > _e1398) {
-                                    phi_2414_ = _e1393;
+                                let _e1424 = phi_2448_;
+                                if (_e1419 > _e1424) {
+                                    phi_2453_ = _e1419;
                                 } else {
-                                    phi_2414_ = _e1398;
+                                    phi_2453_ = _e1424;
                                 }
-                                let _e1401 = phi_2414_;
-                                if (_e1366[2] < 0f) {
-                                    phi_2421_ = -(_e1366[2]);
+                                let _e1427 = phi_2453_;
+                                if (_e1392[2] < 0f) {
+                                    phi_2460_ = -(_e1392[2]);
                                 } else {
-                                    phi_2421_ = _e1366[2];
+                                    phi_2460_ = _e1392[2];
                                 }
-                                let _e1406 = phi_2421_;
-                                if (_e1401 > _e1406) {
-                                    phi_2426_ = _e1401;
+                                let _e1432 = phi_2460_;
+                                if (_e1427 > _e1432) {
+                                    phi_2465_ = _e1427;
                                 } else {
-                                    phi_2426_ = _e1406;
+                                    phi_2465_ = _e1432;
                                 }
-                                let _e1409 = phi_2426_;
-                                let _e1410 = function_8(_e1409);
-                                let _e1412 = (_e1366[0] * _e1410);
-                                let _e1414 = (_e1366[1] * _e1410);
-                                let _e1416 = (_e1366[2] * _e1410);
-                                let _e1421 = (((_e1412 * _e1412) + (_e1414 * _e1414)) + (_e1416 * _e1416));
-                                if (_e1421 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e1421 > 0f) {
-                                        phi_2452_ = (0.000000000000000000106433627f * 2f);
+                                let _e1435 = phi_2465_;
+                                let _e1436 = function_8(_e1435);
+                                let _e1438 = (_e1392[0] * _e1436);
+                                let _e1440 = (_e1392[1] * _e1436);
+                                let _e1442 = (_e1392[2] * _e1436);
+                                let _e1447 = (((_e1438 * _e1438) + (_e1440 * _e1440)) + (_e1442 * _e1442));
+                                if (_e1447 <= 0.000000000000000000000000000000000000011754944f) {
+                                    if (_e1447 > 0f) {
+                                        phi_2491_ = (0.000000000000000000106433627f * 2f);
                                     } else {
-                                        phi_2452_ = 0f;
+                                        phi_2491_ = 0f;
                                     }
-                                    let _e1474 = phi_2452_;
-                                    phi_2516_ = _e1474;
+                                    let _e1500 = phi_2491_;
+                                    phi_2555_ = _e1500;
                                 } else {
-                                    phi_2459_ = type_14(0i, 5i);
-                                    phi_2462_ = bitcast<f32>(((bitcast<u32>(_e1421) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_2498_ = type_14(0i, 5i);
+                                    phi_2501_ = bitcast<f32>(((bitcast<u32>(_e1447) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e1429 = phi_2459_;
-                                        let _e1431 = phi_2462_;
-                                        local_6 = _e1431;
-                                        if (_e1429.member < _e1429.member_1) {
-                                            let _e1438 = (_e1429.member + 1i);
-                                            if ((false == (_e1438 > _e1429.member)) != false) {
-                                                phi_2483_ = true;
+                                        let _e1455 = phi_2498_;
+                                        let _e1457 = phi_2501_;
+                                        local_6 = _e1457;
+                                        if (_e1455.member < _e1455.member_1) {
+                                            let _e1464 = (_e1455.member + 1i);
+                                            if ((false == (_e1464 > _e1455.member)) != false) {
+                                                phi_2522_ = true;
                                             } else {
-                                                phi_2483_ = false;
+                                                phi_2522_ = false;
                                             }
-                                            let _e1443 = phi_2483_;
-                                            if _e1443 {
-                                                phi_2489_ = type_15(0u, type_15().member_1);
+                                            let _e1469 = phi_2522_;
+                                            if _e1469 {
+                                                phi_2528_ = type_15(0u, type_15().member_1);
                                             } else {
-                                                phi_2489_ = type_15(1u, _e1438);
+                                                phi_2528_ = type_15(1u, _e1464);
                                             }
-                                            let _e1448 = phi_2489_;
-                                            phi_2460_ = type_14(_e1448.member_1, _e1429.member_1);
-                                            phi_2503_ = type_15(1u, _e1429.member);
+                                            let _e1474 = phi_2528_;
+                                            phi_2499_ = type_14(_e1474.member_1, _e1455.member_1);
+                                            phi_2542_ = type_15(1u, _e1455.member);
                                         } else {
-                                            phi_2460_ = _e1429;
-                                            phi_2503_ = type_15(0u, type_15().member_1);
+                                            phi_2499_ = _e1455;
+                                            phi_2542_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e1454 = phi_2460_;
-                                        let _e1456 = phi_2503_;
-                                        let _e1459 = (bitcast<i32>(_e1456.member) != 0i);
-                                        if _e1459 {
-                                            phi_2463_ = (0.5f * (_e1431 + (_e1421 / _e1431)));
+                                        let _e1480 = phi_2499_;
+                                        let _e1482 = phi_2542_;
+                                        let _e1485 = (bitcast<i32>(_e1482.member) != 0i);
+                                        if _e1485 {
+                                            phi_2502_ = (0.5f * (_e1457 + (_e1447 / _e1457)));
                                         } else {
-                                            phi_2463_ = f32();
+                                            phi_2502_ = f32();
                                         }
-                                        let _e1464 = phi_2463_;
+                                        let _e1490 = phi_2502_;
                                         continue;
                                         continuing {
-                                            phi_2459_ = _e1454;
-                                            phi_2462_ = _e1464;
-                                            break if !(_e1459);
+                                            phi_2498_ = _e1480;
+                                            phi_2501_ = _e1490;
+                                            break if !(_e1485);
                                         }
                                     }
-                                    let _e1469 = local_6;
-                                    phi_2516_ = (_e1469 * (1f + (8f * 0.000000059604645f)));
+                                    let _e1495 = local_6;
+                                    phi_2555_ = (_e1495 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e1476 = phi_2516_;
-                                let _e1477 = (1f / _e1476);
-                                let _e1478 = (_e1412 * _e1477);
-                                let _e1479 = (_e1414 * _e1477);
-                                let _e1480 = (_e1416 * _e1477);
-                                let _e1487 = ((3f - (((_e1478 * _e1478) + (_e1479 * _e1479)) + (_e1480 * _e1480))) * 0.5f);
-                                let _e1488 = (_e1478 * _e1487);
-                                let _e1489 = (_e1479 * _e1487);
-                                let _e1490 = (_e1480 * _e1487);
-                                let _e1495 = (((_e910 * _e1488) + (_e911 * _e1489)) + (_e912 * _e1490));
-                                phi_2543_ = array<f32, 3>((_e910 - (_e1488 * _e1495)), (_e911 - (_e1489 * _e1495)), (_e912 - (_e1490 * _e1495)));
+                                let _e1502 = phi_2555_;
+                                let _e1503 = (1f / _e1502);
+                                let _e1504 = (_e1438 * _e1503);
+                                let _e1505 = (_e1440 * _e1503);
+                                let _e1506 = (_e1442 * _e1503);
+                                let _e1513 = ((3f - (((_e1504 * _e1504) + (_e1505 * _e1505)) + (_e1506 * _e1506))) * 0.5f);
+                                let _e1514 = (_e1504 * _e1513);
+                                let _e1515 = (_e1505 * _e1513);
+                                let _e1516 = (_e1506 * _e1513);
+                                let _e1521 = (((_e910 * _e1514) + (_e911 * _e1515)) + (_e912 * _e1516));
+                                phi_2582_ = array<f32, 3>((_e910 - (_e1514 * _e1521)), (_e911 - (_e1515 * _e1521)), (_e912 - (_e1516 * _e1521)));
                             } else {
-                                phi_2543_ = array<f32, 3>(_e910, _e911, _e912);
+                                phi_2582_ = array<f32, 3>(_e910, _e911, _e912);
                             }
-                            let _e1504 = phi_2543_;
-                            if (_e1504[0] < 0f) {
-                                phi_2550_ = -(_e1504[0]);
+                            let _e1530 = phi_2582_;
+                            if (_e1530[0] < 0f) {
+                                phi_2589_ = -(_e1530[0]);
                             } else {
-                                phi_2550_ = _e1504[0];
+                                phi_2589_ = _e1530[0];
                             }
-                            let _e1509 = phi_2550_;
-                            if (_e1504[1] < 0f) {
-                                phi_2557_ = -(_e1504[1]);
+                            let _e1535 = phi_2589_;
+                            if (_e1530[1] < 0f) {
+                                phi_2596_ = -(_e1530[1]);
                             } else {
-                                phi_2557_ = _e1504[1];
+                                phi_2596_ = _e1530[1];
                             }
-                            let _e1514 = phi_2557_;
-                            if (_e1504[2] < 0f) {
-                                phi_2565_ = -(_e1504[2]);
+                            let _e1540 = phi_2596_;
+                            if (_e1530[2] < 0f) {
+                                phi_2604_ = -(_e1530[2]);
                             } else {
-                                phi_2565_ = _e1504[2];
+                                phi_2604_ = _e1530[2];
                             }
-                            let _e1520 = phi_2565_;
-                            if (((_e1509 + _e1514) + _e1520) > _e1115) {
-                                let _e1523 = -(1f);
-                                let _e1525 = (_e1504[0] * _e1523);
-                                let _e1527 = (_e1504[1] * _e1523);
-                                let _e1529 = (_e1504[2] * _e1523);
-                                if (_e1525 < 0f) {
-                                    phi_2583_ = -(_e1525);
+                            let _e1546 = phi_2604_;
+                            if (((_e1535 + _e1540) + _e1546) > _e1115) {
+                                let _e1549 = -(1f);
+                                let _e1551 = (_e1530[0] * _e1549);
+                                let _e1553 = (_e1530[1] * _e1549);
+                                let _e1555 = (_e1530[2] * _e1549);
+                                if (_e1551 < 0f) {
+                                    phi_2622_ = -(_e1551);
                                 } else {
-                                    phi_2583_ = _e1525;
+                                    phi_2622_ = _e1551;
                                 }
-                                let _e1533 = phi_2583_;
-                                if (_e1527 < 0f) {
-                                    phi_2589_ = -(_e1527);
+                                let _e1559 = phi_2622_;
+                                if (_e1553 < 0f) {
+                                    phi_2628_ = -(_e1553);
                                 } else {
-                                    phi_2589_ = _e1527;
+                                    phi_2628_ = _e1553;
                                 }
-                                let _e1537 = phi_2589_;
-                                if (_e1533 > _e1537) {
-                                    phi_2594_ = _e1533;
+                                let _e1563 = phi_2628_;
+                                if (_e1559 > _e1563) {
+                                    phi_2633_ = _e1559;
                                 } else {
-                                    phi_2594_ = _e1537;
+                                    phi_2633_ = _e1563;
                                 }
-                                let _e1540 = phi_2594_;
-                                if (_e1529 < 0f) {
-                                    phi_2600_ = -(_e1529);
+                                let _e1566 = phi_2633_;
+                                if (_e1555 < 0f) {
+                                    phi_2639_ = -(_e1555);
                                 } else {
-                                    phi_2600_ = _e1529;
+                                    phi_2639_ = _e1555;
                                 }
-                                let _e1544 = phi_2600_;
-                                if (_e1540 > _e1544) {
-                                    phi_2605_ = _e1540;
+                                let _e1570 = phi_2639_;
+                                if (_e1566 > _e1570) {
+                                    phi_2644_ = _e1566;
                                 } else {
-                                    phi_2605_ = _e1544;
+                                    phi_2644_ = _e1570;
                                 }
-                                let _e1547 = phi_2605_;
-                                let _e1548 = function_8(_e1547);
-                                let _e1549 = (_e1525 * _e1548);
-                                let _e1550 = (_e1527 * _e1548);
-                                let _e1551 = (_e1529 * _e1548);
-                                let _e1556 = (((_e1549 * _e1549) + (_e1550 * _e1550)) + (_e1551 * _e1551));
-                                if (_e1556 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e1556 > 0f) {
-                                        phi_2628_ = (0.000000000000000000106433627f * 2f);
+                                let _e1573 = phi_2644_;
+                                let _e1574 = function_8(_e1573);
+                                let _e1575 = (_e1551 * _e1574);
+                                let _e1576 = (_e1553 * _e1574);
+                                let _e1577 = (_e1555 * _e1574);
+                                let _e1582 = (((_e1575 * _e1575) + (_e1576 * _e1576)) + (_e1577 * _e1577));
+                                if (_e1582 <= 0.000000000000000000000000000000000000011754944f) {
+                                    if (_e1582 > 0f) {
+                                        phi_2667_ = (0.000000000000000000106433627f * 2f);
                                     } else {
-                                        phi_2628_ = 0f;
+                                        phi_2667_ = 0f;
                                     }
-                                    let _e1609 = phi_2628_;
-                                    phi_2692_ = _e1609;
+                                    let _e1635 = phi_2667_;
+                                    phi_2731_ = _e1635;
                                 } else {
-                                    phi_2635_ = type_14(0i, 5i);
-                                    phi_2638_ = bitcast<f32>(((bitcast<u32>(_e1556) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_2674_ = type_14(0i, 5i);
+                                    phi_2677_ = bitcast<f32>(((bitcast<u32>(_e1582) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e1564 = phi_2635_;
-                                        let _e1566 = phi_2638_;
-                                        local_7 = _e1566;
-                                        if (_e1564.member < _e1564.member_1) {
-                                            let _e1573 = (_e1564.member + 1i);
-                                            if ((false == (_e1573 > _e1564.member)) != false) {
-                                                phi_2659_ = true;
+                                        let _e1590 = phi_2674_;
+                                        let _e1592 = phi_2677_;
+                                        local_7 = _e1592;
+                                        if (_e1590.member < _e1590.member_1) {
+                                            let _e1599 = (_e1590.member + 1i);
+                                            if ((false == (_e1599 > _e1590.member)) != false) {
+                                                phi_2698_ = true;
                                             } else {
-                                                phi_2659_ = false;
+                                                phi_2698_ = false;
                                             }
-                                            let _e1578 = phi_2659_;
-                                            if _e1578 {
-                                                phi_2665_ = type_15(0u, type_15().member_1);
+                                            let _e1604 = phi_2698_;
+                                            if _e1604 {
+                                                phi_2704_ = type_15(0u, type_15().member_1);
                                             } else {
-                                                phi_2665_ = type_15(1u, _e1573);
+                                                phi_2704_ = type_15(1u, _e1599);
                                             }
-                                            let _e1583 = phi_2665_;
-                                            phi_2636_ = type_14(_e1583.member_1, _e1564.member_1);
-                                            phi_2679_ = type_15(1u, _e1564.member);
+                                            let _e1609 = phi_2704_;
+                                            phi_2675_ = type_14(_e1609.member_1, _e1590.member_1);
+                                            phi_2718_ = type_15(1u, _e1590.member);
                                         } else {
-                                            phi_2636_ = _e1564;
-                                            phi_2679_ = type_15(0u, type_15().member_1);
+                                            phi_2675_ = _e1590;
+                                            phi_2718_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e1589 = phi_2636_;
-                                        let _e1591 = phi_2679_;
-                                        let _e1594 = (bitcast<i32>(_e1591.member) != 0i);
-                                        if _e1594 {
-                                            phi_2639_ = (0.5f * (_e1566 + (_e1556 / _e1566)));
+                                        let _e1615 = phi_2675_;
+                                        let _e1617 = phi_2718_;
+                                        let _e1620 = (bitcast<i32>(_e1617.member) != 0i);
+                                        if _e1620 {
+                                            phi_2678_ = (0.5f * (_e1592 + (_e1582 / _e1592)));
                                         } else {
-                                            phi_2639_ = f32();
+                                            phi_2678_ = f32();
                                         }
-                                        let _e1599 = phi_2639_;
+                                        let _e1625 = phi_2678_;
                                         continue;
                                         continuing {
-                                            phi_2635_ = _e1589;
-                                            phi_2638_ = _e1599;
-                                            break if !(_e1594);
+                                            phi_2674_ = _e1615;
+                                            phi_2677_ = _e1625;
+                                            break if !(_e1620);
                                         }
                                     }
-                                    let _e1604 = local_7;
-                                    phi_2692_ = (_e1604 * (1f + (8f * 0.000000059604645f)));
+                                    let _e1630 = local_7;
+                                    phi_2731_ = (_e1630 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e1611 = phi_2692_;
-                                let _e1612 = (1f / _e1611);
-                                let _e1613 = (_e1549 * _e1612);
-                                let _e1614 = (_e1550 * _e1612);
-                                let _e1615 = (_e1551 * _e1612);
-                                let _e1622 = ((3f - (((_e1613 * _e1613) + (_e1614 * _e1614)) + (_e1615 * _e1615))) * 0.5f);
-                                phi_2708_ = array<f32, 3>((_e1613 * _e1622), (_e1614 * _e1622), (_e1615 * _e1622));
-                                phi_2709_ = false;
+                                let _e1637 = phi_2731_;
+                                let _e1638 = (1f / _e1637);
+                                let _e1639 = (_e1575 * _e1638);
+                                let _e1640 = (_e1576 * _e1638);
+                                let _e1641 = (_e1577 * _e1638);
+                                let _e1648 = ((3f - (((_e1639 * _e1639) + (_e1640 * _e1640)) + (_e1641 * _e1641))) * 0.5f);
+                                phi_2747_ = array<f32, 3>((_e1639 * _e1648), (_e1640 * _e1648), (_e1641 * _e1648));
+                                phi_2748_ = false;
                             } else {
-                                phi_2708_ = array<f32, 3>();
-                                phi_2709_ = true;
+                                phi_2747_ = array<f32, 3>();
+                                phi_2748_ = true;
                             }
-                            let _e1628 = phi_2708_;
-                            let _e1630 = phi_2709_;
-                            phi_2710_ = _e1628;
-                            phi_2711_ = _e1630;
+                            let _e1654 = phi_2747_;
+                            let _e1656 = phi_2748_;
+                            phi_2749_ = _e1654;
+                            phi_2750_ = _e1656;
                         } else {
-                            phi_2710_ = array<f32, 3>();
-                            phi_2711_ = true;
+                            phi_2749_ = array<f32, 3>();
+                            phi_2750_ = true;
                         }
-                        let _e1632 = phi_2710_;
-                        let _e1634 = phi_2711_;
-                        if _e1634 {
+                        let _e1658 = phi_2749_;
+                        let _e1660 = phi_2750_;
+                        if _e1660 {
                             if _e943 {
                                 if (_e949 < 0f) {
-                                    phi_2723_ = -(_e949);
+                                    phi_2762_ = -(_e949);
                                 } else {
-                                    phi_2723_ = _e949;
+                                    phi_2762_ = _e949;
                                 }
-                                let _e1957 = phi_2723_;
+                                let _e1983 = phi_2762_;
                                 if (_e950 < 0f) {
-                                    phi_2729_ = -(_e950);
+                                    phi_2768_ = -(_e950);
                                 } else {
-                                    phi_2729_ = _e950;
+                                    phi_2768_ = _e950;
                                 }
-                                let _e1961 = phi_2729_;
-                                if (_e1957 > _e1961) {
-                                    phi_2734_ = _e1957;
+                                let _e1987 = phi_2768_;
+                                if (_e1983 > _e1987) {
+                                    phi_2773_ = _e1983;
                                 } else {
-                                    phi_2734_ = _e1961;
+                                    phi_2773_ = _e1987;
                                 }
-                                let _e1964 = phi_2734_;
+                                let _e1990 = phi_2773_;
                                 if (_e951 < 0f) {
-                                    phi_2740_ = -(_e951);
+                                    phi_2779_ = -(_e951);
                                 } else {
-                                    phi_2740_ = _e951;
+                                    phi_2779_ = _e951;
                                 }
-                                let _e1968 = phi_2740_;
-                                if (_e1964 > _e1968) {
-                                    phi_2745_ = _e1964;
+                                let _e1994 = phi_2779_;
+                                if (_e1990 > _e1994) {
+                                    phi_2784_ = _e1990;
                                 } else {
-                                    phi_2745_ = _e1968;
+                                    phi_2784_ = _e1994;
                                 }
-                                let _e1971 = phi_2745_;
-                                let _e1972 = function_8(_e1971);
-                                let _e1973 = (_e949 * _e1972);
-                                let _e1974 = (_e950 * _e1972);
-                                let _e1975 = (_e951 * _e1972);
-                                let _e1980 = (((_e1973 * _e1973) + (_e1974 * _e1974)) + (_e1975 * _e1975));
-                                if (_e1980 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e1980 > 0f) {
-                                        phi_2768_ = (0.000000000000000000106433627f * 2f);
+                                let _e1997 = phi_2784_;
+                                let _e1998 = function_8(_e1997);
+                                let _e1999 = (_e949 * _e1998);
+                                let _e2000 = (_e950 * _e1998);
+                                let _e2001 = (_e951 * _e1998);
+                                let _e2006 = (((_e1999 * _e1999) + (_e2000 * _e2000)) + (_e2001 * _e2001));
+                                if (_e2006 <= 0.000000000000000000000000000000000000011754944f) {
+                                    if (_e2006 > 0f) {
+                                        phi_2807_ = (0.000000000000000000106433627f * 2f);
                                     } else {
-                                        phi_2768_ = 0f;
+                                        phi_2807_ = 0f;
                                     }
-                                    let _e2033 = phi_2768_;
-                                    phi_2832_ = _e2033;
+                                    let _e2059 = phi_2807_;
+                                    phi_2871_ = _e2059;
                                 } else {
-                                    phi_2775_ = type_14(0i, 5i);
-                                    phi_2778_ = bitcast<f32>(((bitcast<u32>(_e1980) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_2814_ = type_14(0i, 5i);
+                                    phi_2817_ = bitcast<f32>(((bitcast<u32>(_e2006) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e1988 = phi_2775_;
-                                        let _e1990 = phi_2778_;
-                                        local_10 = _e1990;
-                                        if (_e1988.member < _e1988.member_1) {
-                                            let _e1997 = (_e1988.member + 1i);
-                                            if ((false == (_e1997 > _e1988.member)) != false) {
-                                                phi_2799_ = true;
+                                        let _e2014 = phi_2814_;
+                                        let _e2016 = phi_2817_;
+                                        local_10 = _e2016;
+                                        if (_e2014.member < _e2014.member_1) {
+                                            let _e2023 = (_e2014.member + 1i);
+                                            if ((false == (_e2023 > _e2014.member)) != false) {
+                                                phi_2838_ = true;
                                             } else {
-                                                phi_2799_ = false;
+                                                phi_2838_ = false;
                                             }
-                                            let _e2002 = phi_2799_;
-                                            if _e2002 {
-                                                phi_2805_ = type_15(0u, type_15().member_1);
+                                            let _e2028 = phi_2838_;
+                                            if _e2028 {
+                                                phi_2844_ = type_15(0u, type_15().member_1);
                                             } else {
-                                                phi_2805_ = type_15(1u, _e1997);
+                                                phi_2844_ = type_15(1u, _e2023);
                                             }
-                                            let _e2007 = phi_2805_;
-                                            phi_2776_ = type_14(_e2007.member_1, _e1988.member_1);
-                                            phi_2819_ = type_15(1u, _e1988.member);
+                                            let _e2033 = phi_2844_;
+                                            phi_2815_ = type_14(_e2033.member_1, _e2014.member_1);
+                                            phi_2858_ = type_15(1u, _e2014.member);
                                         } else {
-                                            phi_2776_ = _e1988;
-                                            phi_2819_ = type_15(0u, type_15().member_1);
+                                            phi_2815_ = _e2014;
+                                            phi_2858_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e2013 = phi_2776_;
-                                        let _e2015 = phi_2819_;
-                                        let _e2018 = (bitcast<i32>(_e2015.member) != 0i);
-                                        if _e2018 {
-                                            phi_2779_ = (0.5f * (_e1990 + (_e1980 / _e1990)));
+                                        let _e2039 = phi_2815_;
+                                        let _e2041 = phi_2858_;
+                                        let _e2044 = (bitcast<i32>(_e2041.member) != 0i);
+                                        if _e2044 {
+                                            phi_2818_ = (0.5f * (_e2016 + (_e2006 / _e2016)));
                                         } else {
-                                            phi_2779_ = f32();
+                                            phi_2818_ = f32();
                                         }
-                                        let _e2023 = phi_2779_;
+                                        let _e2049 = phi_2818_;
                                         continue;
                                         continuing {
-                                            phi_2775_ = _e2013;
-                                            phi_2778_ = _e2023;
-                                            break if !(_e2018);
+                                            phi_2814_ = _e2039;
+                                            phi_2817_ = _e2049;
+                                            break if !(_e2044);
                                         }
                                     }
-                                    let _e2028 = local_10;
-                                    phi_2832_ = (_e2028 * (1f + (8f * 0.000000059604645f)));
+                                    let _e2054 = local_10;
+                                    phi_2871_ = (_e2054 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e2035 = phi_2832_;
-                                let _e2036 = (1f / _e2035);
-                                let _e2037 = (_e1973 * _e2036);
-                                let _e2038 = (_e1974 * _e2036);
-                                let _e2039 = (_e1975 * _e2036);
-                                let _e2046 = ((3f - (((_e2037 * _e2037) + (_e2038 * _e2038)) + (_e2039 * _e2039))) * 0.5f);
-                                phi_3289_ = array<f32, 3>((_e2037 * _e2046), (_e2038 * _e2046), (_e2039 * _e2046));
+                                let _e2061 = phi_2871_;
+                                let _e2062 = (1f / _e2061);
+                                let _e2063 = (_e1999 * _e2062);
+                                let _e2064 = (_e2000 * _e2062);
+                                let _e2065 = (_e2001 * _e2062);
+                                let _e2072 = ((3f - (((_e2063 * _e2063) + (_e2064 * _e2064)) + (_e2065 * _e2065))) * 0.5f);
+                                phi_3328_ = array<f32, 3>((_e2063 * _e2072), (_e2064 * _e2072), (_e2065 * _e2072));
                             } else {
-                                let _e1636 = local.member_1;
-                                let _e1642 = local.member_2;
-                                if (_e1642[0] < 0f) {
-                                    phi_2866_ = -(_e1642[0]);
+                                let _e1662 = local.member_1;
+                                let _e1668 = local.member_2;
+                                if (_e1668[0] < 0f) {
+                                    phi_2905_ = -(_e1668[0]);
                                 } else {
-                                    phi_2866_ = _e1642[0];
+                                    phi_2905_ = _e1668[0];
                                 }
-                                let _e1650 = phi_2866_;
-                                if (_e1642[1] < 0f) {
-                                    phi_2873_ = -(_e1642[1]);
+                                let _e1676 = phi_2905_;
+                                if (_e1668[1] < 0f) {
+                                    phi_2912_ = -(_e1668[1]);
                                 } else {
-                                    phi_2873_ = _e1642[1];
+                                    phi_2912_ = _e1668[1];
                                 }
-                                let _e1654 = phi_2873_;
-                                if (_e1650 > _e1654) {
-                                    phi_2878_ = _e1650;
+                                let _e1680 = phi_2912_;
+                                if (_e1676 > _e1680) {
+                                    phi_2917_ = _e1676;
                                 } else {
-                                    phi_2878_ = _e1654;
+                                    phi_2917_ = _e1680;
                                 }
-                                let _e1657 = phi_2878_;
-                                if (_e1642[2] < 0f) {
-                                    phi_2885_ = -(_e1642[2]);
+                                let _e1683 = phi_2917_;
+                                if (_e1668[2] < 0f) {
+                                    phi_2924_ = -(_e1668[2]);
                                 } else {
-                                    phi_2885_ = _e1642[2];
+                                    phi_2924_ = _e1668[2];
                                 }
-                                let _e1661 = phi_2885_;
-                                if (_e1657 > _e1661) {
-                                    phi_2890_ = _e1657;
+                                let _e1687 = phi_2924_;
+                                if (_e1683 > _e1687) {
+                                    phi_2929_ = _e1683;
                                 } else {
-                                    phi_2890_ = _e1661;
+                                    phi_2929_ = _e1687;
                                 }
-                                let _e1664 = phi_2890_;
-                                if (_e1636[0] < 0f) {
-                                    phi_2897_ = -(_e1636[0]);
+                                let _e1690 = phi_2929_;
+                                if (_e1662[0] < 0f) {
+                                    phi_2936_ = -(_e1662[0]);
                                 } else {
-                                    phi_2897_ = _e1636[0];
+                                    phi_2936_ = _e1662[0];
                                 }
-                                let _e1668 = phi_2897_;
-                                if (_e1636[1] < 0f) {
-                                    phi_2904_ = -(_e1636[1]);
+                                let _e1694 = phi_2936_;
+                                if (_e1662[1] < 0f) {
+                                    phi_2943_ = -(_e1662[1]);
                                 } else {
-                                    phi_2904_ = _e1636[1];
+                                    phi_2943_ = _e1662[1];
                                 }
-                                let _e1672 = phi_2904_;
-                                if (_e1668 > _e1672) {
-                                    phi_2909_ = _e1668;
+                                let _e1698 = phi_2943_;
+                                if (_e1694 > _e1698) {
+                                    phi_2948_ = _e1694;
                                 } else {
-                                    phi_2909_ = _e1672;
+                                    phi_2948_ = _e1698;
                                 }
-                                let _e1675 = phi_2909_;
-                                if (_e1636[2] < 0f) {
-                                    phi_2916_ = -(_e1636[2]);
+                                let _e1701 = phi_2948_;
+                                if (_e1662[2] < 0f) {
+                                    phi_2955_ = -(_e1662[2]);
                                 } else {
-                                    phi_2916_ = _e1636[2];
+                                    phi_2955_ = _e1662[2];
                                 }
-                                let _e1679 = phi_2916_;
-                                if (_e1675 > _e1679) {
-                                    phi_2921_ = _e1675;
+                                let _e1705 = phi_2955_;
+                                if (_e1701 > _e1705) {
+                                    phi_2960_ = _e1701;
                                 } else {
-                                    phi_2921_ = _e1679;
+                                    phi_2960_ = _e1705;
                                 }
-                                let _e1682 = phi_2921_;
-                                if (_e1664 > _e1682) {
-                                    phi_2926_ = array<f32, 3>(_e1642[0], _e1642[1], _e1642[2]);
+                                let _e1708 = phi_2960_;
+                                if (_e1690 > _e1708) {
+                                    phi_2965_ = array<f32, 3>(_e1668[0], _e1668[1], _e1668[2]);
                                 } else {
-                                    phi_2926_ = array<f32, 3>(_e1636[0], _e1636[1], _e1636[2]);
+                                    phi_2965_ = array<f32, 3>(_e1662[0], _e1662[1], _e1662[2]);
                                 }
-                                let _e1685 = phi_2926_;
-                                if (_e1685[0] < 0f) {
-                                    phi_2933_ = -(_e1685[0]);
+                                let _e1711 = phi_2965_;
+                                if (_e1711[0] < 0f) {
+                                    phi_2972_ = -(_e1711[0]);
                                 } else {
-                                    phi_2933_ = _e1685[0];
+                                    phi_2972_ = _e1711[0];
                                 }
-                                let _e1690 = phi_2933_;
-                                if (_e1685[1] < 0f) {
-                                    phi_2940_ = -(_e1685[1]);
+                                let _e1716 = phi_2972_;
+                                if (_e1711[1] < 0f) {
+                                    phi_2979_ = -(_e1711[1]);
                                 } else {
-                                    phi_2940_ = _e1685[1];
+                                    phi_2979_ = _e1711[1];
                                 }
-                                let _e1695 = phi_2940_;
-                                if (_e1690 > _e1695) {
-                                    phi_2945_ = _e1690;
+                                let _e1721 = phi_2979_;
+                                if (_e1716 > _e1721) {
+                                    phi_2984_ = _e1716;
                                 } else {
-                                    phi_2945_ = _e1695;
+                                    phi_2984_ = _e1721;
                                 }
-                                let _e1698 = phi_2945_;
-                                if (_e1685[2] < 0f) {
-                                    phi_2952_ = -(_e1685[2]);
+                                let _e1724 = phi_2984_;
+                                if (_e1711[2] < 0f) {
+                                    phi_2991_ = -(_e1711[2]);
                                 } else {
-                                    phi_2952_ = _e1685[2];
+                                    phi_2991_ = _e1711[2];
                                 }
-                                let _e1703 = phi_2952_;
-                                if (_e1698 > _e1703) {
-                                    phi_2957_ = _e1698;
+                                let _e1729 = phi_2991_;
+                                if (_e1724 > _e1729) {
+                                    phi_2996_ = _e1724;
                                 } else {
-                                    phi_2957_ = _e1703;
+                                    phi_2996_ = _e1729;
                                 }
-                                let _e1706 = phi_2957_;
-                                if (_e1706 > 0f) {
-                                    if (_e1685[0] < 0f) {
-                                        phi_2968_ = -(_e1685[0]);
+                                let _e1732 = phi_2996_;
+                                if (_e1732 > 0f) {
+                                    if (_e1711[0] < 0f) {
+                                        phi_3007_ = -(_e1711[0]);
                                     } else {
-                                        phi_2968_ = _e1685[0];
+                                        phi_3007_ = _e1711[0];
                                     }
-                                    let _e1712 = phi_2968_;
-                                    if (_e1685[1] < 0f) {
-                                        phi_2975_ = -(_e1685[1]);
+                                    let _e1738 = phi_3007_;
+                                    if (_e1711[1] < 0f) {
+                                        phi_3014_ = -(_e1711[1]);
                                     } else {
-                                        phi_2975_ = _e1685[1];
+                                        phi_3014_ = _e1711[1];
                                     }
-                                    let _e1717 = phi_2975_;
-                                    if (_e1685[2] < 0f) {
-                                        phi_2982_ = -(_e1685[2]);
+                                    let _e1743 = phi_3014_;
+                                    if (_e1711[2] < 0f) {
+                                        phi_3021_ = -(_e1711[2]);
                                     } else {
-                                        phi_2982_ = _e1685[2];
+                                        phi_3021_ = _e1711[2];
                                     }
-                                    let _e1722 = phi_2982_;
-                                    if (_e1712 <= _e1717) {
-                                        if (_e1712 <= _e1722) {
-                                            phi_2992_ = array<f32, 3>(1f, 0f, 0f);
-                                            phi_2993_ = false;
+                                    let _e1748 = phi_3021_;
+                                    if (_e1738 <= _e1743) {
+                                        if (_e1738 <= _e1748) {
+                                            phi_3031_ = array<f32, 3>(1f, 0f, 0f);
+                                            phi_3032_ = false;
                                         } else {
-                                            phi_2992_ = array<f32, 3>();
-                                            phi_2993_ = true;
+                                            phi_3031_ = array<f32, 3>();
+                                            phi_3032_ = true;
                                         }
-                                        let _e1726 = phi_2992_;
-                                        let _e1728 = phi_2993_;
-                                        phi_2994_ = _e1726;
-                                        phi_2995_ = _e1728;
+                                        let _e1752 = phi_3031_;
+                                        let _e1754 = phi_3032_;
+                                        phi_3033_ = _e1752;
+                                        phi_3034_ = _e1754;
                                     } else {
-                                        phi_2994_ = array<f32, 3>();
-                                        phi_2995_ = true;
+                                        phi_3033_ = array<f32, 3>();
+                                        phi_3034_ = true;
                                     }
-                                    let _e1730 = phi_2994_;
-                                    let _e1732 = phi_2995_;
-                                    if _e1732 {
-                                        if (_e1717 <= _e1722) {
-                                            phi_3005_ = array<f32, 3>(0f, 1f, 0f);
+                                    let _e1756 = phi_3033_;
+                                    let _e1758 = phi_3034_;
+                                    if _e1758 {
+                                        if (_e1743 <= _e1748) {
+                                            phi_3044_ = array<f32, 3>(0f, 1f, 0f);
                                         } else {
-                                            phi_3005_ = array<f32, 3>(0f, 0f, 1f);
+                                            phi_3044_ = array<f32, 3>(0f, 0f, 1f);
                                         }
-                                        let _e1735 = phi_3005_;
-                                        phi_3006_ = _e1735;
+                                        let _e1761 = phi_3044_;
+                                        phi_3045_ = _e1761;
                                     } else {
-                                        phi_3006_ = _e1730;
+                                        phi_3045_ = _e1756;
                                     }
-                                    let _e1737 = phi_3006_;
-                                    if (_e1685[0] < 0f) {
-                                        phi_3013_ = -(_e1685[0]);
+                                    let _e1763 = phi_3045_;
+                                    if (_e1711[0] < 0f) {
+                                        phi_3052_ = -(_e1711[0]);
                                     } else {
-                                        phi_3013_ = _e1685[0];
+                                        phi_3052_ = _e1711[0];
                                     }
-                                    let _e1742 = phi_3013_;
-                                    if (_e1685[1] < 0f) {
-                                        phi_3020_ = -(_e1685[1]);
+                                    let _e1768 = phi_3052_;
+                                    if (_e1711[1] < 0f) {
+                                        phi_3059_ = -(_e1711[1]);
                                     } else {
-                                        phi_3020_ = _e1685[1];
+                                        phi_3059_ = _e1711[1];
                                     }
-                                    let _e1747 = phi_3020_;
-                                    if (_e1742 > _e1747) {
-                                        phi_3025_ = _e1742;
+                                    let _e1773 = phi_3059_;
+                                    if (_e1768 > _e1773) {
+                                        phi_3064_ = _e1768;
                                     } else {
-                                        phi_3025_ = _e1747;
+                                        phi_3064_ = _e1773;
                                     }
-                                    let _e1750 = phi_3025_;
-                                    if (_e1685[2] < 0f) {
-                                        phi_3032_ = -(_e1685[2]);
+                                    let _e1776 = phi_3064_;
+                                    if (_e1711[2] < 0f) {
+                                        phi_3071_ = -(_e1711[2]);
                                     } else {
-                                        phi_3032_ = _e1685[2];
+                                        phi_3071_ = _e1711[2];
                                     }
-                                    let _e1755 = phi_3032_;
-                                    if (_e1750 > _e1755) {
-                                        phi_3037_ = _e1750;
+                                    let _e1781 = phi_3071_;
+                                    if (_e1776 > _e1781) {
+                                        phi_3076_ = _e1776;
                                     } else {
-                                        phi_3037_ = _e1755;
+                                        phi_3076_ = _e1781;
                                     }
-                                    let _e1758 = phi_3037_;
-                                    let _e1759 = function_8(_e1758);
-                                    let _e1761 = (_e1685[0] * _e1759);
-                                    let _e1763 = (_e1685[1] * _e1759);
-                                    let _e1765 = (_e1685[2] * _e1759);
-                                    let _e1770 = (((_e1761 * _e1761) + (_e1763 * _e1763)) + (_e1765 * _e1765));
-                                    if (_e1770 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e1770 > 0f) {
-                                            phi_3063_ = (0.000000000000000000106433627f * 2f);
+                                    let _e1784 = phi_3076_;
+                                    let _e1785 = function_8(_e1784);
+                                    let _e1787 = (_e1711[0] * _e1785);
+                                    let _e1789 = (_e1711[1] * _e1785);
+                                    let _e1791 = (_e1711[2] * _e1785);
+                                    let _e1796 = (((_e1787 * _e1787) + (_e1789 * _e1789)) + (_e1791 * _e1791));
+                                    if (_e1796 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e1796 > 0f) {
+                                            phi_3102_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_3063_ = 0f;
+                                            phi_3102_ = 0f;
                                         }
-                                        let _e1823 = phi_3063_;
-                                        phi_3127_ = _e1823;
+                                        let _e1849 = phi_3102_;
+                                        phi_3166_ = _e1849;
                                     } else {
-                                        phi_3070_ = type_14(0i, 5i);
-                                        phi_3073_ = bitcast<f32>(((bitcast<u32>(_e1770) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_3109_ = type_14(0i, 5i);
+                                        phi_3112_ = bitcast<f32>(((bitcast<u32>(_e1796) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e1778 = phi_3070_;
-                                            let _e1780 = phi_3073_;
-                                            local_8 = _e1780;
-                                            if (_e1778.member < _e1778.member_1) {
-                                                let _e1787 = (_e1778.member + 1i);
-                                                if ((false == (_e1787 > _e1778.member)) != false) {
-                                                    phi_3094_ = true;
+                                            let _e1804 = phi_3109_;
+                                            let _e1806 = phi_3112_;
+                                            local_8 = _e1806;
+                                            if (_e1804.member < _e1804.member_1) {
+                                                let _e1813 = (_e1804.member + 1i);
+                                                if ((false == (_e1813 > _e1804.member)) != false) {
+                                                    phi_3133_ = true;
                                                 } else {
-                                                    phi_3094_ = false;
+                                                    phi_3133_ = false;
                                                 }
-                                                let _e1792 = phi_3094_;
-                                                if _e1792 {
-                                                    phi_3100_ = type_15(0u, type_15().member_1);
+                                                let _e1818 = phi_3133_;
+                                                if _e1818 {
+                                                    phi_3139_ = type_15(0u, type_15().member_1);
                                                 } else {
-                                                    phi_3100_ = type_15(1u, _e1787);
+                                                    phi_3139_ = type_15(1u, _e1813);
                                                 }
-                                                let _e1797 = phi_3100_;
-                                                phi_3071_ = type_14(_e1797.member_1, _e1778.member_1);
-                                                phi_3114_ = type_15(1u, _e1778.member);
+                                                let _e1823 = phi_3139_;
+                                                phi_3110_ = type_14(_e1823.member_1, _e1804.member_1);
+                                                phi_3153_ = type_15(1u, _e1804.member);
                                             } else {
-                                                phi_3071_ = _e1778;
-                                                phi_3114_ = type_15(0u, type_15().member_1);
+                                                phi_3110_ = _e1804;
+                                                phi_3153_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e1803 = phi_3071_;
-                                            let _e1805 = phi_3114_;
-                                            let _e1808 = (bitcast<i32>(_e1805.member) != 0i);
-                                            if _e1808 {
-                                                phi_3074_ = (0.5f * (_e1780 + (_e1770 / _e1780)));
+                                            let _e1829 = phi_3110_;
+                                            let _e1831 = phi_3153_;
+                                            let _e1834 = (bitcast<i32>(_e1831.member) != 0i);
+                                            if _e1834 {
+                                                phi_3113_ = (0.5f * (_e1806 + (_e1796 / _e1806)));
                                             } else {
-                                                phi_3074_ = f32();
+                                                phi_3113_ = f32();
                                             }
-                                            let _e1813 = phi_3074_;
+                                            let _e1839 = phi_3113_;
                                             continue;
                                             continuing {
-                                                phi_3070_ = _e1803;
-                                                phi_3073_ = _e1813;
-                                                break if !(_e1808);
+                                                phi_3109_ = _e1829;
+                                                phi_3112_ = _e1839;
+                                                break if !(_e1834);
                                             }
                                         }
-                                        let _e1818 = local_8;
-                                        phi_3127_ = (_e1818 * (1f + (8f * 0.000000059604645f)));
+                                        let _e1844 = local_8;
+                                        phi_3166_ = (_e1844 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e1825 = phi_3127_;
-                                    let _e1826 = (1f / _e1825);
-                                    let _e1827 = (_e1761 * _e1826);
-                                    let _e1828 = (_e1763 * _e1826);
-                                    let _e1829 = (_e1765 * _e1826);
-                                    let _e1836 = ((3f - (((_e1827 * _e1827) + (_e1828 * _e1828)) + (_e1829 * _e1829))) * 0.5f);
-                                    let _e1837 = (_e1827 * _e1836);
-                                    let _e1838 = (_e1828 * _e1836);
-                                    let _e1839 = (_e1829 * _e1836);
-                                    let _e1844 = ((_e1838 * _e1737[2]) - (_e1839 * _e1737[1]));
-                                    let _e1849 = ((_e1839 * _e1737[0]) - (_e1837 * _e1737[2]));
-                                    let _e1854 = ((_e1837 * _e1737[1]) - (_e1838 * _e1737[0]));
-                                    if (_e1844 < 0f) {
-                                        phi_3162_ = -(_e1844);
+                                    let _e1851 = phi_3166_;
+                                    let _e1852 = (1f / _e1851);
+                                    let _e1853 = (_e1787 * _e1852);
+                                    let _e1854 = (_e1789 * _e1852);
+                                    let _e1855 = (_e1791 * _e1852);
+                                    let _e1862 = ((3f - (((_e1853 * _e1853) + (_e1854 * _e1854)) + (_e1855 * _e1855))) * 0.5f);
+                                    let _e1863 = (_e1853 * _e1862);
+                                    let _e1864 = (_e1854 * _e1862);
+                                    let _e1865 = (_e1855 * _e1862);
+                                    let _e1870 = ((_e1864 * _e1763[2]) - (_e1865 * _e1763[1]));
+                                    let _e1875 = ((_e1865 * _e1763[0]) - (_e1863 * _e1763[2]));
+                                    let _e1880 = ((_e1863 * _e1763[1]) - (_e1864 * _e1763[0]));
+                                    if (_e1870 < 0f) {
+                                        phi_3201_ = -(_e1870);
                                     } else {
-                                        phi_3162_ = _e1844;
+                                        phi_3201_ = _e1870;
                                     }
-                                    let _e1858 = phi_3162_;
-                                    if (_e1849 < 0f) {
-                                        phi_3168_ = -(_e1849);
+                                    let _e1884 = phi_3201_;
+                                    if (_e1875 < 0f) {
+                                        phi_3207_ = -(_e1875);
                                     } else {
-                                        phi_3168_ = _e1849;
+                                        phi_3207_ = _e1875;
                                     }
-                                    let _e1862 = phi_3168_;
-                                    if (_e1858 > _e1862) {
-                                        phi_3173_ = _e1858;
+                                    let _e1888 = phi_3207_;
+                                    if (_e1884 > _e1888) {
+                                        phi_3212_ = _e1884;
                                     } else {
-                                        phi_3173_ = _e1862;
+                                        phi_3212_ = _e1888;
                                     }
-                                    let _e1865 = phi_3173_;
-                                    if (_e1854 < 0f) {
-                                        phi_3179_ = -(_e1854);
+                                    let _e1891 = phi_3212_;
+                                    if (_e1880 < 0f) {
+                                        phi_3218_ = -(_e1880);
                                     } else {
-                                        phi_3179_ = _e1854;
+                                        phi_3218_ = _e1880;
                                     }
-                                    let _e1869 = phi_3179_;
-                                    if (_e1865 > _e1869) {
-                                        phi_3184_ = _e1865;
+                                    let _e1895 = phi_3218_;
+                                    if (_e1891 > _e1895) {
+                                        phi_3223_ = _e1891;
                                     } else {
-                                        phi_3184_ = _e1869;
+                                        phi_3223_ = _e1895;
                                     }
-                                    let _e1872 = phi_3184_;
-                                    let _e1873 = function_8(_e1872);
-                                    let _e1874 = (_e1844 * _e1873);
-                                    let _e1875 = (_e1849 * _e1873);
-                                    let _e1876 = (_e1854 * _e1873);
-                                    let _e1881 = (((_e1874 * _e1874) + (_e1875 * _e1875)) + (_e1876 * _e1876));
-                                    if (_e1881 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e1881 > 0f) {
-                                            phi_3207_ = (0.000000000000000000106433627f * 2f);
+                                    let _e1898 = phi_3223_;
+                                    let _e1899 = function_8(_e1898);
+                                    let _e1900 = (_e1870 * _e1899);
+                                    let _e1901 = (_e1875 * _e1899);
+                                    let _e1902 = (_e1880 * _e1899);
+                                    let _e1907 = (((_e1900 * _e1900) + (_e1901 * _e1901)) + (_e1902 * _e1902));
+                                    if (_e1907 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e1907 > 0f) {
+                                            phi_3246_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_3207_ = 0f;
+                                            phi_3246_ = 0f;
                                         }
-                                        let _e1934 = phi_3207_;
-                                        phi_3271_ = _e1934;
+                                        let _e1960 = phi_3246_;
+                                        phi_3310_ = _e1960;
                                     } else {
-                                        phi_3214_ = type_14(0i, 5i);
-                                        phi_3217_ = bitcast<f32>(((bitcast<u32>(_e1881) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_3253_ = type_14(0i, 5i);
+                                        phi_3256_ = bitcast<f32>(((bitcast<u32>(_e1907) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e1889 = phi_3214_;
-                                            let _e1891 = phi_3217_;
-                                            local_9 = _e1891;
-                                            if (_e1889.member < _e1889.member_1) {
-                                                let _e1898 = (_e1889.member + 1i);
-                                                if ((false == (_e1898 > _e1889.member)) != false) {
-                                                    phi_3238_ = true;
+                                            let _e1915 = phi_3253_;
+                                            let _e1917 = phi_3256_;
+                                            local_9 = _e1917;
+                                            if (_e1915.member < _e1915.member_1) {
+                                                let _e1924 = (_e1915.member + 1i);
+                                                if ((false == (_e1924 > _e1915.member)) != false) {
+                                                    phi_3277_ = true;
                                                 } else {
-                                                    phi_3238_ = false;
+                                                    phi_3277_ = false;
                                                 }
-                                                let _e1903 = phi_3238_;
-                                                if _e1903 {
-                                                    phi_3244_ = type_15(0u, type_15().member_1);
+                                                let _e1929 = phi_3277_;
+                                                if _e1929 {
+                                                    phi_3283_ = type_15(0u, type_15().member_1);
                                                 } else {
-                                                    phi_3244_ = type_15(1u, _e1898);
+                                                    phi_3283_ = type_15(1u, _e1924);
                                                 }
-                                                let _e1908 = phi_3244_;
-                                                phi_3215_ = type_14(_e1908.member_1, _e1889.member_1);
-                                                phi_3258_ = type_15(1u, _e1889.member);
+                                                let _e1934 = phi_3283_;
+                                                phi_3254_ = type_14(_e1934.member_1, _e1915.member_1);
+                                                phi_3297_ = type_15(1u, _e1915.member);
                                             } else {
-                                                phi_3215_ = _e1889;
-                                                phi_3258_ = type_15(0u, type_15().member_1);
+                                                phi_3254_ = _e1915;
+                                                phi_3297_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e1914 = phi_3215_;
-                                            let _e1916 = phi_3258_;
-                                            let _e1919 = (bitcast<i32>(_e1916.member) != 0i);
-                                            if _e1919 {
-                                                phi_3218_ = (0.5f * (_e1891 + (_e1881 / _e1891)));
+                                            let _e1940 = phi_3254_;
+                                            let _e1942 = phi_3297_;
+                                            let _e1945 = (bitcast<i32>(_e1942.member) != 0i);
+                                            if _e1945 {
+                                                phi_3257_ = (0.5f * (_e1917 + (_e1907 / _e1917)));
                                             } else {
-                                                phi_3218_ = f32();
+                                                phi_3257_ = f32();
                                             }
-                                            let _e1924 = phi_3218_;
+                                            let _e1950 = phi_3257_;
                                             continue;
                                             continuing {
-                                                phi_3214_ = _e1914;
-                                                phi_3217_ = _e1924;
-                                                break if !(_e1919);
+                                                phi_3253_ = _e1940;
+                                                phi_3256_ = _e1950;
+                                                break if !(_e1945);
                                             }
                                         }
-                                        let _e1929 = local_9;
-                                        phi_3271_ = (_e1929 * (1f + (8f * 0.000000059604645f)));
+                                        let _e1955 = local_9;
+                                        phi_3310_ = (_e1955 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e1936 = phi_3271_;
-                                    let _e1937 = (1f / _e1936);
-                                    let _e1938 = (_e1874 * _e1937);
-                                    let _e1939 = (_e1875 * _e1937);
-                                    let _e1940 = (_e1876 * _e1937);
-                                    let _e1947 = ((3f - (((_e1938 * _e1938) + (_e1939 * _e1939)) + (_e1940 * _e1940))) * 0.5f);
-                                    phi_3288_ = array<f32, 3>((_e1938 * _e1947), (_e1939 * _e1947), (_e1940 * _e1947));
+                                    let _e1962 = phi_3310_;
+                                    let _e1963 = (1f / _e1962);
+                                    let _e1964 = (_e1900 * _e1963);
+                                    let _e1965 = (_e1901 * _e1963);
+                                    let _e1966 = (_e1902 * _e1963);
+                                    let _e1973 = ((3f - (((_e1964 * _e1964) + (_e1965 * _e1965)) + (_e1966 * _e1966))) * 0.5f);
+                                    phi_3327_ = array<f32, 3>((_e1964 * _e1973), (_e1965 * _e1973), (_e1966 * _e1973));
                                 } else {
-                                    phi_3288_ = array<f32, 3>(1f, 0f, 0f);
+                                    phi_3327_ = array<f32, 3>(1f, 0f, 0f);
                                 }
-                                let _e1953 = phi_3288_;
-                                phi_3289_ = _e1953;
+                                let _e1979 = phi_3327_;
+                                phi_3328_ = _e1979;
                             }
-                            let _e2052 = phi_3289_;
-                            phi_3290_ = _e2052;
-                            phi_3291_ = false;
+                            let _e2078 = phi_3328_;
+                            if ((((_e910 * _e2078[0]) + (_e911 * _e2078[1])) + (_e912 * _e2078[2])) > _e1115) {
+                                let _e2088 = -(1f);
+                                phi_3349_ = array<f32, 3>((_e2078[0] * _e2088), (_e2078[1] * _e2088), (_e2078[2] * _e2088));
+                            } else {
+                                phi_3349_ = _e2078;
+                            }
+                            let _e2097 = phi_3349_;
+                            phi_3350_ = _e2097;
+                            phi_3351_ = false;
                         } else {
-                            phi_3290_ = array<f32, 3>();
-                            phi_3291_ = true;
+                            phi_3350_ = array<f32, 3>();
+                            phi_3351_ = true;
                         }
-                        let _e2054 = phi_3290_;
-                        let _e2056 = phi_3291_;
-                        phi_3292_ = _e2054;
-                        phi_3293_ = _e1632;
-                        phi_3294_ = _e2056;
+                        let _e2099 = phi_3350_;
+                        let _e2101 = phi_3351_;
+                        phi_3352_ = _e2099;
+                        phi_3353_ = _e1658;
+                        phi_3354_ = _e2101;
                     } else {
-                        phi_3292_ = array<f32, 3>();
-                        phi_3293_ = _e1257;
-                        phi_3294_ = true;
+                        phi_3352_ = array<f32, 3>();
+                        phi_3353_ = _e1257;
+                        phi_3354_ = true;
                     }
-                    let _e2058 = phi_3292_;
-                    let _e2060 = phi_3293_;
-                    let _e2062 = phi_3294_;
-                    phi_3298_ = _e2060;
-                    phi_3299_ = _e2058;
-                    phi_3300_ = _e2062;
+                    let _e2103 = phi_3352_;
+                    let _e2105 = phi_3353_;
+                    let _e2107 = phi_3354_;
+                    phi_3358_ = _e2105;
+                    phi_3359_ = _e2103;
+                    phi_3360_ = _e2107;
                 }
-                let _e2307 = phi_3298_;
-                let _e2309 = phi_3299_;
-                let _e2311 = phi_3300_;
-                if _e2311 {
-                    phi_3304_ = _e2307;
+                let _e2352 = phi_3358_;
+                let _e2354 = phi_3359_;
+                let _e2356 = phi_3360_;
+                if _e2356 {
+                    phi_3364_ = _e2352;
                 } else {
-                    phi_3304_ = _e2309;
+                    phi_3364_ = _e2354;
                 }
-                let _e2313 = phi_3304_;
-                if ((((_e2313[0] * _e2313[0]) + (_e2313[1] * _e2313[1])) + (_e2313[2] * _e2313[2])) > 0.5f) {
-                    phi_3321_ = _e2313;
+                let _e2358 = phi_3364_;
+                if ((((_e2358[0] * _e2358[0]) + (_e2358[1] * _e2358[1])) + (_e2358[2] * _e2358[2])) > 0.5f) {
+                    phi_3381_ = _e2358;
                 } else {
-                    phi_3321_ = array<f32, 3>(1f, 0f, 0f);
+                    phi_3381_ = array<f32, 3>(1f, 0f, 0f);
                 }
-                let _e2327 = phi_3321_;
-                let _e2330 = function_9(_e263[0], _e264[0], _e258);
-                let _e2333 = function_9(_e263[1], _e264[1], _e258);
-                let _e2336 = function_9(_e263[2], _e264[2], _e258);
-                let _e2339 = function_9(_e263[3], _e264[3], _e258);
+                let _e2372 = phi_3381_;
+                let _e2375 = function_9(_e263[0], _e264[0], _e258);
+                let _e2378 = function_9(_e263[1], _e264[1], _e258);
+                let _e2381 = function_9(_e263[2], _e264[2], _e258);
+                let _e2384 = function_9(_e263[3], _e264[3], _e258);
                 if (_e179.member != 0u) {
-                    let _e2376 = function_9(_e2330, _e2333, _e814.member);
-                    let _e2377 = function_9(_e2336, _e2339, _e814.member_1);
-                    phi_3377_ = _e2377;
-                    phi_3378_ = _e2376;
-                    phi_3379_ = array<f32, 4>((1f - _e814.member), _e814.member, (1f - _e814.member_1), _e814.member_1);
+                    let _e2421 = function_9(_e2375, _e2378, _e814.member);
+                    let _e2422 = function_9(_e2381, _e2384, _e814.member_1);
+                    phi_3437_ = _e2422;
+                    phi_3438_ = _e2421;
+                    phi_3439_ = array<f32, 4>((1f - _e814.member), _e814.member, (1f - _e814.member_1), _e814.member_1);
                 } else {
-                    let _e2342 = ((1f - _e814.member) - _e814.member_1);
-                    if (_e2342 > 0f) {
-                        phi_3349_ = _e2342;
+                    let _e2387 = ((1f - _e814.member) - _e814.member_1);
+                    if (_e2387 > 0f) {
+                        phi_3409_ = _e2387;
                     } else {
-                        phi_3349_ = 0f;
+                        phi_3409_ = 0f;
                     }
-                    let _e2345 = phi_3349_;
-                    let _e2372 = function_(array<f32, 4>(1f, _e2345, _e814.member, _e814.member_1), _e262);
-                    phi_3377_ = array<f32, 3>((((_e2333[0] * _e2345) + (_e2336[0] * _e814.member)) + (_e2339[0] * _e814.member_1)), (((_e2333[1] * _e2345) + (_e2336[1] * _e814.member)) + (_e2339[1] * _e814.member_1)), (((_e2333[2] * _e2345) + (_e2336[2] * _e814.member)) + (_e2339[2] * _e814.member_1)));
-                    phi_3378_ = _e2330;
-                    phi_3379_ = _e2372;
+                    let _e2390 = phi_3409_;
+                    let _e2417 = function_(array<f32, 4>(1f, _e2390, _e814.member, _e814.member_1), _e262);
+                    phi_3437_ = array<f32, 3>((((_e2378[0] * _e2390) + (_e2381[0] * _e814.member)) + (_e2384[0] * _e814.member_1)), (((_e2378[1] * _e2390) + (_e2381[1] * _e814.member)) + (_e2384[1] * _e814.member_1)), (((_e2378[2] * _e2390) + (_e2381[2] * _e814.member)) + (_e2384[2] * _e814.member_1)));
+                    phi_3438_ = _e2375;
+                    phi_3439_ = _e2417;
                 }
-                let _e2379 = phi_3377_;
-                let _e2381 = phi_3378_;
-                let _e2383 = phi_3379_;
-                let _e2384 = function_9(_e2381, _e2379, 0.5f);
-                let _e2388 = params.member.member_2.member;
-                let _e2391 = params.member.member_2.member_1;
-                geometry.member[_e140] = type_33(array<f32, 3>(((_e2384[0] * _e2391) + _e2388[0]), ((_e2384[1] * _e2391) + _e2388[1]), ((_e2384[2] * _e2391) + _e2388[2])), ((_e878 / _e506) * _e2391), _e2327, _e147, _e2383, _e179.member_1);
+                let _e2424 = phi_3437_;
+                let _e2426 = phi_3438_;
+                let _e2428 = phi_3439_;
+                let _e2429 = function_9(_e2426, _e2424, 0.5f);
+                let _e2433 = params.member.member_2.member;
+                let _e2436 = params.member.member_2.member_1;
+                geometry.member[_e140] = type_33(array<f32, 3>(((_e2429[0] * _e2436) + _e2433[0]), ((_e2429[1] * _e2436) + _e2433[1]), ((_e2429[2] * _e2436) + _e2433[2])), ((_e878 / _e506) * _e2436), _e2372, _e147, _e2428, _e179.member_1);
             }
         }
         continue;

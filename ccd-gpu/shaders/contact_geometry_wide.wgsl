@@ -147,23 +147,23 @@ fn function_(param: array<f64, 3>) -> array<f32, 3> {
 }
 
 fn function_1(param_1: array<f64, 4>, param_2: u32) -> array<f64, 4> {
-    var phi_4673_: array<f64, 4>;
+    var phi_4733_: array<f64, 4>;
 
     switch bitcast<i32>(param_2) {
         case 0: {
-            phi_4673_ = param_1;
+            phi_4733_ = param_1;
             break;
         }
         case 1: {
-            phi_4673_ = array<f64, 4>(param_1[0], param_1[3], param_1[1], param_1[2]);
+            phi_4733_ = array<f64, 4>(param_1[0], param_1[3], param_1[1], param_1[2]);
             break;
         }
         default: {
-            phi_4673_ = array<f64, 4>(param_1[0], param_1[2], param_1[3], param_1[1]);
+            phi_4733_ = array<f64, 4>(param_1[0], param_1[2], param_1[3], param_1[1]);
             break;
         }
     }
-    let _e14 = phi_4673_;
+    let _e14 = phi_4733_;
     return _e14;
 }
 
@@ -172,41 +172,41 @@ fn function_2(param_3: array<array<f64, 3>, 2>) -> array<f64, 3> {
 }
 
 fn function_3(param_4: type_44, param_5: type_44) -> type_44 {
-    var phi_4641_: type_44;
+    var phi_4701_: type_44;
 
     if (param_5.member_3 < param_4.member_3) {
-        phi_4641_ = param_5;
+        phi_4701_ = param_5;
     } else {
-        phi_4641_ = param_4;
+        phi_4701_ = param_4;
     }
-    let _e6 = phi_4641_;
+    let _e6 = phi_4701_;
     return _e6;
 }
 
 fn function_4(param_6: f64, param_7: f64) -> f64 {
-    var phi_3710_: f64;
-    var phi_3715_: f64;
-    var phi_3716_: f64;
+    var phi_3770_: f64;
+    var phi_3775_: f64;
+    var phi_3776_: f64;
 
     let _e3 = f64(0f);
     if (param_6 > _e3) {
         if (param_6 < param_7) {
-            phi_3710_ = param_6;
+            phi_3770_ = param_6;
         } else {
-            phi_3710_ = param_7;
+            phi_3770_ = param_7;
         }
-        let _e7 = phi_3710_;
+        let _e7 = phi_3770_;
         if (_e7 > _e3) {
-            phi_3715_ = _e7;
+            phi_3775_ = _e7;
         } else {
-            phi_3715_ = _e3;
+            phi_3775_ = _e3;
         }
-        let _e10 = phi_3715_;
-        phi_3716_ = _e10;
+        let _e10 = phi_3775_;
+        phi_3776_ = _e10;
     } else {
-        phi_3716_ = _e3;
+        phi_3776_ = _e3;
     }
-    let _e12 = phi_3716_;
+    let _e12 = phi_3776_;
     return _e12;
 }
 
@@ -241,28 +241,28 @@ fn function_7(param_14: ptr<function, type_35>, param_15: f64, param_16: f64) ->
 }
 
 fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
-    var phi_4339_: f64;
-    var phi_4346_: f64;
-    var phi_4358_: type_44;
-    var phi_4359_: bool;
-    var phi_4360_: type_44;
-    var phi_4361_: bool;
-    var phi_4216_: bool;
-    var phi_4217_: bool;
-    var phi_4233_: f64;
-    var phi_4239_: f64;
-    var phi_4242_: type_44;
-    var phi_4243_: bool;
-    var phi_4244_: type_44;
-    var phi_4245_: bool;
-    var phi_4246_: type_44;
-    var phi_4247_: bool;
-    var phi_4365_: type_44;
-    var phi_4366_: bool;
-    var phi_4441_: type_44;
-    var phi_4442_: type_44;
-    var phi_4443_: bool;
-    var phi_4447_: type_44;
+    var phi_4399_: f64;
+    var phi_4406_: f64;
+    var phi_4418_: type_44;
+    var phi_4419_: bool;
+    var phi_4420_: type_44;
+    var phi_4421_: bool;
+    var phi_4276_: bool;
+    var phi_4277_: bool;
+    var phi_4293_: f64;
+    var phi_4299_: f64;
+    var phi_4302_: type_44;
+    var phi_4303_: bool;
+    var phi_4304_: type_44;
+    var phi_4305_: bool;
+    var phi_4306_: type_44;
+    var phi_4307_: bool;
+    var phi_4425_: type_44;
+    var phi_4426_: bool;
+    var phi_4501_: type_44;
+    var phi_4502_: type_44;
+    var phi_4503_: bool;
+    var phi_4507_: type_44;
 
     let _e9 = f64(0f);
     let _e10 = f64(1f);
@@ -281,65 +281,65 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
         let _e157 = (*param_17).member_3;
         let _e166 = ((((((_e138[1] * _e143[2]) - (_e138[2] * _e143[1])) * _e157[0]) + (((_e138[2] * _e143[0]) - (_e138[0] * _e143[2])) * _e157[1])) + (((_e138[0] * _e143[1]) - (_e138[1] * _e143[0])) * _e157[2])) / _e106);
         if _e11 {
-            phi_4217_ = ((_e136 + _e166) <= _e10);
+            phi_4277_ = ((_e136 + _e166) <= _e10);
         } else {
             if (_e136 <= _e10) {
-                phi_4216_ = (_e166 <= _e10);
+                phi_4276_ = (_e166 <= _e10);
             } else {
-                phi_4216_ = false;
+                phi_4276_ = false;
             }
-            let _e170 = phi_4216_;
-            phi_4217_ = _e170;
+            let _e170 = phi_4276_;
+            phi_4277_ = _e170;
         }
-        let _e174 = phi_4217_;
+        let _e174 = phi_4277_;
         if (_e136 >= _e9) {
             if (_e166 >= _e9) {
                 if _e174 {
                     if _e11 {
-                        phi_4233_ = (_e10 - _e136);
+                        phi_4293_ = (_e10 - _e136);
                     } else {
-                        phi_4233_ = _e10;
+                        phi_4293_ = _e10;
                     }
-                    let _e179 = phi_4233_;
+                    let _e179 = phi_4293_;
                     let _e180 = function_7(param_17, _e136, _e179);
                     if _e11 {
-                        phi_4239_ = (_e10 - _e180);
+                        phi_4299_ = (_e10 - _e180);
                     } else {
-                        phi_4239_ = _e10;
+                        phi_4299_ = _e10;
                     }
-                    let _e183 = phi_4239_;
+                    let _e183 = phi_4299_;
                     let _e184 = function_5(param_17, _e180, _e183);
                     let _e185 = function_6(param_17, _e184, _e180);
-                    phi_4242_ = _e185;
-                    phi_4243_ = false;
+                    phi_4302_ = _e185;
+                    phi_4303_ = false;
                 } else {
-                    phi_4242_ = type_44();
-                    phi_4243_ = true;
+                    phi_4302_ = type_44();
+                    phi_4303_ = true;
                 }
-                let _e187 = phi_4242_;
-                let _e189 = phi_4243_;
-                phi_4244_ = _e187;
-                phi_4245_ = _e189;
+                let _e187 = phi_4302_;
+                let _e189 = phi_4303_;
+                phi_4304_ = _e187;
+                phi_4305_ = _e189;
             } else {
-                phi_4244_ = type_44();
-                phi_4245_ = true;
+                phi_4304_ = type_44();
+                phi_4305_ = true;
             }
-            let _e191 = phi_4244_;
-            let _e193 = phi_4245_;
-            phi_4246_ = _e191;
-            phi_4247_ = _e193;
+            let _e191 = phi_4304_;
+            let _e193 = phi_4305_;
+            phi_4306_ = _e191;
+            phi_4307_ = _e193;
         } else {
-            phi_4246_ = type_44();
-            phi_4247_ = true;
+            phi_4306_ = type_44();
+            phi_4307_ = true;
         }
-        let _e195 = phi_4246_;
-        let _e197 = phi_4247_;
-        phi_4365_ = _e195;
-        phi_4366_ = _e197;
+        let _e195 = phi_4306_;
+        let _e197 = phi_4307_;
+        phi_4425_ = _e195;
+        phi_4426_ = _e197;
     } else {
         if _e11 {
-            phi_4360_ = type_44();
-            phi_4361_ = true;
+            phi_4420_ = type_44();
+            phi_4421_ = true;
         } else {
             let _e16 = (*param_17).member;
             let _e21 = (*param_17).member_1;
@@ -352,41 +352,41 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
             let _e59 = (*param_17).member_1;
             let _e67 = (((_e54[0] * _e59[0]) + (_e54[1] * _e59[1])) + (_e54[2] * _e59[2]));
             if (_e29 < _e52) {
-                phi_4339_ = _e29;
+                phi_4399_ = _e29;
             } else {
-                phi_4339_ = _e52;
+                phi_4399_ = _e52;
             }
-            let _e70 = phi_4339_;
+            let _e70 = phi_4399_;
             let _e72 = function_4((_e70 / _e67), _e10);
             if (_e29 > _e52) {
-                phi_4346_ = _e29;
+                phi_4406_ = _e29;
             } else {
-                phi_4346_ = _e52;
+                phi_4406_ = _e52;
             }
-            let _e75 = phi_4346_;
+            let _e75 = phi_4406_;
             let _e77 = function_4((_e75 / _e67), _e10);
             if (_e72 < _e77) {
                 let _e81 = ((_e72 + _e77) * f64(0.5f));
                 let _e82 = function_7(param_17, _e81, _e10);
                 let _e83 = function_6(param_17, _e81, _e82);
-                phi_4358_ = _e83;
-                phi_4359_ = false;
+                phi_4418_ = _e83;
+                phi_4419_ = false;
             } else {
-                phi_4358_ = type_44();
-                phi_4359_ = true;
+                phi_4418_ = type_44();
+                phi_4419_ = true;
             }
-            let _e85 = phi_4358_;
-            let _e87 = phi_4359_;
-            phi_4360_ = _e85;
-            phi_4361_ = _e87;
+            let _e85 = phi_4418_;
+            let _e87 = phi_4419_;
+            phi_4420_ = _e85;
+            phi_4421_ = _e87;
         }
-        let _e89 = phi_4360_;
-        let _e91 = phi_4361_;
-        phi_4365_ = _e89;
-        phi_4366_ = _e91;
+        let _e89 = phi_4420_;
+        let _e91 = phi_4421_;
+        phi_4425_ = _e89;
+        phi_4426_ = _e91;
     }
-    let _e199 = phi_4365_;
-    let _e201 = phi_4366_;
+    let _e199 = phi_4425_;
+    let _e201 = phi_4426_;
     if _e201 {
         let _e202 = function_5(param_17, _e9, _e10);
         let _e203 = function_6(param_17, _e202, _e9);
@@ -404,7 +404,7 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
             let _e250 = function_4((((((_e227[0] - _e232[0]) * _e223) + ((_e227[1] - _e232[1]) * _e224)) + ((_e227[2] - _e232[2]) * _e225)) / (((_e223 * _e223) + (_e224 * _e224)) + (_e225 * _e225))), _e10);
             let _e252 = function_6(param_17, (_e10 - _e250), _e250);
             let _e253 = function_3(_e206, _e252);
-            phi_4441_ = _e253;
+            phi_4501_ = _e253;
         } else {
             let _e207 = function_7(param_17, _e10, _e10);
             let _e208 = function_6(param_17, _e10, _e207);
@@ -412,50 +412,50 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
             let _e210 = function_6(param_17, _e209, _e10);
             let _e211 = function_3(_e208, _e210);
             let _e212 = function_3(_e206, _e211);
-            phi_4441_ = _e212;
+            phi_4501_ = _e212;
         }
-        let _e255 = phi_4441_;
-        phi_4442_ = _e255;
-        phi_4443_ = false;
+        let _e255 = phi_4501_;
+        phi_4502_ = _e255;
+        phi_4503_ = false;
     } else {
-        phi_4442_ = type_44();
-        phi_4443_ = true;
+        phi_4502_ = type_44();
+        phi_4503_ = true;
     }
-    let _e257 = phi_4442_;
-    let _e259 = phi_4443_;
+    let _e257 = phi_4502_;
+    let _e259 = phi_4503_;
     if _e259 {
-        phi_4447_ = _e199;
+        phi_4507_ = _e199;
     } else {
-        phi_4447_ = _e257;
+        phi_4507_ = _e257;
     }
-    let _e261 = phi_4447_;
+    let _e261 = phi_4507_;
     return _e261;
 }
 
 fn function_9(param_19: f64) -> f64 {
-    var phi_4068_: u64;
-    var phi_4072_: f64;
-    var phi_4074_: f64;
+    var phi_4128_: u64;
+    var phi_4132_: f64;
+    var phi_4134_: f64;
 
     if ((bitcast<u64>(param_19) & 9218868437227405312lu) != 9218868437227405312lu) {
         if (param_19 >= 2.2250738585072014e-308lf) {
             let _e15 = (9214364837600034816lu - (bitcast<u64>(param_19) & 9218868437227405312lu));
             if (_e15 > 4503599627370496lu) {
-                phi_4068_ = _e15;
+                phi_4128_ = _e15;
             } else {
-                phi_4068_ = 4503599627370496lu;
+                phi_4128_ = 4503599627370496lu;
             }
-            let _e18 = phi_4068_;
-            phi_4072_ = bitcast<f64>(_e18);
+            let _e18 = phi_4128_;
+            phi_4132_ = bitcast<f64>(_e18);
         } else {
-            phi_4072_ = (f64(1f) / 2.2250738585072014e-308lf);
+            phi_4132_ = (f64(1f) / 2.2250738585072014e-308lf);
         }
-        let _e21 = phi_4072_;
-        phi_4074_ = _e21;
+        let _e21 = phi_4132_;
+        phi_4134_ = _e21;
     } else {
-        phi_4074_ = f64(1f);
+        phi_4134_ = f64(1f);
     }
-    let _e23 = phi_4074_;
+    let _e23 = phi_4134_;
     return _e23;
 }
 
@@ -465,12 +465,12 @@ fn function_10(param_20: array<f64, 3>, param_21: array<f64, 3>, param_22: f64) 
 }
 
 fn function_11(param_23: ptr<function, array<array<f64, 3>, 4>>, param_24: u32) -> array<array<f64, 3>, 4> {
-    var phi_4045_: array<array<f64, 3>, 4>;
+    var phi_4105_: array<array<f64, 3>, 4>;
 
     switch bitcast<i32>(param_24) {
         case 0: {
             let _e32 = (*param_23);
-            phi_4045_ = array<array<f64, 3>, 4>(array<f64, 3>(_e32[0][0], _e32[0][1], _e32[0][2]), array<f64, 3>(_e32[1][0], _e32[1][1], _e32[1][2]), array<f64, 3>(_e32[2][0], _e32[2][1], _e32[2][2]), array<f64, 3>(_e32[3][0], _e32[3][1], _e32[3][2]));
+            phi_4105_ = array<array<f64, 3>, 4>(array<f64, 3>(_e32[0][0], _e32[0][1], _e32[0][2]), array<f64, 3>(_e32[1][0], _e32[1][1], _e32[1][2]), array<f64, 3>(_e32[2][0], _e32[2][1], _e32[2][2]), array<f64, 3>(_e32[3][0], _e32[3][1], _e32[3][2]));
             break;
         }
         case 1: {
@@ -478,7 +478,7 @@ fn function_11(param_23: ptr<function, array<array<f64, 3>, 4>>, param_24: u32) 
             let _e14 = (*param_23)[2u];
             let _e20 = (*param_23)[3u];
             let _e26 = (*param_23)[1u];
-            phi_4045_ = array<array<f64, 3>, 4>(array<f64, 3>(_e8[0], _e8[1], _e8[2]), array<f64, 3>(_e14[0], _e14[1], _e14[2]), array<f64, 3>(_e20[0], _e20[1], _e20[2]), array<f64, 3>(_e26[0], _e26[1], _e26[2]));
+            phi_4105_ = array<array<f64, 3>, 4>(array<f64, 3>(_e8[0], _e8[1], _e8[2]), array<f64, 3>(_e14[0], _e14[1], _e14[2]), array<f64, 3>(_e20[0], _e20[1], _e20[2]), array<f64, 3>(_e26[0], _e26[1], _e26[2]));
             break;
         }
         default: {
@@ -486,28 +486,28 @@ fn function_11(param_23: ptr<function, array<array<f64, 3>, 4>>, param_24: u32) 
             let _e61 = (*param_23)[3u];
             let _e67 = (*param_23)[1u];
             let _e73 = (*param_23)[2u];
-            phi_4045_ = array<array<f64, 3>, 4>(array<f64, 3>(_e55[0], _e55[1], _e55[2]), array<f64, 3>(_e61[0], _e61[1], _e61[2]), array<f64, 3>(_e67[0], _e67[1], _e67[2]), array<f64, 3>(_e73[0], _e73[1], _e73[2]));
+            phi_4105_ = array<array<f64, 3>, 4>(array<f64, 3>(_e55[0], _e55[1], _e55[2]), array<f64, 3>(_e61[0], _e61[1], _e61[2]), array<f64, 3>(_e67[0], _e67[1], _e67[2]), array<f64, 3>(_e73[0], _e73[1], _e73[2]));
             break;
         }
     }
-    let _e80 = phi_4045_;
+    let _e80 = phi_4105_;
     return _e80;
 }
 
 fn function_12(param_25: ptr<function, array<array<f64, 3>, 4>>, param_26: ptr<function, array<array<f64, 3>, 4>>, param_27: f64) -> u32 {
-    var phi_3772_: f64;
-    var phi_3779_: f64;
-    var phi_3787_: f64;
-    var phi_3840_: f64;
+    var phi_3832_: f64;
+    var phi_3839_: f64;
     var phi_3847_: f64;
-    var phi_3855_: f64;
-    var phi_3908_: f64;
+    var phi_3900_: f64;
+    var phi_3907_: f64;
     var phi_3915_: f64;
-    var phi_3923_: f64;
-    var phi_3933_: bool;
-    var phi_3934_: bool;
-    var phi_3942_: u32;
-    var phi_3943_: u32;
+    var phi_3968_: f64;
+    var phi_3975_: f64;
+    var phi_3983_: f64;
+    var phi_3993_: bool;
+    var phi_3994_: bool;
+    var phi_4002_: u32;
+    var phi_4003_: u32;
 
     let _e11 = (*param_25)[3u];
     let _e16 = (*param_25)[2u];
@@ -515,23 +515,23 @@ fn function_12(param_25: ptr<function, array<array<f64, 3>, 4>>, param_26: ptr<f
     let _e30 = (*param_26)[2u];
     let _e38 = function_10(array<f64, 3>((_e11[0] - _e16[0]), (_e11[1] - _e16[1]), (_e11[2] - _e16[2])), array<f64, 3>((_e25[0] - _e30[0]), (_e25[1] - _e30[1]), (_e25[2] - _e30[2])), param_27);
     if (_e38[0] < 0.0lf) {
-        phi_3772_ = -(_e38[0]);
+        phi_3832_ = -(_e38[0]);
     } else {
-        phi_3772_ = _e38[0];
+        phi_3832_ = _e38[0];
     }
-    let _e43 = phi_3772_;
+    let _e43 = phi_3832_;
     if (_e38[1] < 0.0lf) {
-        phi_3779_ = -(_e38[1]);
+        phi_3839_ = -(_e38[1]);
     } else {
-        phi_3779_ = _e38[1];
+        phi_3839_ = _e38[1];
     }
-    let _e48 = phi_3779_;
+    let _e48 = phi_3839_;
     if (_e38[2] < 0.0lf) {
-        phi_3787_ = -(_e38[2]);
+        phi_3847_ = -(_e38[2]);
     } else {
-        phi_3787_ = _e38[2];
+        phi_3847_ = _e38[2];
     }
-    let _e54 = phi_3787_;
+    let _e54 = phi_3847_;
     let _e55 = ((_e43 + _e48) + _e54);
     let _e57 = (*param_25)[1u];
     let _e62 = (*param_25)[3u];
@@ -539,23 +539,23 @@ fn function_12(param_25: ptr<function, array<array<f64, 3>, 4>>, param_26: ptr<f
     let _e76 = (*param_26)[3u];
     let _e84 = function_10(array<f64, 3>((_e57[0] - _e62[0]), (_e57[1] - _e62[1]), (_e57[2] - _e62[2])), array<f64, 3>((_e71[0] - _e76[0]), (_e71[1] - _e76[1]), (_e71[2] - _e76[2])), param_27);
     if (_e84[0] < 0.0lf) {
-        phi_3840_ = -(_e84[0]);
+        phi_3900_ = -(_e84[0]);
     } else {
-        phi_3840_ = _e84[0];
+        phi_3900_ = _e84[0];
     }
-    let _e89 = phi_3840_;
+    let _e89 = phi_3900_;
     if (_e84[1] < 0.0lf) {
-        phi_3847_ = -(_e84[1]);
+        phi_3907_ = -(_e84[1]);
     } else {
-        phi_3847_ = _e84[1];
+        phi_3907_ = _e84[1];
     }
-    let _e94 = phi_3847_;
+    let _e94 = phi_3907_;
     if (_e84[2] < 0.0lf) {
-        phi_3855_ = -(_e84[2]);
+        phi_3915_ = -(_e84[2]);
     } else {
-        phi_3855_ = _e84[2];
+        phi_3915_ = _e84[2];
     }
-    let _e100 = phi_3855_;
+    let _e100 = phi_3915_;
     let _e101 = ((_e89 + _e94) + _e100);
     let _e103 = (*param_25)[2u];
     let _e108 = (*param_25)[1u];
@@ -563,61 +563,61 @@ fn function_12(param_25: ptr<function, array<array<f64, 3>, 4>>, param_26: ptr<f
     let _e122 = (*param_26)[1u];
     let _e130 = function_10(array<f64, 3>((_e103[0] - _e108[0]), (_e103[1] - _e108[1]), (_e103[2] - _e108[2])), array<f64, 3>((_e117[0] - _e122[0]), (_e117[1] - _e122[1]), (_e117[2] - _e122[2])), param_27);
     if (_e130[0] < 0.0lf) {
-        phi_3908_ = -(_e130[0]);
+        phi_3968_ = -(_e130[0]);
     } else {
-        phi_3908_ = _e130[0];
+        phi_3968_ = _e130[0];
     }
-    let _e135 = phi_3908_;
+    let _e135 = phi_3968_;
     if (_e130[1] < 0.0lf) {
-        phi_3915_ = -(_e130[1]);
+        phi_3975_ = -(_e130[1]);
     } else {
-        phi_3915_ = _e130[1];
+        phi_3975_ = _e130[1];
     }
-    let _e140 = phi_3915_;
+    let _e140 = phi_3975_;
     if (_e130[2] < 0.0lf) {
-        phi_3923_ = -(_e130[2]);
+        phi_3983_ = -(_e130[2]);
     } else {
-        phi_3923_ = _e130[2];
+        phi_3983_ = _e130[2];
     }
-    let _e146 = phi_3923_;
+    let _e146 = phi_3983_;
     let _e147 = ((_e135 + _e140) + _e146);
     if (_e55 >= _e101) {
         if (_e55 >= _e147) {
-            phi_3933_ = false;
+            phi_3993_ = false;
         } else {
-            phi_3933_ = true;
+            phi_3993_ = true;
         }
-        let _e151 = phi_3933_;
-        phi_3934_ = _e151;
+        let _e151 = phi_3993_;
+        phi_3994_ = _e151;
     } else {
-        phi_3934_ = true;
+        phi_3994_ = true;
     }
-    let _e153 = phi_3934_;
+    let _e153 = phi_3994_;
     if _e153 {
         if (_e101 >= _e147) {
-            phi_3942_ = 1u;
+            phi_4002_ = 1u;
         } else {
-            phi_3942_ = 2u;
+            phi_4002_ = 2u;
         }
-        let _e156 = phi_3942_;
-        phi_3943_ = _e156;
+        let _e156 = phi_4002_;
+        phi_4003_ = _e156;
     } else {
-        phi_3943_ = 0u;
+        phi_4003_ = 0u;
     }
-    let _e158 = phi_3943_;
+    let _e158 = phi_4003_;
     return _e158;
 }
 
 fn function_13(param_28: array<f32, 3>) -> array<f64, 3> {
-    var phi_3609_: f64;
-    var phi_3587_: array<u32, 2>;
-    var phi_3610_: f64;
-    var phi_3652_: f64;
-    var phi_3630_: array<u32, 2>;
-    var phi_3653_: f64;
-    var phi_3695_: f64;
-    var phi_3673_: array<u32, 2>;
-    var phi_3696_: f64;
+    var phi_3669_: f64;
+    var phi_3647_: array<u32, 2>;
+    var phi_3670_: f64;
+    var phi_3712_: f64;
+    var phi_3690_: array<u32, 2>;
+    var phi_3713_: f64;
+    var phi_3755_: f64;
+    var phi_3733_: array<u32, 2>;
+    var phi_3756_: f64;
 
     let _e10 = bitcast<u32>(param_28[0]);
     let _e11 = (_e10 & 2147483647u);
@@ -625,66 +625,66 @@ fn function_13(param_28: array<f32, 3>) -> array<f64, 3> {
         let _e21 = bitcast<u32>(param_28[0]);
         let _e22 = (_e21 & 2147483647u);
         if (_e22 < 8388608u) {
-            phi_3587_ = array<u32, 2>(0u, 0u);
+            phi_3647_ = array<u32, 2>(0u, 0u);
         } else {
-            phi_3587_ = array<u32, 2>((_e21 << bitcast<u32>(29i)), ((_e21 ^ _e22) | ((_e22 >> bitcast<u32>(3i)) + 939524096u)));
+            phi_3647_ = array<u32, 2>((_e21 << bitcast<u32>(29i)), ((_e21 ^ _e22) | ((_e22 >> bitcast<u32>(3i)) + 939524096u)));
         }
-        let _e33 = phi_3587_;
-        phi_3610_ = bitcast<f64>(((u64(_e33[1]) * 4294967296lu) + u64(_e33[0])));
+        let _e33 = phi_3647_;
+        phi_3670_ = bitcast<f64>(((u64(_e33[1]) * 4294967296lu) + u64(_e33[0])));
     } else {
         if (_e10 == _e11) {
-            phi_3609_ = (f64(_e11) * 1.401298464324817e-45lf);
+            phi_3669_ = (f64(_e11) * 1.401298464324817e-45lf);
         } else {
-            phi_3609_ = -((f64(_e11) * 1.401298464324817e-45lf));
+            phi_3669_ = -((f64(_e11) * 1.401298464324817e-45lf));
         }
-        let _e20 = phi_3609_;
-        phi_3610_ = _e20;
+        let _e20 = phi_3669_;
+        phi_3670_ = _e20;
     }
-    let _e42 = phi_3610_;
+    let _e42 = phi_3670_;
     let _e44 = bitcast<u32>(param_28[1]);
     let _e45 = (_e44 & 2147483647u);
     if (_e45 >= 8388608u) {
         let _e55 = bitcast<u32>(param_28[1]);
         let _e56 = (_e55 & 2147483647u);
         if (_e56 < 8388608u) {
-            phi_3630_ = array<u32, 2>(0u, 0u);
+            phi_3690_ = array<u32, 2>(0u, 0u);
         } else {
-            phi_3630_ = array<u32, 2>((_e55 << bitcast<u32>(29i)), ((_e55 ^ _e56) | ((_e56 >> bitcast<u32>(3i)) + 939524096u)));
+            phi_3690_ = array<u32, 2>((_e55 << bitcast<u32>(29i)), ((_e55 ^ _e56) | ((_e56 >> bitcast<u32>(3i)) + 939524096u)));
         }
-        let _e67 = phi_3630_;
-        phi_3653_ = bitcast<f64>(((u64(_e67[1]) * 4294967296lu) + u64(_e67[0])));
+        let _e67 = phi_3690_;
+        phi_3713_ = bitcast<f64>(((u64(_e67[1]) * 4294967296lu) + u64(_e67[0])));
     } else {
         if (_e44 == _e45) {
-            phi_3652_ = (f64(_e45) * 1.401298464324817e-45lf);
+            phi_3712_ = (f64(_e45) * 1.401298464324817e-45lf);
         } else {
-            phi_3652_ = -((f64(_e45) * 1.401298464324817e-45lf));
+            phi_3712_ = -((f64(_e45) * 1.401298464324817e-45lf));
         }
-        let _e54 = phi_3652_;
-        phi_3653_ = _e54;
+        let _e54 = phi_3712_;
+        phi_3713_ = _e54;
     }
-    let _e76 = phi_3653_;
+    let _e76 = phi_3713_;
     let _e78 = bitcast<u32>(param_28[2]);
     let _e79 = (_e78 & 2147483647u);
     if (_e79 >= 8388608u) {
         let _e89 = bitcast<u32>(param_28[2]);
         let _e90 = (_e89 & 2147483647u);
         if (_e90 < 8388608u) {
-            phi_3673_ = array<u32, 2>(0u, 0u);
+            phi_3733_ = array<u32, 2>(0u, 0u);
         } else {
-            phi_3673_ = array<u32, 2>((_e89 << bitcast<u32>(29i)), ((_e89 ^ _e90) | ((_e90 >> bitcast<u32>(3i)) + 939524096u)));
+            phi_3733_ = array<u32, 2>((_e89 << bitcast<u32>(29i)), ((_e89 ^ _e90) | ((_e90 >> bitcast<u32>(3i)) + 939524096u)));
         }
-        let _e101 = phi_3673_;
-        phi_3696_ = bitcast<f64>(((u64(_e101[1]) * 4294967296lu) + u64(_e101[0])));
+        let _e101 = phi_3733_;
+        phi_3756_ = bitcast<f64>(((u64(_e101[1]) * 4294967296lu) + u64(_e101[0])));
     } else {
         if (_e78 == _e79) {
-            phi_3695_ = (f64(_e79) * 1.401298464324817e-45lf);
+            phi_3755_ = (f64(_e79) * 1.401298464324817e-45lf);
         } else {
-            phi_3695_ = -((f64(_e79) * 1.401298464324817e-45lf));
+            phi_3755_ = -((f64(_e79) * 1.401298464324817e-45lf));
         }
-        let _e88 = phi_3695_;
-        phi_3696_ = _e88;
+        let _e88 = phi_3755_;
+        phi_3756_ = _e88;
     }
-    let _e110 = phi_3696_;
+    let _e110 = phi_3756_;
     return array<f64, 3>(_e42, _e76, _e110);
 }
 
@@ -886,121 +886,128 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2525_: f64;
     var phi_2532_: f64;
     var phi_2537_: f64;
-    var phi_2549_: f64;
-    var phi_2556_: f64;
-    var phi_2561_: f64;
-    var phi_2568_: f64;
-    var phi_2573_: f64;
-    var phi_2607_: type_16;
-    var phi_2610_: f64;
-    var phi_2631_: bool;
-    var phi_2637_: type_17;
-    var phi_2608_: type_16;
-    var phi_2651_: type_17;
-    var phi_2611_: f64;
-    var local_6: f64;
+    var phi_2545_: array<f64, 3>;
+    var phi_2552_: f64;
+    var phi_2559_: f64;
+    var phi_2564_: f64;
+    var phi_2571_: f64;
+    var phi_2576_: f64;
+    var phi_2588_: f64;
+    var phi_2595_: f64;
     var phi_2600_: f64;
-    var phi_2664_: f64;
-    var phi_2693_: array<f64, 3>;
-    var phi_2700_: f64;
-    var phi_2707_: f64;
-    var phi_2715_: f64;
-    var phi_2733_: f64;
+    var phi_2607_: f64;
+    var phi_2612_: f64;
+    var phi_2646_: type_16;
+    var phi_2649_: f64;
+    var phi_2670_: bool;
+    var phi_2676_: type_17;
+    var phi_2647_: type_16;
+    var phi_2690_: type_17;
+    var phi_2650_: f64;
+    var local_6: f64;
+    var phi_2639_: f64;
+    var phi_2703_: f64;
+    var phi_2732_: array<f64, 3>;
     var phi_2739_: f64;
-    var phi_2744_: f64;
-    var phi_2750_: f64;
-    var phi_2755_: f64;
-    var phi_2786_: type_16;
+    var phi_2746_: f64;
+    var phi_2754_: f64;
+    var phi_2772_: f64;
+    var phi_2778_: f64;
+    var phi_2783_: f64;
     var phi_2789_: f64;
-    var phi_2810_: bool;
-    var phi_2816_: type_17;
-    var phi_2787_: type_16;
-    var phi_2830_: type_17;
-    var phi_2790_: f64;
+    var phi_2794_: f64;
+    var phi_2825_: type_16;
+    var phi_2828_: f64;
+    var phi_2849_: bool;
+    var phi_2855_: type_17;
+    var phi_2826_: type_16;
+    var phi_2869_: type_17;
+    var phi_2829_: f64;
     var local_7: f64;
-    var phi_2779_: f64;
-    var phi_2843_: f64;
-    var phi_2861_: array<f64, 3>;
-    var phi_2862_: bool;
-    var phi_2863_: array<f64, 3>;
-    var phi_2864_: bool;
-    var phi_3024_: f64;
-    var phi_3031_: f64;
-    var phi_3036_: f64;
-    var phi_3043_: f64;
-    var phi_3048_: f64;
-    var phi_3055_: f64;
-    var phi_3062_: f64;
-    var phi_3067_: f64;
-    var phi_3074_: f64;
-    var phi_3079_: f64;
-    var phi_3084_: array<f64, 3>;
-    var phi_3091_: f64;
-    var phi_3098_: f64;
-    var phi_3103_: f64;
-    var phi_3110_: f64;
-    var phi_3115_: f64;
-    var phi_3126_: f64;
-    var phi_3133_: f64;
-    var phi_3140_: f64;
-    var phi_3150_: array<f64, 3>;
-    var phi_3151_: bool;
-    var phi_3152_: array<f64, 3>;
-    var phi_3153_: bool;
-    var phi_3163_: array<f64, 3>;
-    var phi_3164_: array<f64, 3>;
-    var phi_3171_: f64;
-    var phi_3178_: f64;
-    var phi_3183_: f64;
-    var phi_3190_: f64;
-    var phi_3195_: f64;
-    var phi_3229_: type_16;
-    var phi_3232_: f64;
-    var phi_3253_: bool;
-    var phi_3259_: type_17;
-    var phi_3230_: type_16;
-    var phi_3273_: type_17;
-    var phi_3233_: f64;
-    var local_8: f64;
-    var phi_3222_: f64;
-    var phi_3286_: f64;
-    var phi_3323_: f64;
-    var phi_3329_: f64;
-    var phi_3334_: f64;
-    var phi_3340_: f64;
-    var phi_3345_: f64;
-    var phi_3376_: type_16;
-    var phi_3379_: f64;
-    var phi_3400_: bool;
-    var phi_3406_: type_17;
-    var phi_3377_: type_16;
-    var phi_3420_: type_17;
-    var phi_3380_: f64;
-    var local_9: f64;
-    var phi_3369_: f64;
-    var phi_3433_: f64;
-    var phi_3452_: array<f64, 3>;
-    var phi_2876_: f64;
+    var phi_2818_: f64;
     var phi_2882_: f64;
-    var phi_2887_: f64;
-    var phi_2893_: f64;
-    var phi_2898_: f64;
-    var phi_2929_: type_16;
+    var phi_2900_: array<f64, 3>;
+    var phi_2901_: bool;
+    var phi_2902_: array<f64, 3>;
+    var phi_2903_: bool;
+    var phi_3063_: f64;
+    var phi_3070_: f64;
+    var phi_3075_: f64;
+    var phi_3082_: f64;
+    var phi_3087_: f64;
+    var phi_3094_: f64;
+    var phi_3101_: f64;
+    var phi_3106_: f64;
+    var phi_3113_: f64;
+    var phi_3118_: f64;
+    var phi_3123_: array<f64, 3>;
+    var phi_3130_: f64;
+    var phi_3137_: f64;
+    var phi_3142_: f64;
+    var phi_3149_: f64;
+    var phi_3154_: f64;
+    var phi_3165_: f64;
+    var phi_3172_: f64;
+    var phi_3179_: f64;
+    var phi_3189_: array<f64, 3>;
+    var phi_3190_: bool;
+    var phi_3191_: array<f64, 3>;
+    var phi_3192_: bool;
+    var phi_3202_: array<f64, 3>;
+    var phi_3203_: array<f64, 3>;
+    var phi_3210_: f64;
+    var phi_3217_: f64;
+    var phi_3222_: f64;
+    var phi_3229_: f64;
+    var phi_3234_: f64;
+    var phi_3268_: type_16;
+    var phi_3271_: f64;
+    var phi_3292_: bool;
+    var phi_3298_: type_17;
+    var phi_3269_: type_16;
+    var phi_3312_: type_17;
+    var phi_3272_: f64;
+    var local_8: f64;
+    var phi_3261_: f64;
+    var phi_3325_: f64;
+    var phi_3362_: f64;
+    var phi_3368_: f64;
+    var phi_3373_: f64;
+    var phi_3379_: f64;
+    var phi_3384_: f64;
+    var phi_3415_: type_16;
+    var phi_3418_: f64;
+    var phi_3439_: bool;
+    var phi_3445_: type_17;
+    var phi_3416_: type_16;
+    var phi_3459_: type_17;
+    var phi_3419_: f64;
+    var local_9: f64;
+    var phi_3408_: f64;
+    var phi_3472_: f64;
+    var phi_3491_: array<f64, 3>;
+    var phi_2915_: f64;
+    var phi_2921_: f64;
+    var phi_2926_: f64;
     var phi_2932_: f64;
-    var phi_2953_: bool;
-    var phi_2959_: type_17;
-    var phi_2930_: type_16;
-    var phi_2973_: type_17;
-    var phi_2933_: f64;
+    var phi_2937_: f64;
+    var phi_2968_: type_16;
+    var phi_2971_: f64;
+    var phi_2992_: bool;
+    var phi_2998_: type_17;
+    var phi_2969_: type_16;
+    var phi_3012_: type_17;
+    var phi_2972_: f64;
     var local_10: f64;
-    var phi_2922_: f64;
-    var phi_2986_: f64;
-    var phi_3453_: array<f64, 3>;
-    var phi_3454_: array<f64, 3>;
-    var phi_3455_: bool;
-    var phi_3456_: array<f64, 3>;
-    var phi_3457_: array<f64, 3>;
-    var phi_3458_: bool;
+    var phi_2961_: f64;
+    var phi_3025_: f64;
+    var phi_3492_: array<f64, 3>;
+    var phi_3513_: array<f64, 3>;
+    var phi_3514_: array<f64, 3>;
+    var phi_3515_: bool;
+    var phi_3516_: array<f64, 3>;
+    var phi_3517_: array<f64, 3>;
+    var phi_3518_: bool;
     var phi_1641_: array<f64, 3>;
     var phi_1648_: f64;
     var phi_1655_: f64;
@@ -1039,15 +1046,15 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1841_: f64;
     var phi_1905_: f64;
     var phi_1923_: array<f64, 3>;
-    var phi_3462_: array<f64, 3>;
-    var phi_3463_: array<f64, 3>;
-    var phi_3464_: bool;
-    var phi_3468_: array<f64, 3>;
-    var phi_3488_: array<f64, 3>;
-    var phi_3517_: f64;
-    var phi_3545_: array<f64, 3>;
-    var phi_3546_: array<f64, 3>;
-    var phi_3547_: array<f64, 4>;
+    var phi_3522_: array<f64, 3>;
+    var phi_3523_: array<f64, 3>;
+    var phi_3524_: bool;
+    var phi_3528_: array<f64, 3>;
+    var phi_3548_: array<f64, 3>;
+    var phi_3577_: f64;
+    var phi_3605_: array<f64, 3>;
+    var phi_3606_: array<f64, 3>;
+    var phi_3607_: array<f64, 4>;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1768,245 +1775,245 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e1039 = (_e1033[2] * _e967);
                 let _e1042 = local.member_6;
                 if (_e963 > _e1042) {
-                    let _e2175 = (_e898.member_2[0] * _e967);
-                    let _e2177 = (_e898.member_2[1] * _e967);
-                    let _e2179 = (_e898.member_2[2] * _e967);
+                    let _e2221 = (_e898.member_2[0] * _e967);
+                    let _e2223 = (_e898.member_2[1] * _e967);
+                    let _e2225 = (_e898.member_2[2] * _e967);
                     if _e1031 {
                         if _e1028 {
-                            let _e2181 = local.member_5;
-                            let _e2184 = local.member_6;
-                            let _e2186 = local.member_4;
-                            if ((_e2181 * _e963) <= (_e2184 * _e2186)) {
-                                if ((((_e2175 * _e1037) + (_e2177 * _e1038)) + (_e2179 * _e1039)) >= _e999) {
+                            let _e2227 = local.member_5;
+                            let _e2230 = local.member_6;
+                            let _e2232 = local.member_4;
+                            if ((_e2227 * _e963) <= (_e2230 * _e2232)) {
+                                if ((((_e2221 * _e1037) + (_e2223 * _e1038)) + (_e2225 * _e1039)) >= _e999) {
                                     phi_1641_ = array<f64, 3>(_e1037, _e1038, _e1039);
                                 } else {
-                                    let _e2195 = -(_e1000);
-                                    phi_1641_ = array<f64, 3>((_e1037 * _e2195), (_e1038 * _e2195), (_e1039 * _e2195));
+                                    let _e2241 = -(_e1000);
+                                    phi_1641_ = array<f64, 3>((_e1037 * _e2241), (_e1038 * _e2241), (_e1039 * _e2241));
                                 }
-                                let _e2201 = phi_1641_;
-                                if (_e2201[0] < 0.0lf) {
-                                    phi_1648_ = -(_e2201[0]);
+                                let _e2247 = phi_1641_;
+                                if (_e2247[0] < 0.0lf) {
+                                    phi_1648_ = -(_e2247[0]);
                                 } else {
-                                    phi_1648_ = _e2201[0];
+                                    phi_1648_ = _e2247[0];
                                 }
-                                let _e2206 = phi_1648_;
-                                if (_e2201[1] < 0.0lf) {
-                                    phi_1655_ = -(_e2201[1]);
+                                let _e2252 = phi_1648_;
+                                if (_e2247[1] < 0.0lf) {
+                                    phi_1655_ = -(_e2247[1]);
                                 } else {
-                                    phi_1655_ = _e2201[1];
+                                    phi_1655_ = _e2247[1];
                                 }
-                                let _e2211 = phi_1655_;
-                                if (_e2206 > _e2211) {
-                                    phi_1660_ = _e2206;
+                                let _e2257 = phi_1655_;
+                                if (_e2252 > _e2257) {
+                                    phi_1660_ = _e2252;
                                 } else {
-                                    phi_1660_ = _e2211;
+                                    phi_1660_ = _e2257;
                                 }
-                                let _e2214 = phi_1660_;
-                                if (_e2201[2] < 0.0lf) {
-                                    phi_1667_ = -(_e2201[2]);
+                                let _e2260 = phi_1660_;
+                                if (_e2247[2] < 0.0lf) {
+                                    phi_1667_ = -(_e2247[2]);
                                 } else {
-                                    phi_1667_ = _e2201[2];
+                                    phi_1667_ = _e2247[2];
                                 }
-                                let _e2219 = phi_1667_;
-                                if (_e2214 > _e2219) {
-                                    phi_1672_ = _e2214;
+                                let _e2265 = phi_1667_;
+                                if (_e2260 > _e2265) {
+                                    phi_1672_ = _e2260;
                                 } else {
-                                    phi_1672_ = _e2219;
+                                    phi_1672_ = _e2265;
                                 }
-                                let _e2222 = phi_1672_;
-                                let _e2223 = function_9(_e2222);
-                                let _e2225 = (_e2201[0] * _e2223);
-                                let _e2227 = (_e2201[1] * _e2223);
-                                let _e2229 = (_e2201[2] * _e2223);
-                                let _e2235 = (((_e2225 * _e2225) + (_e2227 * _e2227)) + (_e2229 * _e2229));
-                                if (_e2235 <= 2.2250738585072014e-308lf) {
-                                    if (_e2235 > 0.0lf) {
+                                let _e2268 = phi_1672_;
+                                let _e2269 = function_9(_e2268);
+                                let _e2271 = (_e2247[0] * _e2269);
+                                let _e2273 = (_e2247[1] * _e2269);
+                                let _e2275 = (_e2247[2] * _e2269);
+                                let _e2281 = (((_e2271 * _e2271) + (_e2273 * _e2273)) + (_e2275 * _e2275));
+                                if (_e2281 <= 2.2250738585072014e-308lf) {
+                                    if (_e2281 > 0.0lf) {
                                         phi_1699_ = (1.464336215552873e-154lf * 2.0lf);
                                     } else {
                                         phi_1699_ = 0.0lf;
                                     }
-                                    let _e2287 = phi_1699_;
-                                    phi_1763_ = _e2287;
+                                    let _e2333 = phi_1699_;
+                                    phi_1763_ = _e2333;
                                 } else {
                                     phi_1706_ = type_16(0i, 5i);
-                                    phi_1709_ = bitcast<f64>(((bitcast<u64>(_e2235) / 2lu) + 2303426169912950784lu));
+                                    phi_1709_ = bitcast<f64>(((bitcast<u64>(_e2281) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e2242 = phi_1706_;
-                                        let _e2244 = phi_1709_;
-                                        local_11 = _e2244;
-                                        if (_e2242.member < _e2242.member_1) {
-                                            let _e2251 = (_e2242.member + 1i);
-                                            if ((false == (_e2251 > _e2242.member)) != false) {
+                                        let _e2288 = phi_1706_;
+                                        let _e2290 = phi_1709_;
+                                        local_11 = _e2290;
+                                        if (_e2288.member < _e2288.member_1) {
+                                            let _e2297 = (_e2288.member + 1i);
+                                            if ((false == (_e2297 > _e2288.member)) != false) {
                                                 phi_1730_ = true;
                                             } else {
                                                 phi_1730_ = false;
                                             }
-                                            let _e2256 = phi_1730_;
-                                            if _e2256 {
+                                            let _e2302 = phi_1730_;
+                                            if _e2302 {
                                                 phi_1736_ = type_17(0u, type_17().member_1);
                                             } else {
-                                                phi_1736_ = type_17(1u, _e2251);
+                                                phi_1736_ = type_17(1u, _e2297);
                                             }
-                                            let _e2261 = phi_1736_;
-                                            phi_1707_ = type_16(_e2261.member_1, _e2242.member_1);
-                                            phi_1750_ = type_17(1u, _e2242.member);
+                                            let _e2307 = phi_1736_;
+                                            phi_1707_ = type_16(_e2307.member_1, _e2288.member_1);
+                                            phi_1750_ = type_17(1u, _e2288.member);
                                         } else {
-                                            phi_1707_ = _e2242;
+                                            phi_1707_ = _e2288;
                                             phi_1750_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e2267 = phi_1707_;
-                                        let _e2269 = phi_1750_;
-                                        let _e2272 = (bitcast<i32>(_e2269.member) != 0i);
-                                        if _e2272 {
-                                            phi_1710_ = (0.5lf * (_e2244 + (_e2235 / _e2244)));
+                                        let _e2313 = phi_1707_;
+                                        let _e2315 = phi_1750_;
+                                        let _e2318 = (bitcast<i32>(_e2315.member) != 0i);
+                                        if _e2318 {
+                                            phi_1710_ = (0.5lf * (_e2290 + (_e2281 / _e2290)));
                                         } else {
                                             phi_1710_ = f64();
                                         }
-                                        let _e2277 = phi_1710_;
+                                        let _e2323 = phi_1710_;
                                         continue;
                                         continuing {
-                                            phi_1706_ = _e2267;
-                                            phi_1709_ = _e2277;
-                                            break if !(_e2272);
+                                            phi_1706_ = _e2313;
+                                            phi_1709_ = _e2323;
+                                            break if !(_e2318);
                                         }
                                     }
-                                    let _e2282 = local_11;
-                                    phi_1763_ = (_e2282 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e2328 = local_11;
+                                    phi_1763_ = (_e2328 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e2289 = phi_1763_;
-                                let _e2290 = (f64(1f) / _e2289);
-                                let _e2291 = (_e2225 * _e2290);
-                                let _e2292 = (_e2227 * _e2290);
-                                let _e2293 = (_e2229 * _e2290);
-                                let _e2302 = ((f64(3f) - (((_e2291 * _e2291) + (_e2292 * _e2292)) + (_e2293 * _e2293))) * f64(0.5f));
-                                phi_1781_ = array<f64, 3>((_e2291 * _e2302), (_e2292 * _e2302), (_e2293 * _e2302));
+                                let _e2335 = phi_1763_;
+                                let _e2336 = (f64(1f) / _e2335);
+                                let _e2337 = (_e2271 * _e2336);
+                                let _e2338 = (_e2273 * _e2336);
+                                let _e2339 = (_e2275 * _e2336);
+                                let _e2348 = ((f64(3f) - (((_e2337 * _e2337) + (_e2338 * _e2338)) + (_e2339 * _e2339))) * f64(0.5f));
+                                phi_1781_ = array<f64, 3>((_e2337 * _e2348), (_e2338 * _e2348), (_e2339 * _e2348));
                                 phi_1782_ = false;
                             } else {
                                 phi_1781_ = array<f64, 3>();
                                 phi_1782_ = true;
                             }
-                            let _e2308 = phi_1781_;
-                            let _e2310 = phi_1782_;
-                            phi_1783_ = _e2308;
-                            phi_1784_ = _e2310;
+                            let _e2354 = phi_1781_;
+                            let _e2356 = phi_1782_;
+                            phi_1783_ = _e2354;
+                            phi_1784_ = _e2356;
                         } else {
                             phi_1783_ = array<f64, 3>();
                             phi_1784_ = true;
                         }
-                        let _e2312 = phi_1783_;
-                        let _e2314 = phi_1784_;
-                        phi_1785_ = _e2312;
-                        phi_1786_ = _e2314;
+                        let _e2358 = phi_1783_;
+                        let _e2360 = phi_1784_;
+                        phi_1785_ = _e2358;
+                        phi_1786_ = _e2360;
                     } else {
                         phi_1785_ = array<f64, 3>();
                         phi_1786_ = true;
                     }
-                    let _e2316 = phi_1785_;
-                    let _e2318 = phi_1786_;
-                    if _e2318 {
-                        if (_e2175 < 0.0lf) {
-                            phi_1795_ = -(_e2175);
+                    let _e2362 = phi_1785_;
+                    let _e2364 = phi_1786_;
+                    if _e2364 {
+                        if (_e2221 < 0.0lf) {
+                            phi_1795_ = -(_e2221);
                         } else {
-                            phi_1795_ = _e2175;
+                            phi_1795_ = _e2221;
                         }
-                        let _e2322 = phi_1795_;
-                        if (_e2177 < 0.0lf) {
-                            phi_1801_ = -(_e2177);
+                        let _e2368 = phi_1795_;
+                        if (_e2223 < 0.0lf) {
+                            phi_1801_ = -(_e2223);
                         } else {
-                            phi_1801_ = _e2177;
+                            phi_1801_ = _e2223;
                         }
-                        let _e2326 = phi_1801_;
-                        if (_e2322 > _e2326) {
-                            phi_1806_ = _e2322;
+                        let _e2372 = phi_1801_;
+                        if (_e2368 > _e2372) {
+                            phi_1806_ = _e2368;
                         } else {
-                            phi_1806_ = _e2326;
+                            phi_1806_ = _e2372;
                         }
-                        let _e2329 = phi_1806_;
-                        if (_e2179 < 0.0lf) {
-                            phi_1812_ = -(_e2179);
+                        let _e2375 = phi_1806_;
+                        if (_e2225 < 0.0lf) {
+                            phi_1812_ = -(_e2225);
                         } else {
-                            phi_1812_ = _e2179;
+                            phi_1812_ = _e2225;
                         }
-                        let _e2333 = phi_1812_;
-                        if (_e2329 > _e2333) {
-                            phi_1817_ = _e2329;
+                        let _e2379 = phi_1812_;
+                        if (_e2375 > _e2379) {
+                            phi_1817_ = _e2375;
                         } else {
-                            phi_1817_ = _e2333;
+                            phi_1817_ = _e2379;
                         }
-                        let _e2336 = phi_1817_;
-                        let _e2337 = function_9(_e2336);
-                        let _e2338 = (_e2175 * _e2337);
-                        let _e2339 = (_e2177 * _e2337);
-                        let _e2340 = (_e2179 * _e2337);
-                        let _e2346 = (((_e2338 * _e2338) + (_e2339 * _e2339)) + (_e2340 * _e2340));
-                        if (_e2346 <= 2.2250738585072014e-308lf) {
-                            if (_e2346 > 0.0lf) {
+                        let _e2382 = phi_1817_;
+                        let _e2383 = function_9(_e2382);
+                        let _e2384 = (_e2221 * _e2383);
+                        let _e2385 = (_e2223 * _e2383);
+                        let _e2386 = (_e2225 * _e2383);
+                        let _e2392 = (((_e2384 * _e2384) + (_e2385 * _e2385)) + (_e2386 * _e2386));
+                        if (_e2392 <= 2.2250738585072014e-308lf) {
+                            if (_e2392 > 0.0lf) {
                                 phi_1841_ = (1.464336215552873e-154lf * 2.0lf);
                             } else {
                                 phi_1841_ = 0.0lf;
                             }
-                            let _e2398 = phi_1841_;
-                            phi_1905_ = _e2398;
+                            let _e2444 = phi_1841_;
+                            phi_1905_ = _e2444;
                         } else {
                             phi_1848_ = type_16(0i, 5i);
-                            phi_1851_ = bitcast<f64>(((bitcast<u64>(_e2346) / 2lu) + 2303426169912950784lu));
+                            phi_1851_ = bitcast<f64>(((bitcast<u64>(_e2392) / 2lu) + 2303426169912950784lu));
                             loop {
-                                let _e2353 = phi_1848_;
-                                let _e2355 = phi_1851_;
-                                local_12 = _e2355;
-                                if (_e2353.member < _e2353.member_1) {
-                                    let _e2362 = (_e2353.member + 1i);
-                                    if ((false == (_e2362 > _e2353.member)) != false) {
+                                let _e2399 = phi_1848_;
+                                let _e2401 = phi_1851_;
+                                local_12 = _e2401;
+                                if (_e2399.member < _e2399.member_1) {
+                                    let _e2408 = (_e2399.member + 1i);
+                                    if ((false == (_e2408 > _e2399.member)) != false) {
                                         phi_1872_ = true;
                                     } else {
                                         phi_1872_ = false;
                                     }
-                                    let _e2367 = phi_1872_;
-                                    if _e2367 {
+                                    let _e2413 = phi_1872_;
+                                    if _e2413 {
                                         phi_1878_ = type_17(0u, type_17().member_1);
                                     } else {
-                                        phi_1878_ = type_17(1u, _e2362);
+                                        phi_1878_ = type_17(1u, _e2408);
                                     }
-                                    let _e2372 = phi_1878_;
-                                    phi_1849_ = type_16(_e2372.member_1, _e2353.member_1);
-                                    phi_1892_ = type_17(1u, _e2353.member);
+                                    let _e2418 = phi_1878_;
+                                    phi_1849_ = type_16(_e2418.member_1, _e2399.member_1);
+                                    phi_1892_ = type_17(1u, _e2399.member);
                                 } else {
-                                    phi_1849_ = _e2353;
+                                    phi_1849_ = _e2399;
                                     phi_1892_ = type_17(0u, type_17().member_1);
                                 }
-                                let _e2378 = phi_1849_;
-                                let _e2380 = phi_1892_;
-                                let _e2383 = (bitcast<i32>(_e2380.member) != 0i);
-                                if _e2383 {
-                                    phi_1852_ = (0.5lf * (_e2355 + (_e2346 / _e2355)));
+                                let _e2424 = phi_1849_;
+                                let _e2426 = phi_1892_;
+                                let _e2429 = (bitcast<i32>(_e2426.member) != 0i);
+                                if _e2429 {
+                                    phi_1852_ = (0.5lf * (_e2401 + (_e2392 / _e2401)));
                                 } else {
                                     phi_1852_ = f64();
                                 }
-                                let _e2388 = phi_1852_;
+                                let _e2434 = phi_1852_;
                                 continue;
                                 continuing {
-                                    phi_1848_ = _e2378;
-                                    phi_1851_ = _e2388;
-                                    break if !(_e2383);
+                                    phi_1848_ = _e2424;
+                                    phi_1851_ = _e2434;
+                                    break if !(_e2429);
                                 }
                             }
-                            let _e2393 = local_12;
-                            phi_1905_ = (_e2393 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                            let _e2439 = local_12;
+                            phi_1905_ = (_e2439 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                         }
-                        let _e2400 = phi_1905_;
-                        let _e2401 = (f64(1f) / _e2400);
-                        let _e2402 = (_e2338 * _e2401);
-                        let _e2403 = (_e2339 * _e2401);
-                        let _e2404 = (_e2340 * _e2401);
-                        let _e2413 = ((f64(3f) - (((_e2402 * _e2402) + (_e2403 * _e2403)) + (_e2404 * _e2404))) * f64(0.5f));
-                        phi_1923_ = array<f64, 3>((_e2402 * _e2413), (_e2403 * _e2413), (_e2404 * _e2413));
+                        let _e2446 = phi_1905_;
+                        let _e2447 = (f64(1f) / _e2446);
+                        let _e2448 = (_e2384 * _e2447);
+                        let _e2449 = (_e2385 * _e2447);
+                        let _e2450 = (_e2386 * _e2447);
+                        let _e2459 = ((f64(3f) - (((_e2448 * _e2448) + (_e2449 * _e2449)) + (_e2450 * _e2450))) * f64(0.5f));
+                        phi_1923_ = array<f64, 3>((_e2448 * _e2459), (_e2449 * _e2459), (_e2450 * _e2459));
                     } else {
-                        phi_1923_ = _e2316;
+                        phi_1923_ = _e2362;
                     }
-                    let _e2419 = phi_1923_;
-                    phi_3462_ = _e2419;
-                    phi_3463_ = array<f64, 3>();
-                    phi_3464_ = true;
+                    let _e2465 = phi_1923_;
+                    phi_3522_ = _e2465;
+                    phi_3523_ = array<f64, 3>();
+                    phi_3524_ = true;
                 } else {
                     if (_e501.member[0][0] < 0.0lf) {
                         phi_1931_ = -(_e501.member[0][0]);
@@ -2542,766 +2549,810 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_2537_ = _e1477;
                             }
                             let _e1480 = phi_2537_;
-                            if (_e1480 > f64(0f)) {
-                                if (_e1459[0] < 0.0lf) {
-                                    phi_2549_ = -(_e1459[0]);
+                            let _e1482 = local.member_6;
+                            if (_e1480 > _e1482) {
+                                phi_2545_ = _e1459;
+                            } else {
+                                phi_2545_ = array<f64, 3>(_e999, _e999, _e999);
+                            }
+                            let _e1486 = phi_2545_;
+                            if (_e1486[0] < 0.0lf) {
+                                phi_2552_ = -(_e1486[0]);
+                            } else {
+                                phi_2552_ = _e1486[0];
+                            }
+                            let _e1491 = phi_2552_;
+                            if (_e1486[1] < 0.0lf) {
+                                phi_2559_ = -(_e1486[1]);
+                            } else {
+                                phi_2559_ = _e1486[1];
+                            }
+                            let _e1496 = phi_2559_;
+                            if (_e1491 > _e1496) {
+                                phi_2564_ = _e1491;
+                            } else {
+                                phi_2564_ = _e1496;
+                            }
+                            let _e1499 = phi_2564_;
+                            if (_e1486[2] < 0.0lf) {
+                                phi_2571_ = -(_e1486[2]);
+                            } else {
+                                phi_2571_ = _e1486[2];
+                            }
+                            let _e1504 = phi_2571_;
+                            if (_e1499 > _e1504) {
+                                phi_2576_ = _e1499;
+                            } else {
+                                phi_2576_ = _e1504;
+                            }
+                            let _e1507 = phi_2576_;
+                            if (_e1507 > f64(0f)) {
+                                if (_e1486[0] < 0.0lf) {
+                                    phi_2588_ = -(_e1486[0]);
                                 } else {
-                                    phi_2549_ = _e1459[0];
+                                    phi_2588_ = _e1486[0];
                                 }
-                                let _e1487 = phi_2549_;
-                                if (_e1459[1] < 0.0lf) {
-                                    phi_2556_ = -(_e1459[1]);
+                                let _e1514 = phi_2588_;
+                                if (_e1486[1] < 0.0lf) {
+                                    phi_2595_ = -(_e1486[1]);
                                 } else {
-                                    phi_2556_ = _e1459[1];
+                                    phi_2595_ = _e1486[1];
                                 }
-                                let _e1492 = phi_2556_;
-                                if (_e1487 > _e1492) {
-                                    phi_2561_ = _e1487;
+                                let _e1519 = phi_2595_;
+                                if (_e1514 > _e1519) {
+                                    phi_2600_ = _e1514;
                                 } else {
-                                    phi_2561_ = _e1492;
+                                    phi_2600_ = _e1519;
                                 }
-                                let _e1495 = phi_2561_;
-                                if (_e1459[2] < 0.0lf) {
-                                    phi_2568_ = -(_e1459[2]);
+                                let _e1522 = phi_2600_;
+                                if (_e1486[2] < 0.0lf) {
+                                    phi_2607_ = -(_e1486[2]);
                                 } else {
-                                    phi_2568_ = _e1459[2];
+                                    phi_2607_ = _e1486[2];
                                 }
-                                let _e1500 = phi_2568_;
-                                if (_e1495 > _e1500) {
-                                    phi_2573_ = _e1495;
+                                let _e1527 = phi_2607_;
+                                if (_e1522 > _e1527) {
+                                    phi_2612_ = _e1522;
                                 } else {
-                                    phi_2573_ = _e1500;
+                                    phi_2612_ = _e1527;
                                 }
-                                let _e1503 = phi_2573_;
-                                let _e1504 = function_9(_e1503);
-                                let _e1506 = (_e1459[0] * _e1504);
-                                let _e1508 = (_e1459[1] * _e1504);
-                                let _e1510 = (_e1459[2] * _e1504);
-                                let _e1516 = (((_e1506 * _e1506) + (_e1508 * _e1508)) + (_e1510 * _e1510));
-                                if (_e1516 <= 2.2250738585072014e-308lf) {
-                                    if (_e1516 > 0.0lf) {
-                                        phi_2600_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e1530 = phi_2612_;
+                                let _e1531 = function_9(_e1530);
+                                let _e1533 = (_e1486[0] * _e1531);
+                                let _e1535 = (_e1486[1] * _e1531);
+                                let _e1537 = (_e1486[2] * _e1531);
+                                let _e1543 = (((_e1533 * _e1533) + (_e1535 * _e1535)) + (_e1537 * _e1537));
+                                if (_e1543 <= 2.2250738585072014e-308lf) {
+                                    if (_e1543 > 0.0lf) {
+                                        phi_2639_ = (1.464336215552873e-154lf * 2.0lf);
                                     } else {
-                                        phi_2600_ = 0.0lf;
+                                        phi_2639_ = 0.0lf;
                                     }
-                                    let _e1568 = phi_2600_;
-                                    phi_2664_ = _e1568;
+                                    let _e1595 = phi_2639_;
+                                    phi_2703_ = _e1595;
                                 } else {
-                                    phi_2607_ = type_16(0i, 5i);
-                                    phi_2610_ = bitcast<f64>(((bitcast<u64>(_e1516) / 2lu) + 2303426169912950784lu));
+                                    phi_2646_ = type_16(0i, 5i);
+                                    phi_2649_ = bitcast<f64>(((bitcast<u64>(_e1543) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e1523 = phi_2607_;
-                                        let _e1525 = phi_2610_;
-                                        local_6 = _e1525;
-                                        if (_e1523.member < _e1523.member_1) {
-                                            let _e1532 = (_e1523.member + 1i);
-                                            if ((false == (_e1532 > _e1523.member)) != false) {
-                                                phi_2631_ = true;
+                                        let _e1550 = phi_2646_;
+                                        let _e1552 = phi_2649_;
+                                        local_6 = _e1552;
+                                        if (_e1550.member < _e1550.member_1) {
+                                            let _e1559 = (_e1550.member + 1i);
+                                            if ((false == (_e1559 > _e1550.member)) != false) {
+                                                phi_2670_ = true;
                                             } else {
-                                                phi_2631_ = false;
+                                                phi_2670_ = false;
                                             }
-                                            let _e1537 = phi_2631_;
-                                            if _e1537 {
-                                                phi_2637_ = type_17(0u, type_17().member_1);
+                                            let _e1564 = phi_2670_;
+                                            if _e1564 {
+                                                phi_2676_ = type_17(0u, type_17().member_1);
                                             } else {
-                                                phi_2637_ = type_17(1u, _e1532);
+                                                phi_2676_ = type_17(1u, _e1559);
                                             }
-                                            let _e1542 = phi_2637_;
-                                            phi_2608_ = type_16(_e1542.member_1, _e1523.member_1);
-                                            phi_2651_ = type_17(1u, _e1523.member);
+                                            let _e1569 = phi_2676_;
+                                            phi_2647_ = type_16(_e1569.member_1, _e1550.member_1);
+                                            phi_2690_ = type_17(1u, _e1550.member);
                                         } else {
-                                            phi_2608_ = _e1523;
-                                            phi_2651_ = type_17(0u, type_17().member_1);
+                                            phi_2647_ = _e1550;
+                                            phi_2690_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e1548 = phi_2608_;
-                                        let _e1550 = phi_2651_;
-                                        let _e1553 = (bitcast<i32>(_e1550.member) != 0i);
-                                        if _e1553 {
-                                            phi_2611_ = (0.5lf * (_e1525 + (_e1516 / _e1525)));
+                                        let _e1575 = phi_2647_;
+                                        let _e1577 = phi_2690_;
+                                        let _e1580 = (bitcast<i32>(_e1577.member) != 0i);
+                                        if _e1580 {
+                                            phi_2650_ = (0.5lf * (_e1552 + (_e1543 / _e1552)));
                                         } else {
-                                            phi_2611_ = f64();
+                                            phi_2650_ = f64();
                                         }
-                                        let _e1558 = phi_2611_;
+                                        let _e1585 = phi_2650_;
                                         continue;
                                         continuing {
-                                            phi_2607_ = _e1548;
-                                            phi_2610_ = _e1558;
-                                            break if !(_e1553);
+                                            phi_2646_ = _e1575;
+                                            phi_2649_ = _e1585;
+                                            break if !(_e1580);
                                         }
                                     }
-                                    let _e1563 = local_6;
-                                    phi_2664_ = (_e1563 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e1590 = local_6;
+                                    phi_2703_ = (_e1590 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e1570 = phi_2664_;
-                                let _e1571 = (f64(1f) / _e1570);
-                                let _e1572 = (_e1506 * _e1571);
-                                let _e1573 = (_e1508 * _e1571);
-                                let _e1574 = (_e1510 * _e1571);
-                                let _e1583 = ((f64(3f) - (((_e1572 * _e1572) + (_e1573 * _e1573)) + (_e1574 * _e1574))) * f64(0.5f));
-                                let _e1584 = (_e1572 * _e1583);
-                                let _e1585 = (_e1573 * _e1583);
-                                let _e1586 = (_e1574 * _e1583);
-                                let _e1591 = (((_e995 * _e1584) + (_e996 * _e1585)) + (_e997 * _e1586));
-                                phi_2693_ = array<f64, 3>((_e995 - (_e1584 * _e1591)), (_e996 - (_e1585 * _e1591)), (_e997 - (_e1586 * _e1591)));
+                                let _e1597 = phi_2703_;
+                                let _e1598 = (f64(1f) / _e1597);
+                                let _e1599 = (_e1533 * _e1598);
+                                let _e1600 = (_e1535 * _e1598);
+                                let _e1601 = (_e1537 * _e1598);
+                                let _e1610 = ((f64(3f) - (((_e1599 * _e1599) + (_e1600 * _e1600)) + (_e1601 * _e1601))) * f64(0.5f));
+                                let _e1611 = (_e1599 * _e1610);
+                                let _e1612 = (_e1600 * _e1610);
+                                let _e1613 = (_e1601 * _e1610);
+                                let _e1618 = (((_e995 * _e1611) + (_e996 * _e1612)) + (_e997 * _e1613));
+                                phi_2732_ = array<f64, 3>((_e995 - (_e1611 * _e1618)), (_e996 - (_e1612 * _e1618)), (_e997 - (_e1613 * _e1618)));
                             } else {
-                                phi_2693_ = array<f64, 3>(_e995, _e996, _e997);
+                                phi_2732_ = array<f64, 3>(_e995, _e996, _e997);
                             }
-                            let _e1600 = phi_2693_;
-                            if (_e1600[0] < 0.0lf) {
-                                phi_2700_ = -(_e1600[0]);
+                            let _e1627 = phi_2732_;
+                            if (_e1627[0] < 0.0lf) {
+                                phi_2739_ = -(_e1627[0]);
                             } else {
-                                phi_2700_ = _e1600[0];
+                                phi_2739_ = _e1627[0];
                             }
-                            let _e1605 = phi_2700_;
-                            if (_e1600[1] < 0.0lf) {
-                                phi_2707_ = -(_e1600[1]);
+                            let _e1632 = phi_2739_;
+                            if (_e1627[1] < 0.0lf) {
+                                phi_2746_ = -(_e1627[1]);
                             } else {
-                                phi_2707_ = _e1600[1];
+                                phi_2746_ = _e1627[1];
                             }
-                            let _e1610 = phi_2707_;
-                            if (_e1600[2] < 0.0lf) {
-                                phi_2715_ = -(_e1600[2]);
+                            let _e1637 = phi_2746_;
+                            if (_e1627[2] < 0.0lf) {
+                                phi_2754_ = -(_e1627[2]);
                             } else {
-                                phi_2715_ = _e1600[2];
+                                phi_2754_ = _e1627[2];
                             }
-                            let _e1616 = phi_2715_;
-                            if (((_e1605 + _e1610) + _e1616) > _e1205) {
-                                let _e1619 = -(_e1000);
-                                let _e1621 = (_e1600[0] * _e1619);
-                                let _e1623 = (_e1600[1] * _e1619);
-                                let _e1625 = (_e1600[2] * _e1619);
-                                if (_e1621 < 0.0lf) {
-                                    phi_2733_ = -(_e1621);
+                            let _e1643 = phi_2754_;
+                            if (((_e1632 + _e1637) + _e1643) > _e1205) {
+                                let _e1646 = -(_e1000);
+                                let _e1648 = (_e1627[0] * _e1646);
+                                let _e1650 = (_e1627[1] * _e1646);
+                                let _e1652 = (_e1627[2] * _e1646);
+                                if (_e1648 < 0.0lf) {
+                                    phi_2772_ = -(_e1648);
                                 } else {
-                                    phi_2733_ = _e1621;
+                                    phi_2772_ = _e1648;
                                 }
-                                let _e1629 = phi_2733_;
-                                if (_e1623 < 0.0lf) {
-                                    phi_2739_ = -(_e1623);
+                                let _e1656 = phi_2772_;
+                                if (_e1650 < 0.0lf) {
+                                    phi_2778_ = -(_e1650);
                                 } else {
-                                    phi_2739_ = _e1623;
+                                    phi_2778_ = _e1650;
                                 }
-                                let _e1633 = phi_2739_;
-                                if (_e1629 > _e1633) {
-                                    phi_2744_ = _e1629;
+                                let _e1660 = phi_2778_;
+                                if (_e1656 > _e1660) {
+                                    phi_2783_ = _e1656;
                                 } else {
-                                    phi_2744_ = _e1633;
+                                    phi_2783_ = _e1660;
                                 }
-                                let _e1636 = phi_2744_;
-                                if (_e1625 < 0.0lf) {
-                                    phi_2750_ = -(_e1625);
+                                let _e1663 = phi_2783_;
+                                if (_e1652 < 0.0lf) {
+                                    phi_2789_ = -(_e1652);
                                 } else {
-                                    phi_2750_ = _e1625;
+                                    phi_2789_ = _e1652;
                                 }
-                                let _e1640 = phi_2750_;
-                                if (_e1636 > _e1640) {
-                                    phi_2755_ = _e1636;
+                                let _e1667 = phi_2789_;
+                                if (_e1663 > _e1667) {
+                                    phi_2794_ = _e1663;
                                 } else {
-                                    phi_2755_ = _e1640;
+                                    phi_2794_ = _e1667;
                                 }
-                                let _e1643 = phi_2755_;
-                                let _e1644 = function_9(_e1643);
-                                let _e1645 = (_e1621 * _e1644);
-                                let _e1646 = (_e1623 * _e1644);
-                                let _e1647 = (_e1625 * _e1644);
-                                let _e1653 = (((_e1645 * _e1645) + (_e1646 * _e1646)) + (_e1647 * _e1647));
-                                if (_e1653 <= 2.2250738585072014e-308lf) {
-                                    if (_e1653 > 0.0lf) {
-                                        phi_2779_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e1670 = phi_2794_;
+                                let _e1671 = function_9(_e1670);
+                                let _e1672 = (_e1648 * _e1671);
+                                let _e1673 = (_e1650 * _e1671);
+                                let _e1674 = (_e1652 * _e1671);
+                                let _e1680 = (((_e1672 * _e1672) + (_e1673 * _e1673)) + (_e1674 * _e1674));
+                                if (_e1680 <= 2.2250738585072014e-308lf) {
+                                    if (_e1680 > 0.0lf) {
+                                        phi_2818_ = (1.464336215552873e-154lf * 2.0lf);
                                     } else {
-                                        phi_2779_ = 0.0lf;
+                                        phi_2818_ = 0.0lf;
                                     }
-                                    let _e1705 = phi_2779_;
-                                    phi_2843_ = _e1705;
+                                    let _e1732 = phi_2818_;
+                                    phi_2882_ = _e1732;
                                 } else {
-                                    phi_2786_ = type_16(0i, 5i);
-                                    phi_2789_ = bitcast<f64>(((bitcast<u64>(_e1653) / 2lu) + 2303426169912950784lu));
+                                    phi_2825_ = type_16(0i, 5i);
+                                    phi_2828_ = bitcast<f64>(((bitcast<u64>(_e1680) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e1660 = phi_2786_;
-                                        let _e1662 = phi_2789_;
-                                        local_7 = _e1662;
-                                        if (_e1660.member < _e1660.member_1) {
-                                            let _e1669 = (_e1660.member + 1i);
-                                            if ((false == (_e1669 > _e1660.member)) != false) {
-                                                phi_2810_ = true;
+                                        let _e1687 = phi_2825_;
+                                        let _e1689 = phi_2828_;
+                                        local_7 = _e1689;
+                                        if (_e1687.member < _e1687.member_1) {
+                                            let _e1696 = (_e1687.member + 1i);
+                                            if ((false == (_e1696 > _e1687.member)) != false) {
+                                                phi_2849_ = true;
                                             } else {
-                                                phi_2810_ = false;
+                                                phi_2849_ = false;
                                             }
-                                            let _e1674 = phi_2810_;
-                                            if _e1674 {
-                                                phi_2816_ = type_17(0u, type_17().member_1);
+                                            let _e1701 = phi_2849_;
+                                            if _e1701 {
+                                                phi_2855_ = type_17(0u, type_17().member_1);
                                             } else {
-                                                phi_2816_ = type_17(1u, _e1669);
+                                                phi_2855_ = type_17(1u, _e1696);
                                             }
-                                            let _e1679 = phi_2816_;
-                                            phi_2787_ = type_16(_e1679.member_1, _e1660.member_1);
-                                            phi_2830_ = type_17(1u, _e1660.member);
+                                            let _e1706 = phi_2855_;
+                                            phi_2826_ = type_16(_e1706.member_1, _e1687.member_1);
+                                            phi_2869_ = type_17(1u, _e1687.member);
                                         } else {
-                                            phi_2787_ = _e1660;
-                                            phi_2830_ = type_17(0u, type_17().member_1);
+                                            phi_2826_ = _e1687;
+                                            phi_2869_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e1685 = phi_2787_;
-                                        let _e1687 = phi_2830_;
-                                        let _e1690 = (bitcast<i32>(_e1687.member) != 0i);
-                                        if _e1690 {
-                                            phi_2790_ = (0.5lf * (_e1662 + (_e1653 / _e1662)));
+                                        let _e1712 = phi_2826_;
+                                        let _e1714 = phi_2869_;
+                                        let _e1717 = (bitcast<i32>(_e1714.member) != 0i);
+                                        if _e1717 {
+                                            phi_2829_ = (0.5lf * (_e1689 + (_e1680 / _e1689)));
                                         } else {
-                                            phi_2790_ = f64();
+                                            phi_2829_ = f64();
                                         }
-                                        let _e1695 = phi_2790_;
+                                        let _e1722 = phi_2829_;
                                         continue;
                                         continuing {
-                                            phi_2786_ = _e1685;
-                                            phi_2789_ = _e1695;
-                                            break if !(_e1690);
+                                            phi_2825_ = _e1712;
+                                            phi_2828_ = _e1722;
+                                            break if !(_e1717);
                                         }
                                     }
-                                    let _e1700 = local_7;
-                                    phi_2843_ = (_e1700 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e1727 = local_7;
+                                    phi_2882_ = (_e1727 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e1707 = phi_2843_;
-                                let _e1708 = (f64(1f) / _e1707);
-                                let _e1709 = (_e1645 * _e1708);
-                                let _e1710 = (_e1646 * _e1708);
-                                let _e1711 = (_e1647 * _e1708);
-                                let _e1720 = ((f64(3f) - (((_e1709 * _e1709) + (_e1710 * _e1710)) + (_e1711 * _e1711))) * f64(0.5f));
-                                phi_2861_ = array<f64, 3>((_e1709 * _e1720), (_e1710 * _e1720), (_e1711 * _e1720));
-                                phi_2862_ = false;
+                                let _e1734 = phi_2882_;
+                                let _e1735 = (f64(1f) / _e1734);
+                                let _e1736 = (_e1672 * _e1735);
+                                let _e1737 = (_e1673 * _e1735);
+                                let _e1738 = (_e1674 * _e1735);
+                                let _e1747 = ((f64(3f) - (((_e1736 * _e1736) + (_e1737 * _e1737)) + (_e1738 * _e1738))) * f64(0.5f));
+                                phi_2900_ = array<f64, 3>((_e1736 * _e1747), (_e1737 * _e1747), (_e1738 * _e1747));
+                                phi_2901_ = false;
                             } else {
-                                phi_2861_ = array<f64, 3>();
-                                phi_2862_ = true;
+                                phi_2900_ = array<f64, 3>();
+                                phi_2901_ = true;
                             }
-                            let _e1726 = phi_2861_;
-                            let _e1728 = phi_2862_;
-                            phi_2863_ = _e1726;
-                            phi_2864_ = _e1728;
+                            let _e1753 = phi_2900_;
+                            let _e1755 = phi_2901_;
+                            phi_2902_ = _e1753;
+                            phi_2903_ = _e1755;
                         } else {
-                            phi_2863_ = array<f64, 3>();
-                            phi_2864_ = true;
+                            phi_2902_ = array<f64, 3>();
+                            phi_2903_ = true;
                         }
-                        let _e1730 = phi_2863_;
-                        let _e1732 = phi_2864_;
-                        if _e1732 {
+                        let _e1757 = phi_2902_;
+                        let _e1759 = phi_2903_;
+                        if _e1759 {
                             if _e1031 {
                                 if (_e1037 < 0.0lf) {
-                                    phi_2876_ = -(_e1037);
+                                    phi_2915_ = -(_e1037);
                                 } else {
-                                    phi_2876_ = _e1037;
+                                    phi_2915_ = _e1037;
                                 }
-                                let _e2065 = phi_2876_;
+                                let _e2092 = phi_2915_;
                                 if (_e1038 < 0.0lf) {
-                                    phi_2882_ = -(_e1038);
+                                    phi_2921_ = -(_e1038);
                                 } else {
-                                    phi_2882_ = _e1038;
+                                    phi_2921_ = _e1038;
                                 }
-                                let _e2069 = phi_2882_;
-                                if (_e2065 > _e2069) {
-                                    phi_2887_ = _e2065;
+                                let _e2096 = phi_2921_;
+                                if (_e2092 > _e2096) {
+                                    phi_2926_ = _e2092;
                                 } else {
-                                    phi_2887_ = _e2069;
+                                    phi_2926_ = _e2096;
                                 }
-                                let _e2072 = phi_2887_;
+                                let _e2099 = phi_2926_;
                                 if (_e1039 < 0.0lf) {
-                                    phi_2893_ = -(_e1039);
+                                    phi_2932_ = -(_e1039);
                                 } else {
-                                    phi_2893_ = _e1039;
+                                    phi_2932_ = _e1039;
                                 }
-                                let _e2076 = phi_2893_;
-                                if (_e2072 > _e2076) {
-                                    phi_2898_ = _e2072;
+                                let _e2103 = phi_2932_;
+                                if (_e2099 > _e2103) {
+                                    phi_2937_ = _e2099;
                                 } else {
-                                    phi_2898_ = _e2076;
+                                    phi_2937_ = _e2103;
                                 }
-                                let _e2079 = phi_2898_;
-                                let _e2080 = function_9(_e2079);
-                                let _e2081 = (_e1037 * _e2080);
-                                let _e2082 = (_e1038 * _e2080);
-                                let _e2083 = (_e1039 * _e2080);
-                                let _e2089 = (((_e2081 * _e2081) + (_e2082 * _e2082)) + (_e2083 * _e2083));
-                                if (_e2089 <= 2.2250738585072014e-308lf) {
-                                    if (_e2089 > 0.0lf) {
-                                        phi_2922_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e2106 = phi_2937_;
+                                let _e2107 = function_9(_e2106);
+                                let _e2108 = (_e1037 * _e2107);
+                                let _e2109 = (_e1038 * _e2107);
+                                let _e2110 = (_e1039 * _e2107);
+                                let _e2116 = (((_e2108 * _e2108) + (_e2109 * _e2109)) + (_e2110 * _e2110));
+                                if (_e2116 <= 2.2250738585072014e-308lf) {
+                                    if (_e2116 > 0.0lf) {
+                                        phi_2961_ = (1.464336215552873e-154lf * 2.0lf);
                                     } else {
-                                        phi_2922_ = 0.0lf;
+                                        phi_2961_ = 0.0lf;
                                     }
-                                    let _e2141 = phi_2922_;
-                                    phi_2986_ = _e2141;
+                                    let _e2168 = phi_2961_;
+                                    phi_3025_ = _e2168;
                                 } else {
-                                    phi_2929_ = type_16(0i, 5i);
-                                    phi_2932_ = bitcast<f64>(((bitcast<u64>(_e2089) / 2lu) + 2303426169912950784lu));
+                                    phi_2968_ = type_16(0i, 5i);
+                                    phi_2971_ = bitcast<f64>(((bitcast<u64>(_e2116) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e2096 = phi_2929_;
-                                        let _e2098 = phi_2932_;
-                                        local_10 = _e2098;
-                                        if (_e2096.member < _e2096.member_1) {
-                                            let _e2105 = (_e2096.member + 1i);
-                                            if ((false == (_e2105 > _e2096.member)) != false) {
-                                                phi_2953_ = true;
+                                        let _e2123 = phi_2968_;
+                                        let _e2125 = phi_2971_;
+                                        local_10 = _e2125;
+                                        if (_e2123.member < _e2123.member_1) {
+                                            let _e2132 = (_e2123.member + 1i);
+                                            if ((false == (_e2132 > _e2123.member)) != false) {
+                                                phi_2992_ = true;
                                             } else {
-                                                phi_2953_ = false;
+                                                phi_2992_ = false;
                                             }
-                                            let _e2110 = phi_2953_;
-                                            if _e2110 {
-                                                phi_2959_ = type_17(0u, type_17().member_1);
+                                            let _e2137 = phi_2992_;
+                                            if _e2137 {
+                                                phi_2998_ = type_17(0u, type_17().member_1);
                                             } else {
-                                                phi_2959_ = type_17(1u, _e2105);
+                                                phi_2998_ = type_17(1u, _e2132);
                                             }
-                                            let _e2115 = phi_2959_;
-                                            phi_2930_ = type_16(_e2115.member_1, _e2096.member_1);
-                                            phi_2973_ = type_17(1u, _e2096.member);
+                                            let _e2142 = phi_2998_;
+                                            phi_2969_ = type_16(_e2142.member_1, _e2123.member_1);
+                                            phi_3012_ = type_17(1u, _e2123.member);
                                         } else {
-                                            phi_2930_ = _e2096;
-                                            phi_2973_ = type_17(0u, type_17().member_1);
+                                            phi_2969_ = _e2123;
+                                            phi_3012_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e2121 = phi_2930_;
-                                        let _e2123 = phi_2973_;
-                                        let _e2126 = (bitcast<i32>(_e2123.member) != 0i);
-                                        if _e2126 {
-                                            phi_2933_ = (0.5lf * (_e2098 + (_e2089 / _e2098)));
+                                        let _e2148 = phi_2969_;
+                                        let _e2150 = phi_3012_;
+                                        let _e2153 = (bitcast<i32>(_e2150.member) != 0i);
+                                        if _e2153 {
+                                            phi_2972_ = (0.5lf * (_e2125 + (_e2116 / _e2125)));
                                         } else {
-                                            phi_2933_ = f64();
+                                            phi_2972_ = f64();
                                         }
-                                        let _e2131 = phi_2933_;
+                                        let _e2158 = phi_2972_;
                                         continue;
                                         continuing {
-                                            phi_2929_ = _e2121;
-                                            phi_2932_ = _e2131;
-                                            break if !(_e2126);
+                                            phi_2968_ = _e2148;
+                                            phi_2971_ = _e2158;
+                                            break if !(_e2153);
                                         }
                                     }
-                                    let _e2136 = local_10;
-                                    phi_2986_ = (_e2136 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e2163 = local_10;
+                                    phi_3025_ = (_e2163 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e2143 = phi_2986_;
-                                let _e2144 = (f64(1f) / _e2143);
-                                let _e2145 = (_e2081 * _e2144);
-                                let _e2146 = (_e2082 * _e2144);
-                                let _e2147 = (_e2083 * _e2144);
-                                let _e2156 = ((f64(3f) - (((_e2145 * _e2145) + (_e2146 * _e2146)) + (_e2147 * _e2147))) * f64(0.5f));
-                                phi_3453_ = array<f64, 3>((_e2145 * _e2156), (_e2146 * _e2156), (_e2147 * _e2156));
+                                let _e2170 = phi_3025_;
+                                let _e2171 = (f64(1f) / _e2170);
+                                let _e2172 = (_e2108 * _e2171);
+                                let _e2173 = (_e2109 * _e2171);
+                                let _e2174 = (_e2110 * _e2171);
+                                let _e2183 = ((f64(3f) - (((_e2172 * _e2172) + (_e2173 * _e2173)) + (_e2174 * _e2174))) * f64(0.5f));
+                                phi_3492_ = array<f64, 3>((_e2172 * _e2183), (_e2173 * _e2183), (_e2174 * _e2183));
                             } else {
-                                let _e1734 = local.member_1;
-                                let _e1740 = local.member_2;
-                                let _e1745 = f64(0f);
-                                let _e1746 = f64(1f);
-                                if (_e1740[0] < 0.0lf) {
-                                    phi_3024_ = -(_e1740[0]);
+                                let _e1761 = local.member_1;
+                                let _e1767 = local.member_2;
+                                let _e1772 = f64(0f);
+                                let _e1773 = f64(1f);
+                                if (_e1767[0] < 0.0lf) {
+                                    phi_3063_ = -(_e1767[0]);
                                 } else {
-                                    phi_3024_ = _e1740[0];
+                                    phi_3063_ = _e1767[0];
                                 }
-                                let _e1750 = phi_3024_;
-                                if (_e1740[1] < 0.0lf) {
-                                    phi_3031_ = -(_e1740[1]);
+                                let _e1777 = phi_3063_;
+                                if (_e1767[1] < 0.0lf) {
+                                    phi_3070_ = -(_e1767[1]);
                                 } else {
-                                    phi_3031_ = _e1740[1];
+                                    phi_3070_ = _e1767[1];
                                 }
-                                let _e1754 = phi_3031_;
-                                if (_e1750 > _e1754) {
-                                    phi_3036_ = _e1750;
+                                let _e1781 = phi_3070_;
+                                if (_e1777 > _e1781) {
+                                    phi_3075_ = _e1777;
                                 } else {
-                                    phi_3036_ = _e1754;
+                                    phi_3075_ = _e1781;
                                 }
-                                let _e1757 = phi_3036_;
-                                if (_e1740[2] < 0.0lf) {
-                                    phi_3043_ = -(_e1740[2]);
+                                let _e1784 = phi_3075_;
+                                if (_e1767[2] < 0.0lf) {
+                                    phi_3082_ = -(_e1767[2]);
                                 } else {
-                                    phi_3043_ = _e1740[2];
+                                    phi_3082_ = _e1767[2];
                                 }
-                                let _e1761 = phi_3043_;
-                                if (_e1757 > _e1761) {
-                                    phi_3048_ = _e1757;
+                                let _e1788 = phi_3082_;
+                                if (_e1784 > _e1788) {
+                                    phi_3087_ = _e1784;
                                 } else {
-                                    phi_3048_ = _e1761;
+                                    phi_3087_ = _e1788;
                                 }
-                                let _e1764 = phi_3048_;
-                                if (_e1734[0] < 0.0lf) {
-                                    phi_3055_ = -(_e1734[0]);
+                                let _e1791 = phi_3087_;
+                                if (_e1761[0] < 0.0lf) {
+                                    phi_3094_ = -(_e1761[0]);
                                 } else {
-                                    phi_3055_ = _e1734[0];
+                                    phi_3094_ = _e1761[0];
                                 }
-                                let _e1768 = phi_3055_;
-                                if (_e1734[1] < 0.0lf) {
-                                    phi_3062_ = -(_e1734[1]);
+                                let _e1795 = phi_3094_;
+                                if (_e1761[1] < 0.0lf) {
+                                    phi_3101_ = -(_e1761[1]);
                                 } else {
-                                    phi_3062_ = _e1734[1];
+                                    phi_3101_ = _e1761[1];
                                 }
-                                let _e1772 = phi_3062_;
-                                if (_e1768 > _e1772) {
-                                    phi_3067_ = _e1768;
+                                let _e1799 = phi_3101_;
+                                if (_e1795 > _e1799) {
+                                    phi_3106_ = _e1795;
                                 } else {
-                                    phi_3067_ = _e1772;
+                                    phi_3106_ = _e1799;
                                 }
-                                let _e1775 = phi_3067_;
-                                if (_e1734[2] < 0.0lf) {
-                                    phi_3074_ = -(_e1734[2]);
+                                let _e1802 = phi_3106_;
+                                if (_e1761[2] < 0.0lf) {
+                                    phi_3113_ = -(_e1761[2]);
                                 } else {
-                                    phi_3074_ = _e1734[2];
+                                    phi_3113_ = _e1761[2];
                                 }
-                                let _e1779 = phi_3074_;
-                                if (_e1775 > _e1779) {
-                                    phi_3079_ = _e1775;
+                                let _e1806 = phi_3113_;
+                                if (_e1802 > _e1806) {
+                                    phi_3118_ = _e1802;
                                 } else {
-                                    phi_3079_ = _e1779;
+                                    phi_3118_ = _e1806;
                                 }
-                                let _e1782 = phi_3079_;
-                                if (_e1764 > _e1782) {
-                                    phi_3084_ = array<f64, 3>(_e1740[0], _e1740[1], _e1740[2]);
+                                let _e1809 = phi_3118_;
+                                if (_e1791 > _e1809) {
+                                    phi_3123_ = array<f64, 3>(_e1767[0], _e1767[1], _e1767[2]);
                                 } else {
-                                    phi_3084_ = array<f64, 3>(_e1734[0], _e1734[1], _e1734[2]);
+                                    phi_3123_ = array<f64, 3>(_e1761[0], _e1761[1], _e1761[2]);
                                 }
-                                let _e1785 = phi_3084_;
-                                if (_e1785[0] < 0.0lf) {
-                                    phi_3091_ = -(_e1785[0]);
+                                let _e1812 = phi_3123_;
+                                if (_e1812[0] < 0.0lf) {
+                                    phi_3130_ = -(_e1812[0]);
                                 } else {
-                                    phi_3091_ = _e1785[0];
+                                    phi_3130_ = _e1812[0];
                                 }
-                                let _e1790 = phi_3091_;
-                                if (_e1785[1] < 0.0lf) {
-                                    phi_3098_ = -(_e1785[1]);
+                                let _e1817 = phi_3130_;
+                                if (_e1812[1] < 0.0lf) {
+                                    phi_3137_ = -(_e1812[1]);
                                 } else {
-                                    phi_3098_ = _e1785[1];
+                                    phi_3137_ = _e1812[1];
                                 }
-                                let _e1795 = phi_3098_;
-                                if (_e1790 > _e1795) {
-                                    phi_3103_ = _e1790;
+                                let _e1822 = phi_3137_;
+                                if (_e1817 > _e1822) {
+                                    phi_3142_ = _e1817;
                                 } else {
-                                    phi_3103_ = _e1795;
+                                    phi_3142_ = _e1822;
                                 }
-                                let _e1798 = phi_3103_;
-                                if (_e1785[2] < 0.0lf) {
-                                    phi_3110_ = -(_e1785[2]);
+                                let _e1825 = phi_3142_;
+                                if (_e1812[2] < 0.0lf) {
+                                    phi_3149_ = -(_e1812[2]);
                                 } else {
-                                    phi_3110_ = _e1785[2];
+                                    phi_3149_ = _e1812[2];
                                 }
-                                let _e1803 = phi_3110_;
-                                if (_e1798 > _e1803) {
-                                    phi_3115_ = _e1798;
+                                let _e1830 = phi_3149_;
+                                if (_e1825 > _e1830) {
+                                    phi_3154_ = _e1825;
                                 } else {
-                                    phi_3115_ = _e1803;
+                                    phi_3154_ = _e1830;
                                 }
-                                let _e1806 = phi_3115_;
-                                if (_e1806 > _e1745) {
-                                    if (_e1785[0] < 0.0lf) {
-                                        phi_3126_ = -(_e1785[0]);
+                                let _e1833 = phi_3154_;
+                                if (_e1833 > _e1772) {
+                                    if (_e1812[0] < 0.0lf) {
+                                        phi_3165_ = -(_e1812[0]);
                                     } else {
-                                        phi_3126_ = _e1785[0];
+                                        phi_3165_ = _e1812[0];
                                     }
-                                    let _e1813 = phi_3126_;
-                                    if (_e1785[1] < 0.0lf) {
-                                        phi_3133_ = -(_e1785[1]);
+                                    let _e1840 = phi_3165_;
+                                    if (_e1812[1] < 0.0lf) {
+                                        phi_3172_ = -(_e1812[1]);
                                     } else {
-                                        phi_3133_ = _e1785[1];
+                                        phi_3172_ = _e1812[1];
                                     }
-                                    let _e1818 = phi_3133_;
-                                    if (_e1785[2] < 0.0lf) {
-                                        phi_3140_ = -(_e1785[2]);
+                                    let _e1845 = phi_3172_;
+                                    if (_e1812[2] < 0.0lf) {
+                                        phi_3179_ = -(_e1812[2]);
                                     } else {
-                                        phi_3140_ = _e1785[2];
+                                        phi_3179_ = _e1812[2];
                                     }
-                                    let _e1823 = phi_3140_;
-                                    if (_e1813 <= _e1818) {
-                                        if (_e1813 <= _e1823) {
-                                            phi_3150_ = array<f64, 3>(_e1746, _e1745, _e1745);
-                                            phi_3151_ = false;
+                                    let _e1850 = phi_3179_;
+                                    if (_e1840 <= _e1845) {
+                                        if (_e1840 <= _e1850) {
+                                            phi_3189_ = array<f64, 3>(_e1773, _e1772, _e1772);
+                                            phi_3190_ = false;
                                         } else {
-                                            phi_3150_ = array<f64, 3>();
-                                            phi_3151_ = true;
+                                            phi_3189_ = array<f64, 3>();
+                                            phi_3190_ = true;
                                         }
-                                        let _e1828 = phi_3150_;
-                                        let _e1830 = phi_3151_;
-                                        phi_3152_ = _e1828;
-                                        phi_3153_ = _e1830;
+                                        let _e1855 = phi_3189_;
+                                        let _e1857 = phi_3190_;
+                                        phi_3191_ = _e1855;
+                                        phi_3192_ = _e1857;
                                     } else {
-                                        phi_3152_ = array<f64, 3>();
-                                        phi_3153_ = true;
+                                        phi_3191_ = array<f64, 3>();
+                                        phi_3192_ = true;
                                     }
-                                    let _e1832 = phi_3152_;
-                                    let _e1834 = phi_3153_;
-                                    if _e1834 {
-                                        if (_e1818 <= _e1823) {
-                                            phi_3163_ = array<f64, 3>(_e1745, _e1746, _e1745);
+                                    let _e1859 = phi_3191_;
+                                    let _e1861 = phi_3192_;
+                                    if _e1861 {
+                                        if (_e1845 <= _e1850) {
+                                            phi_3202_ = array<f64, 3>(_e1772, _e1773, _e1772);
                                         } else {
-                                            phi_3163_ = array<f64, 3>(_e1745, _e1745, _e1746);
+                                            phi_3202_ = array<f64, 3>(_e1772, _e1772, _e1773);
                                         }
-                                        let _e1839 = phi_3163_;
-                                        phi_3164_ = _e1839;
+                                        let _e1866 = phi_3202_;
+                                        phi_3203_ = _e1866;
                                     } else {
-                                        phi_3164_ = _e1832;
+                                        phi_3203_ = _e1859;
                                     }
-                                    let _e1841 = phi_3164_;
-                                    if (_e1785[0] < 0.0lf) {
-                                        phi_3171_ = -(_e1785[0]);
+                                    let _e1868 = phi_3203_;
+                                    if (_e1812[0] < 0.0lf) {
+                                        phi_3210_ = -(_e1812[0]);
                                     } else {
-                                        phi_3171_ = _e1785[0];
+                                        phi_3210_ = _e1812[0];
                                     }
-                                    let _e1846 = phi_3171_;
-                                    if (_e1785[1] < 0.0lf) {
-                                        phi_3178_ = -(_e1785[1]);
+                                    let _e1873 = phi_3210_;
+                                    if (_e1812[1] < 0.0lf) {
+                                        phi_3217_ = -(_e1812[1]);
                                     } else {
-                                        phi_3178_ = _e1785[1];
+                                        phi_3217_ = _e1812[1];
                                     }
-                                    let _e1851 = phi_3178_;
-                                    if (_e1846 > _e1851) {
-                                        phi_3183_ = _e1846;
+                                    let _e1878 = phi_3217_;
+                                    if (_e1873 > _e1878) {
+                                        phi_3222_ = _e1873;
                                     } else {
-                                        phi_3183_ = _e1851;
+                                        phi_3222_ = _e1878;
                                     }
-                                    let _e1854 = phi_3183_;
-                                    if (_e1785[2] < 0.0lf) {
-                                        phi_3190_ = -(_e1785[2]);
+                                    let _e1881 = phi_3222_;
+                                    if (_e1812[2] < 0.0lf) {
+                                        phi_3229_ = -(_e1812[2]);
                                     } else {
-                                        phi_3190_ = _e1785[2];
+                                        phi_3229_ = _e1812[2];
                                     }
-                                    let _e1859 = phi_3190_;
-                                    if (_e1854 > _e1859) {
-                                        phi_3195_ = _e1854;
+                                    let _e1886 = phi_3229_;
+                                    if (_e1881 > _e1886) {
+                                        phi_3234_ = _e1881;
                                     } else {
-                                        phi_3195_ = _e1859;
+                                        phi_3234_ = _e1886;
                                     }
-                                    let _e1862 = phi_3195_;
-                                    let _e1863 = function_9(_e1862);
-                                    let _e1865 = (_e1785[0] * _e1863);
-                                    let _e1867 = (_e1785[1] * _e1863);
-                                    let _e1869 = (_e1785[2] * _e1863);
-                                    let _e1875 = (((_e1865 * _e1865) + (_e1867 * _e1867)) + (_e1869 * _e1869));
-                                    if (_e1875 <= 2.2250738585072014e-308lf) {
-                                        if (_e1875 > 0.0lf) {
-                                            phi_3222_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e1889 = phi_3234_;
+                                    let _e1890 = function_9(_e1889);
+                                    let _e1892 = (_e1812[0] * _e1890);
+                                    let _e1894 = (_e1812[1] * _e1890);
+                                    let _e1896 = (_e1812[2] * _e1890);
+                                    let _e1902 = (((_e1892 * _e1892) + (_e1894 * _e1894)) + (_e1896 * _e1896));
+                                    if (_e1902 <= 2.2250738585072014e-308lf) {
+                                        if (_e1902 > 0.0lf) {
+                                            phi_3261_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_3222_ = 0.0lf;
+                                            phi_3261_ = 0.0lf;
                                         }
-                                        let _e1927 = phi_3222_;
-                                        phi_3286_ = _e1927;
+                                        let _e1954 = phi_3261_;
+                                        phi_3325_ = _e1954;
                                     } else {
-                                        phi_3229_ = type_16(0i, 5i);
-                                        phi_3232_ = bitcast<f64>(((bitcast<u64>(_e1875) / 2lu) + 2303426169912950784lu));
+                                        phi_3268_ = type_16(0i, 5i);
+                                        phi_3271_ = bitcast<f64>(((bitcast<u64>(_e1902) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e1882 = phi_3229_;
-                                            let _e1884 = phi_3232_;
-                                            local_8 = _e1884;
-                                            if (_e1882.member < _e1882.member_1) {
-                                                let _e1891 = (_e1882.member + 1i);
-                                                if ((false == (_e1891 > _e1882.member)) != false) {
-                                                    phi_3253_ = true;
+                                            let _e1909 = phi_3268_;
+                                            let _e1911 = phi_3271_;
+                                            local_8 = _e1911;
+                                            if (_e1909.member < _e1909.member_1) {
+                                                let _e1918 = (_e1909.member + 1i);
+                                                if ((false == (_e1918 > _e1909.member)) != false) {
+                                                    phi_3292_ = true;
                                                 } else {
-                                                    phi_3253_ = false;
+                                                    phi_3292_ = false;
                                                 }
-                                                let _e1896 = phi_3253_;
-                                                if _e1896 {
-                                                    phi_3259_ = type_17(0u, type_17().member_1);
+                                                let _e1923 = phi_3292_;
+                                                if _e1923 {
+                                                    phi_3298_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_3259_ = type_17(1u, _e1891);
+                                                    phi_3298_ = type_17(1u, _e1918);
                                                 }
-                                                let _e1901 = phi_3259_;
-                                                phi_3230_ = type_16(_e1901.member_1, _e1882.member_1);
-                                                phi_3273_ = type_17(1u, _e1882.member);
+                                                let _e1928 = phi_3298_;
+                                                phi_3269_ = type_16(_e1928.member_1, _e1909.member_1);
+                                                phi_3312_ = type_17(1u, _e1909.member);
                                             } else {
-                                                phi_3230_ = _e1882;
-                                                phi_3273_ = type_17(0u, type_17().member_1);
+                                                phi_3269_ = _e1909;
+                                                phi_3312_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e1907 = phi_3230_;
-                                            let _e1909 = phi_3273_;
-                                            let _e1912 = (bitcast<i32>(_e1909.member) != 0i);
-                                            if _e1912 {
-                                                phi_3233_ = (0.5lf * (_e1884 + (_e1875 / _e1884)));
+                                            let _e1934 = phi_3269_;
+                                            let _e1936 = phi_3312_;
+                                            let _e1939 = (bitcast<i32>(_e1936.member) != 0i);
+                                            if _e1939 {
+                                                phi_3272_ = (0.5lf * (_e1911 + (_e1902 / _e1911)));
                                             } else {
-                                                phi_3233_ = f64();
+                                                phi_3272_ = f64();
                                             }
-                                            let _e1917 = phi_3233_;
+                                            let _e1944 = phi_3272_;
                                             continue;
                                             continuing {
-                                                phi_3229_ = _e1907;
-                                                phi_3232_ = _e1917;
-                                                break if !(_e1912);
+                                                phi_3268_ = _e1934;
+                                                phi_3271_ = _e1944;
+                                                break if !(_e1939);
                                             }
                                         }
-                                        let _e1922 = local_8;
-                                        phi_3286_ = (_e1922 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e1949 = local_8;
+                                        phi_3325_ = (_e1949 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e1929 = phi_3286_;
-                                    let _e1930 = (f64(1f) / _e1929);
-                                    let _e1931 = (_e1865 * _e1930);
-                                    let _e1932 = (_e1867 * _e1930);
-                                    let _e1933 = (_e1869 * _e1930);
-                                    let _e1942 = ((f64(3f) - (((_e1931 * _e1931) + (_e1932 * _e1932)) + (_e1933 * _e1933))) * f64(0.5f));
-                                    let _e1943 = (_e1931 * _e1942);
-                                    let _e1944 = (_e1932 * _e1942);
-                                    let _e1945 = (_e1933 * _e1942);
-                                    let _e1950 = ((_e1944 * _e1841[2]) - (_e1945 * _e1841[1]));
-                                    let _e1955 = ((_e1945 * _e1841[0]) - (_e1943 * _e1841[2]));
-                                    let _e1960 = ((_e1943 * _e1841[1]) - (_e1944 * _e1841[0]));
-                                    if (_e1950 < 0.0lf) {
-                                        phi_3323_ = -(_e1950);
+                                    let _e1956 = phi_3325_;
+                                    let _e1957 = (f64(1f) / _e1956);
+                                    let _e1958 = (_e1892 * _e1957);
+                                    let _e1959 = (_e1894 * _e1957);
+                                    let _e1960 = (_e1896 * _e1957);
+                                    let _e1969 = ((f64(3f) - (((_e1958 * _e1958) + (_e1959 * _e1959)) + (_e1960 * _e1960))) * f64(0.5f));
+                                    let _e1970 = (_e1958 * _e1969);
+                                    let _e1971 = (_e1959 * _e1969);
+                                    let _e1972 = (_e1960 * _e1969);
+                                    let _e1977 = ((_e1971 * _e1868[2]) - (_e1972 * _e1868[1]));
+                                    let _e1982 = ((_e1972 * _e1868[0]) - (_e1970 * _e1868[2]));
+                                    let _e1987 = ((_e1970 * _e1868[1]) - (_e1971 * _e1868[0]));
+                                    if (_e1977 < 0.0lf) {
+                                        phi_3362_ = -(_e1977);
                                     } else {
-                                        phi_3323_ = _e1950;
+                                        phi_3362_ = _e1977;
                                     }
-                                    let _e1964 = phi_3323_;
-                                    if (_e1955 < 0.0lf) {
-                                        phi_3329_ = -(_e1955);
+                                    let _e1991 = phi_3362_;
+                                    if (_e1982 < 0.0lf) {
+                                        phi_3368_ = -(_e1982);
                                     } else {
-                                        phi_3329_ = _e1955;
+                                        phi_3368_ = _e1982;
                                     }
-                                    let _e1968 = phi_3329_;
-                                    if (_e1964 > _e1968) {
-                                        phi_3334_ = _e1964;
+                                    let _e1995 = phi_3368_;
+                                    if (_e1991 > _e1995) {
+                                        phi_3373_ = _e1991;
                                     } else {
-                                        phi_3334_ = _e1968;
+                                        phi_3373_ = _e1995;
                                     }
-                                    let _e1971 = phi_3334_;
-                                    if (_e1960 < 0.0lf) {
-                                        phi_3340_ = -(_e1960);
+                                    let _e1998 = phi_3373_;
+                                    if (_e1987 < 0.0lf) {
+                                        phi_3379_ = -(_e1987);
                                     } else {
-                                        phi_3340_ = _e1960;
+                                        phi_3379_ = _e1987;
                                     }
-                                    let _e1975 = phi_3340_;
-                                    if (_e1971 > _e1975) {
-                                        phi_3345_ = _e1971;
+                                    let _e2002 = phi_3379_;
+                                    if (_e1998 > _e2002) {
+                                        phi_3384_ = _e1998;
                                     } else {
-                                        phi_3345_ = _e1975;
+                                        phi_3384_ = _e2002;
                                     }
-                                    let _e1978 = phi_3345_;
-                                    let _e1979 = function_9(_e1978);
-                                    let _e1980 = (_e1950 * _e1979);
-                                    let _e1981 = (_e1955 * _e1979);
-                                    let _e1982 = (_e1960 * _e1979);
-                                    let _e1988 = (((_e1980 * _e1980) + (_e1981 * _e1981)) + (_e1982 * _e1982));
-                                    if (_e1988 <= 2.2250738585072014e-308lf) {
-                                        if (_e1988 > 0.0lf) {
-                                            phi_3369_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e2005 = phi_3384_;
+                                    let _e2006 = function_9(_e2005);
+                                    let _e2007 = (_e1977 * _e2006);
+                                    let _e2008 = (_e1982 * _e2006);
+                                    let _e2009 = (_e1987 * _e2006);
+                                    let _e2015 = (((_e2007 * _e2007) + (_e2008 * _e2008)) + (_e2009 * _e2009));
+                                    if (_e2015 <= 2.2250738585072014e-308lf) {
+                                        if (_e2015 > 0.0lf) {
+                                            phi_3408_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_3369_ = 0.0lf;
+                                            phi_3408_ = 0.0lf;
                                         }
-                                        let _e2040 = phi_3369_;
-                                        phi_3433_ = _e2040;
+                                        let _e2067 = phi_3408_;
+                                        phi_3472_ = _e2067;
                                     } else {
-                                        phi_3376_ = type_16(0i, 5i);
-                                        phi_3379_ = bitcast<f64>(((bitcast<u64>(_e1988) / 2lu) + 2303426169912950784lu));
+                                        phi_3415_ = type_16(0i, 5i);
+                                        phi_3418_ = bitcast<f64>(((bitcast<u64>(_e2015) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e1995 = phi_3376_;
-                                            let _e1997 = phi_3379_;
-                                            local_9 = _e1997;
-                                            if (_e1995.member < _e1995.member_1) {
-                                                let _e2004 = (_e1995.member + 1i);
-                                                if ((false == (_e2004 > _e1995.member)) != false) {
-                                                    phi_3400_ = true;
+                                            let _e2022 = phi_3415_;
+                                            let _e2024 = phi_3418_;
+                                            local_9 = _e2024;
+                                            if (_e2022.member < _e2022.member_1) {
+                                                let _e2031 = (_e2022.member + 1i);
+                                                if ((false == (_e2031 > _e2022.member)) != false) {
+                                                    phi_3439_ = true;
                                                 } else {
-                                                    phi_3400_ = false;
+                                                    phi_3439_ = false;
                                                 }
-                                                let _e2009 = phi_3400_;
-                                                if _e2009 {
-                                                    phi_3406_ = type_17(0u, type_17().member_1);
+                                                let _e2036 = phi_3439_;
+                                                if _e2036 {
+                                                    phi_3445_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_3406_ = type_17(1u, _e2004);
+                                                    phi_3445_ = type_17(1u, _e2031);
                                                 }
-                                                let _e2014 = phi_3406_;
-                                                phi_3377_ = type_16(_e2014.member_1, _e1995.member_1);
-                                                phi_3420_ = type_17(1u, _e1995.member);
+                                                let _e2041 = phi_3445_;
+                                                phi_3416_ = type_16(_e2041.member_1, _e2022.member_1);
+                                                phi_3459_ = type_17(1u, _e2022.member);
                                             } else {
-                                                phi_3377_ = _e1995;
-                                                phi_3420_ = type_17(0u, type_17().member_1);
+                                                phi_3416_ = _e2022;
+                                                phi_3459_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e2020 = phi_3377_;
-                                            let _e2022 = phi_3420_;
-                                            let _e2025 = (bitcast<i32>(_e2022.member) != 0i);
-                                            if _e2025 {
-                                                phi_3380_ = (0.5lf * (_e1997 + (_e1988 / _e1997)));
+                                            let _e2047 = phi_3416_;
+                                            let _e2049 = phi_3459_;
+                                            let _e2052 = (bitcast<i32>(_e2049.member) != 0i);
+                                            if _e2052 {
+                                                phi_3419_ = (0.5lf * (_e2024 + (_e2015 / _e2024)));
                                             } else {
-                                                phi_3380_ = f64();
+                                                phi_3419_ = f64();
                                             }
-                                            let _e2030 = phi_3380_;
+                                            let _e2057 = phi_3419_;
                                             continue;
                                             continuing {
-                                                phi_3376_ = _e2020;
-                                                phi_3379_ = _e2030;
-                                                break if !(_e2025);
+                                                phi_3415_ = _e2047;
+                                                phi_3418_ = _e2057;
+                                                break if !(_e2052);
                                             }
                                         }
-                                        let _e2035 = local_9;
-                                        phi_3433_ = (_e2035 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e2062 = local_9;
+                                        phi_3472_ = (_e2062 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e2042 = phi_3433_;
-                                    let _e2043 = (f64(1f) / _e2042);
-                                    let _e2044 = (_e1980 * _e2043);
-                                    let _e2045 = (_e1981 * _e2043);
-                                    let _e2046 = (_e1982 * _e2043);
-                                    let _e2055 = ((f64(3f) - (((_e2044 * _e2044) + (_e2045 * _e2045)) + (_e2046 * _e2046))) * f64(0.5f));
-                                    phi_3452_ = array<f64, 3>((_e2044 * _e2055), (_e2045 * _e2055), (_e2046 * _e2055));
+                                    let _e2069 = phi_3472_;
+                                    let _e2070 = (f64(1f) / _e2069);
+                                    let _e2071 = (_e2007 * _e2070);
+                                    let _e2072 = (_e2008 * _e2070);
+                                    let _e2073 = (_e2009 * _e2070);
+                                    let _e2082 = ((f64(3f) - (((_e2071 * _e2071) + (_e2072 * _e2072)) + (_e2073 * _e2073))) * f64(0.5f));
+                                    phi_3491_ = array<f64, 3>((_e2071 * _e2082), (_e2072 * _e2082), (_e2073 * _e2082));
                                 } else {
-                                    phi_3452_ = array<f64, 3>(_e1746, _e1745, _e1745);
+                                    phi_3491_ = array<f64, 3>(_e1773, _e1772, _e1772);
                                 }
-                                let _e2061 = phi_3452_;
-                                phi_3453_ = _e2061;
+                                let _e2088 = phi_3491_;
+                                phi_3492_ = _e2088;
                             }
-                            let _e2162 = phi_3453_;
-                            phi_3454_ = _e2162;
-                            phi_3455_ = false;
+                            let _e2189 = phi_3492_;
+                            if ((((_e995 * _e2189[0]) + (_e996 * _e2189[1])) + (_e997 * _e2189[2])) > _e1205) {
+                                let _e2199 = -(_e1000);
+                                phi_3513_ = array<f64, 3>((_e2189[0] * _e2199), (_e2189[1] * _e2199), (_e2189[2] * _e2199));
+                            } else {
+                                phi_3513_ = _e2189;
+                            }
+                            let _e2208 = phi_3513_;
+                            phi_3514_ = _e2208;
+                            phi_3515_ = false;
                         } else {
-                            phi_3454_ = array<f64, 3>();
-                            phi_3455_ = true;
+                            phi_3514_ = array<f64, 3>();
+                            phi_3515_ = true;
                         }
-                        let _e2164 = phi_3454_;
-                        let _e2166 = phi_3455_;
-                        phi_3456_ = _e2164;
-                        phi_3457_ = _e1730;
-                        phi_3458_ = _e2166;
+                        let _e2210 = phi_3514_;
+                        let _e2212 = phi_3515_;
+                        phi_3516_ = _e2210;
+                        phi_3517_ = _e1757;
+                        phi_3518_ = _e2212;
                     } else {
-                        phi_3456_ = array<f64, 3>();
-                        phi_3457_ = _e1349;
-                        phi_3458_ = true;
+                        phi_3516_ = array<f64, 3>();
+                        phi_3517_ = _e1349;
+                        phi_3518_ = true;
                     }
-                    let _e2168 = phi_3456_;
-                    let _e2170 = phi_3457_;
-                    let _e2172 = phi_3458_;
-                    phi_3462_ = _e2170;
-                    phi_3463_ = _e2168;
-                    phi_3464_ = _e2172;
+                    let _e2214 = phi_3516_;
+                    let _e2216 = phi_3517_;
+                    let _e2218 = phi_3518_;
+                    phi_3522_ = _e2216;
+                    phi_3523_ = _e2214;
+                    phi_3524_ = _e2218;
                 }
-                let _e2421 = phi_3462_;
-                let _e2423 = phi_3463_;
-                let _e2425 = phi_3464_;
-                if _e2425 {
-                    phi_3468_ = _e2421;
+                let _e2467 = phi_3522_;
+                let _e2469 = phi_3523_;
+                let _e2471 = phi_3524_;
+                if _e2471 {
+                    phi_3528_ = _e2467;
                 } else {
-                    phi_3468_ = _e2423;
+                    phi_3528_ = _e2469;
                 }
-                let _e2427 = phi_3468_;
-                if ((((_e2427[0] * _e2427[0]) + (_e2427[1] * _e2427[1])) + (_e2427[2] * _e2427[2])) > f64(0.5f)) {
-                    phi_3488_ = _e2427;
+                let _e2473 = phi_3528_;
+                if ((((_e2473[0] * _e2473[0]) + (_e2473[1] * _e2473[1])) + (_e2473[2] * _e2473[2])) > f64(0.5f)) {
+                    phi_3548_ = _e2473;
                 } else {
-                    phi_3488_ = array<f64, 3>(_e337, f64(0f), f64(0f));
+                    phi_3548_ = array<f64, 3>(_e337, f64(0f), f64(0f));
                 }
-                let _e2445 = phi_3488_;
-                let _e2448 = function_10(_e343[0], _e344[0], _e338);
-                let _e2451 = function_10(_e343[1], _e344[1], _e338);
-                let _e2454 = function_10(_e343[2], _e344[2], _e338);
-                let _e2457 = function_10(_e343[3], _e344[3], _e338);
+                let _e2491 = phi_3548_;
+                let _e2494 = function_10(_e343[0], _e344[0], _e338);
+                let _e2497 = function_10(_e343[1], _e344[1], _e338);
+                let _e2500 = function_10(_e343[2], _e344[2], _e338);
+                let _e2503 = function_10(_e343[3], _e344[3], _e338);
                 if (_e176.member != 0u) {
-                    let _e2495 = function_10(_e2448, _e2451, _e898.member);
-                    let _e2496 = function_10(_e2454, _e2457, _e898.member_1);
-                    phi_3545_ = _e2496;
-                    phi_3546_ = _e2495;
-                    phi_3547_ = array<f64, 4>((_e337 - _e898.member), _e898.member, (_e337 - _e898.member_1), _e898.member_1);
+                    let _e2541 = function_10(_e2494, _e2497, _e898.member);
+                    let _e2542 = function_10(_e2500, _e2503, _e898.member_1);
+                    phi_3605_ = _e2542;
+                    phi_3606_ = _e2541;
+                    phi_3607_ = array<f64, 4>((_e337 - _e898.member), _e898.member, (_e337 - _e898.member_1), _e898.member_1);
                 } else {
-                    let _e2460 = ((_e337 - _e898.member) - _e898.member_1);
-                    let _e2461 = f64(0f);
-                    if (_e2460 > _e2461) {
-                        phi_3517_ = _e2460;
+                    let _e2506 = ((_e337 - _e898.member) - _e898.member_1);
+                    let _e2507 = f64(0f);
+                    if (_e2506 > _e2507) {
+                        phi_3577_ = _e2506;
                     } else {
-                        phi_3517_ = _e2461;
+                        phi_3577_ = _e2507;
                     }
-                    let _e2464 = phi_3517_;
-                    let _e2491 = function_1(array<f64, 4>(_e337, _e2464, _e898.member, _e898.member_1), _e342);
-                    phi_3545_ = array<f64, 3>((((_e2451[0] * _e2464) + (_e2454[0] * _e898.member)) + (_e2457[0] * _e898.member_1)), (((_e2451[1] * _e2464) + (_e2454[1] * _e898.member)) + (_e2457[1] * _e898.member_1)), (((_e2451[2] * _e2464) + (_e2454[2] * _e898.member)) + (_e2457[2] * _e898.member_1)));
-                    phi_3546_ = _e2448;
-                    phi_3547_ = _e2491;
+                    let _e2510 = phi_3577_;
+                    let _e2537 = function_1(array<f64, 4>(_e337, _e2510, _e898.member, _e898.member_1), _e342);
+                    phi_3605_ = array<f64, 3>((((_e2497[0] * _e2510) + (_e2500[0] * _e898.member)) + (_e2503[0] * _e898.member_1)), (((_e2497[1] * _e2510) + (_e2500[1] * _e898.member)) + (_e2503[1] * _e898.member_1)), (((_e2497[2] * _e2510) + (_e2500[2] * _e898.member)) + (_e2503[2] * _e898.member_1)));
+                    phi_3606_ = _e2494;
+                    phi_3607_ = _e2537;
                 }
-                let _e2498 = phi_3545_;
-                let _e2500 = phi_3546_;
-                let _e2502 = phi_3547_;
-                let _e2504 = function_10(_e2500, _e2498, f64(0.5f));
-                let _e2506 = function_(_e2504);
-                let _e2508 = function_(_e2445);
-                geometry.member[_e137] = type_31(_e2506, f32((_e963 / _e586)), _e2508, _e144, array<f32, 4>(f32(_e2502[0]), f32(_e2502[1]), f32(_e2502[2]), f32(_e2502[3])), _e176.member_1);
+                let _e2544 = phi_3605_;
+                let _e2546 = phi_3606_;
+                let _e2548 = phi_3607_;
+                let _e2550 = function_10(_e2546, _e2544, f64(0.5f));
+                let _e2552 = function_(_e2550);
+                let _e2554 = function_(_e2491);
+                geometry.member[_e137] = type_31(_e2552, f32((_e963 / _e586)), _e2554, _e144, array<f32, 4>(f32(_e2548[0]), f32(_e2548[1]), f32(_e2548[2]), f32(_e2548[3])), _e176.member_1);
             }
         }
         continue;

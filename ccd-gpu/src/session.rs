@@ -161,8 +161,8 @@ impl Engine {
         Ok(())
     }
 
-    #[doc(hidden)]
     /// The report, for an engine over this one.
+    #[doc(hidden)]
     pub fn report_mut(&mut self) -> &mut Report {
         &mut self.state.report
     }

@@ -98,7 +98,10 @@ fn is_single(array: &Bound<'_, PyUntypedArray>) -> bool {
 
 /// As NumPy sees it: an array as it is, one of another library by DLPack and without a copy, a list
 /// as a new one.
-fn as_array<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
+pub fn as_array<'py>(
+    name: &str,
+    given: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyUntypedArray>> {
     if let Ok(array) = given.cast::<PyUntypedArray>() {
         return Ok(array.clone());
     }

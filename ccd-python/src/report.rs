@@ -121,8 +121,8 @@ impl Report {
         contacts.geometry(py, &self.mesh.get().inner, [x0, x1])
     }
 
-    /// All columns but `vertices` in one new structured array, with the fields kind, a, b, toi,
-    /// state.
+    /// One new structured array with the fields kind, a, b, toi, state: all columns but `vertices`
+    /// and `approach`.
     #[getter]
     fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let fields =

@@ -354,6 +354,12 @@ impl Session {
         self.shared.ask(py, |session| session.place().to_string())
     }
 
+    /// Where the last step ran: `place`, or the CPU for one on a GPU in which little moved.
+    #[getter]
+    fn last_place(&self, py: Python<'_>) -> PyResult<String> {
+        self.shared.ask(py, |session| session.last_place().to_string())
+    }
+
     fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
         self.shared.traverse(&visit)
     }

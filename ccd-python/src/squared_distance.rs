@@ -1,6 +1,6 @@
 //! Squared distances with derivatives, of one pair of features or of many.
 
-use crate::arrays::{Floats, flat_ids, numbers};
+use crate::arrays::{Floats, as_array, flat_ids, numbers};
 use crate::errors::{input, of_one, refused};
 use crate::queries::points;
 use ccd::squared_distance::{EdgeEdgeType, SquaredDistance, VertexFaceType};
@@ -138,6 +138,7 @@ impl Pairs {
 /// Types that the caller gives, one for each pair.
 fn given_types(kind: u8, given: &Bound<'_, PyAny>, shape: &[usize]) -> PyResult<Vec<u8>> {
     let numpy = given.py().import("numpy")?;
+    let given = as_array("types", given)?;
     let all = numpy.call_method1("broadcast_to", (given, shape.to_vec()))?;
     let n = [VertexFaceType::ALL.len(), EdgeEdgeType::ALL.len()][kind as usize];
     let number = |of_pair: u32| match u8::try_from(of_pair) {

@@ -4,13 +4,16 @@ import errno
 import multiprocessing
 import os
 import signal
+import socket
 import sys
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 
 import numpy as np
 import pytest
 from crowds import N_STEPS, OPTIONS, Deadly, animation, check, write_frames
 
-from meshccd import Bodies, Mesh, Options, Session, _workers, read_mesh
+from meshccd import Bodies, Mesh, Options, Session, _shards, _workers, read_mesh
 from meshccd._shards import alone
 from meshccd.distributed import FrameError, RunError, ShardError, digest, map_frames
 
@@ -120,18 +123,55 @@ def test_a_frame_that_cannot_be_read_costs_its_shards_alone(tmp_path):
     assert issubclass(FrameError, ValueError) and issubclass(ShardError, RuntimeError)
 
 
-@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="there is no SIGKILL")
-def test_a_worker_that_dies_is_told(tmp_path, monkeypatch):
+needs_kill = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="there is no SIGKILL")
+
+
+@needs_kill
+def test_a_worker_that_dies_costs_its_shard_alone(tmp_path, monkeypatch):
+    """Both workers die, each with one of the two shards that need frame 4."""
     mesh, frames = animation()
     how = {"options": OPTIONS, "steps_per_shard": 2, "n_workers": 2}
-    with monkeypatch.context() as patch:
-        patch.setattr("meshccd.distributed.frames_of", lambda frames: Deadly(frames, 9))
-        with pytest.raises(RunError, match="the worker died before it was written.* run again"):
-            map_frames(frames, mesh, tmp_path, **how)
     said = []
+    with monkeypatch.context() as patch:
+        patch.setattr("meshccd.distributed.frames_of", lambda frames: Deadly(frames, 4))
+        with pytest.raises(RunError, match="the worker died before it was written") as why:
+            map_frames(frames, mesh, tmp_path, progress=said.append, **how)
+    assert [of[:2] for of in why.value.failures] == [(2, 4), (4, 6)]
+    assert [of.n_done for of in said] == [1, 2, 3, 4, 5] and said[-1].n_failed == 2
     found = map_frames(frames, mesh, tmp_path, progress=said.append, **how)
     check(found, Session(mesh, OPTIONS).step_many(frames))
-    assert said[-1].n_failed == 0
+    assert (said[-1].n_kept, said[-1].n_failed) == (3, 0)
+
+
+def die(job, device):
+    (job.folder / f"begun-{os.getpid()}").touch()
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+@needs_kill
+def test_workers_that_cannot_begin_are_not_begun_again(tmp_path, monkeypatch):
+    mesh, frames = animation()
+    monkeypatch.setattr(_workers, "_begin", die)
+    with pytest.raises(RunError, match="10 of 10 shards are not written"):
+        map_frames(frames, mesh, tmp_path, options=OPTIONS, steps_per_shard=1, n_workers=2)
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_a_worker_that_dies_between_two_shards_costs_none(tmp_path, monkeypatch):
+    died = []
+
+    class Pool(ProcessPoolExecutor):
+        def submit(self, call, *args):
+            if call is _workers._run and len(died) < 2:
+                died.append(call)
+                raise BrokenProcessPool
+            return super().submit(call, *args)
+
+    mesh, frames = animation()
+    monkeypatch.setattr(_workers, "ProcessPoolExecutor", Pool)
+    how = {"options": OPTIONS, "steps_per_shard": 2, "n_workers": 2}
+    check(map_frames(frames, mesh, tmp_path, **how), Session(mesh, OPTIONS).step_many(frames))
+    assert len(died) == 2
 
 
 def hold(path, ready, done):
@@ -156,6 +196,39 @@ def test_two_runs_do_not_write_one_shard(tmp_path):
     other.join()
     assert len(map_frames(frames, mesh, tmp_path, n_workers=1)) == N_STEPS
     assert list(tmp_path.iterdir()) == [path]
+
+
+def no_locks(*_):
+    raise OSError(errno.ENOLCK, "there are no locks")
+
+
+@pytest.mark.parametrize("locks", ["", "none", "no module"])
+def test_a_file_that_may_be_unfinished_stays_without_locks(tmp_path, monkeypatch, locks):
+    """That of a process of this machine, which is dead if the lock is had."""
+    if sys.platform == "win32" or locks == "no module":
+        monkeypatch.setattr(_shards, "fcntl", None)
+    elif locks:
+        monkeypatch.setattr(_shards.fcntl, "flock", no_locks)
+    other = tmp_path / f".a.npz.{socket.gethostname()}.1"
+    other.touch()
+    with alone(tmp_path / "a.npz"):
+        assert other.exists() == (_shards.fcntl is None or locks == "none")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no locks")
+def test_a_lock_that_was_removed_is_made_again(tmp_path, monkeypatch):
+    """By a run that ends between opening it and locking it."""
+    path, flock = tmp_path / "a.npz", _shards.fcntl.flock
+
+    def late(*args):
+        monkeypatch.undo()
+        (tmp_path / ".a.npz.lock").unlink()
+        flock(*args)
+
+    monkeypatch.setattr(_shards.fcntl, "flock", late)
+    with alone(path), pytest.raises(ShardError, match="is being written by process"), alone(path):
+        pass
+    assert list(tmp_path.iterdir()) == []
 
 
 def no_links(*_):
@@ -263,3 +336,20 @@ def test_an_archive_and_its_array_are_the_same_frames(tmp_path):
     frames[4, 0, 0] = np.nan
     with pytest.raises(RunError, match="frame 4 has a coordinate that is not finite"):
         map_frames(frames, mesh, tmp_path / "b", **how)
+
+
+def test_a_file_that_is_no_animation_is_named(tmp_path):
+    mesh, frames = animation()
+    with (tmp_path / "z.npy").open("wb") as file:
+        np.savez(file, frames)
+    (tmp_path / "e.npy").touch()
+    np.save(tmp_path / "one.npy", frames[0])
+    np.save(tmp_path / "none.npy", 3.0)
+    for name, words in (
+        ("z", "the magic string is not correct"),
+        ("e", "EOF: reading magic string"),
+        ("one", r"the shape is \(130, 3\), expected \(frames, n, 3\)"),
+        ("none", r"the shape is \(\)"),
+    ):
+        with pytest.raises(ValueError, match=rf"{name}\.npy: .*{words}"):
+            map_frames(tmp_path / f"{name}.npy", mesh, tmp_path / "out", n_workers=1)

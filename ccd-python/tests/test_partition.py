@@ -1,5 +1,6 @@
 """Parts of a scene against one process: the same contacts to the last bit, none twice."""
 
+import json
 import pickle
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 from crowds import crowd
 
 from meshccd import Bodies, Kind, Mesh, Options, Session
+from meshccd._local import Rules, whole_numbers
 from meshccd.partition import ELEMENT, merge, split
 
 
@@ -158,6 +160,21 @@ def test_bodies_keep_their_rules():
         assert 0 < len(want) < len(everything), rules
 
 
+def test_rules_that_are_read_once_follow_the_halo():
+    mesh, x0, x1 = crowd(60, 2)
+    components = Bodies.of_components(mesh).of_vertex
+    pairs = np.indices((mesh.n_vertices, len(mesh.faces))).reshape(2, -1).T
+    bodies = Bodies(components, excluded_vertex_face=pairs[::3], excluded_bodies=[[0, 1]])
+    rules, made = Rules(json.loads(bodies.to_json())), []
+    for local in locals_of(mesh, x0, x1, 3) + locals_of(mesh, x0, x0, 3):
+        made.append(rules.bodies(local))
+        assert made[-1] is rules.bodies(local) and made[-1] == local.bodies(bodies)
+        v, f = len(local.vertices) // 2, len(local.faces) // 2
+        excluded = bodies.excludes(Kind.VERTEX_FACE, local.vertices[v], local.faces[f])
+        assert made[-1].excludes(Kind.VERTEX_FACE, v, f) == excluded
+    assert all(one != other for one, other in zip(made, made[1:]))
+
+
 def test_exact_mode_is_the_same():
     mesh, x0, x1 = crowd(40, 6)
     assert len(check(mesh, x0, x1, 3, Options(mode="exact"))) > 50
@@ -202,12 +219,61 @@ def test_refusals_say_what_and_where():
         high.boxes(bad, yours)
     with pytest.raises(ValueError, match="min_distance is -1"):
         high.boxes(yours, yours, -1)
+    for at_most in (0, -3):
+        with pytest.raises(ValueError, match=f"at_most is {at_most}; it must be at least 1"):
+            high.boxes(yours, yours, at_most=at_most)
     sent = high.outgoing(yours, yours, [low.boxes(mine, mine), np.zeros((0, 2, 3))])
     assert [of.dtype for of in sent] == [ELEMENT] * 2 and [len(of) for of in sent] == [1, 0]
     assert low.local(mine, mine, sent).vertices.tolist() == [0, 1, 2, 3]
     sent[0]["x1"] += 1
     with pytest.raises(ValueError, match="vertex .* has two positions x1, in two parts"):
         low.local(mine, mine, sent)
+
+
+@pytest.mark.parametrize(
+    "dtype", ["i8", "u8", "i4", "?", "f2", "f4", ">f8", "g", "c16", "U4", "O", "m8[s]"]
+)
+def test_positions_are_those_that_a_session_takes(dtype):
+    mesh = Mesh([[0, 1, 2]])
+    (part,) = split(mesh, np.eye(3), 1)
+    x = np.random.default_rng(0).integers(5, size=(3, 3)).astype(dtype)
+    # Also integers around the first ones that float64 has not.
+    wide = [x + (1 << 53), x - 5 + (1 << 53), -x - (1 << 54)] if dtype in ("i8", "u8") else []
+    for given in (x, *wide):
+        calls = (lambda: part.boxes(given, given), lambda: split(mesh, given, 1))
+        try:
+            Session(mesh).step(given, given)
+        except ValueError as why:
+            for name, call in zip(("x0", "x"), calls):
+                with pytest.raises(ValueError) as other:
+                    call()
+                assert str(other.value) == str(why).replace("x0", name)
+        else:
+            for call in calls:
+                call()
+
+
+def test_errors_name_features_of_the_whole_mesh():
+    n = 20
+    mesh = Mesh(np.arange(3 * n).reshape(n, 3)[::-1], np.arange(3 * n, 5 * n).reshape(n, 2))
+    x = np.random.default_rng(0).random((5 * n, 3)) + np.arange(5 * n)[:, None] / 9
+    low, high = locals_of(mesh, x, x, 2)
+    session = Session(high.mesh)
+    at = len(high.vertices) - 1
+    high.x1[at, 1] = 2e100
+    with pytest.raises(ValueError, match=f"^vertex {high.vertices[at]} of x1 has y = 2000"):
+        high.earliest_toi(session)
+    with pytest.raises(ValueError, match="^x0 has .* vertices, the mesh has 100") as why:
+        low.earliest_toi(Session(mesh))
+    assert why.value.__cause__ is None
+    for local, element in ((high, "face"), (low, "face"), (high, "edge"), (low, "edge")):
+        ids = getattr(local, element + "s")
+        (of_element,) = np.flatnonzero(ids == ids.max())
+        bodies = np.zeros(len(local.vertices), int)
+        bodies[getattr(local.mesh, element + "s")[of_element][-1]] = 1
+        with pytest.raises(ValueError, match=f"^{element} {ids.max()} joins vertices of bodies 0"):
+            with whole_numbers(local):
+                Session(local.mesh, bodies=bodies)
 
 
 def test_a_real_scene_in_four_parts(cloth_ball):

@@ -68,6 +68,7 @@ impl Engine {
         match *self {}
     }
 
+    #[doc(hidden)]
     pub fn report_mut(&mut self) -> &mut Report {
         match *self {}
     }

@@ -32,7 +32,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 /// Cases that failed once.
-const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/attack_cases");
+const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/attack_cases");
 /// Consecutive cases on one device: an emulated one compiles for half a minute.
 const IN_A_ROW: u64 = 16;
 const KINDS: [Kind; 4] = [

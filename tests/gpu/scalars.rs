@@ -236,7 +236,7 @@ pub fn check_decorations() {
 fn offsets(kernel: &str) -> Vec<Vec<u32>> {
     const MEMBER_DECORATE: u32 = 72;
     const OFFSET: u32 = 35;
-    let path = format!("{}/ccd-gpu/shaders/{kernel}.spv", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/../ccd-gpu/shaders/{kernel}.spv", env!("CARGO_MANIFEST_DIR"));
     let words: Vec<u32> = bytemuck::pod_collect_to_vec(&std::fs::read(&path).expect(&path));
     let mut offsets = std::collections::BTreeMap::<u32, Vec<u32>>::new();
     let mut at = 5;
@@ -252,7 +252,7 @@ fn offsets(kernel: &str) -> Vec<Vec<u32>> {
 
 /// The manifest of the shaders and the kernel table say the same.
 pub fn check_manifest() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/ccd-gpu/shaders/manifest.json");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../ccd-gpu/shaders/manifest.json");
     let manifest: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(path).expect(path)).expect(path);
     let kernels = manifest["kernels"].as_array().unwrap();

@@ -139,3 +139,45 @@ fn what_is_coplanar_has_weights_of_the_true_time() {
         assert_eq!((found.weights, found.distance), (want, 0.0), "{contact:?}");
     }
 }
+
+/// Sides that shrink to a point while they move, and edges in one plane that touch in a point of
+/// the middle of where they overlap by rounding.
+#[test]
+fn features_come_nearer_along_the_normal() {
+    type Pair = [[[f64; 3]; 4]; 2];
+    let shrinking: [(usize, Pair); 2] = [
+        (
+            0,
+            [
+                [[-1.0, 0.0, 0.0], [-1.0, 1.0, 0.0], [0.0; 3], [0.0, 1.0, 0.0]],
+                [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0; 3], [0.0, -2.0, 0.0]],
+            ],
+        ),
+        (
+            1,
+            [
+                [[1.0, -3.0, -1.0], [4.0, -3.0, 2.0], [6.0, 1.0, 6.0], [5.0, -1.0, 4.0]],
+                [[-1.0, -1.0, 0.0], [2.0, -1.0, 3.0], [-18.0, -41.0, -37.0], [-8.0, -21.0, -17.0]],
+            ],
+        ),
+    ];
+    let in_a_plane: (usize, Pair) = (
+        1,
+        [
+            [[0.2, 0.30000000000000004, 0.0], [-0.2, -0.1, 0.0], [-0.1, 0.0, 0.0], [0.0, 0.1, 0.0]],
+            [[0.0, 0.1, 0.0], [-0.2, 0.2, 0.0], [0.1, 0.0, 0.0], [-0.30000000000000004, 0.1, 0.0]],
+        ],
+    );
+    for (family, [t0, t1]) in shrinking.into_iter().chain([in_a_plane]) {
+        let mesh = mesh(family);
+        let mut session = Session::new(&mesh, Options::default().with_mode(Mode::Exact)).unwrap();
+        let contacts = session.step(&t0, &t1).unwrap().contacts.clone();
+        let [contact] = &contacts[..] else { panic!("{contacts:?}") };
+        let at = contact.geometry(&mesh, &t0, &t1);
+        let n_first = contact.kind.n_first();
+        let way = |i: usize, k: usize| at.weights[i] * (t1[i][k] - t0[i][k]) * at.normal[k];
+        let along = |i: usize| (0..3).map(|k| way(i, k)).sum::<f64>();
+        let speed: f64 = (0..4).map(|i| if i < n_first { along(i) } else { -along(i) }).sum();
+        assert!(speed < 0.0, "{contact:?}: {at:?}, {speed}");
+    }
+}

@@ -97,17 +97,24 @@ impl Contact {
     }
 }
 
-/// The same with weights and normal of a decided contact, from positions at its time.
+/// The same with weights and normal of a decided contact, from positions at its time and at both
+/// ends of the step.
 fn met(
     mut found: ContactGeometry,
     exact: &Meeting,
     n_first: usize,
-    x: &[[f64; 3]; 4],
+    [x, t0, t1]: [&[[f64; 3]; 4]; 3],
 ) -> ContactGeometry {
     let w = exact.weights;
     let sum = |of: core::ops::Range<usize>, k: usize| of.map(|i| w[i] * x[i][k]).sum();
     found.weights = w;
-    found.normal = exact.normal.unwrap_or(found.normal);
+    found.normal = exact.normal.unwrap_or_else(|| {
+        // It is against the velocity of other points of an overlap.
+        let of = |i: usize, k: usize| w[i] * (t1[i][k] - t0[i][k]);
+        let along = |i: usize| (0..3).map(|k| of(i, k) * found.normal[k]).sum::<f64>();
+        let speed: f64 = (0..4).map(|i| if i < n_first { along(i) } else { -along(i) }).sum();
+        if speed > 0.0 { found.normal.map(|c| -c) } else { found.normal }
+    });
     found.on_a = [0, 1, 2].map(|k| sum(0..n_first, k));
     found.on_b = [0, 1, 2].map(|k| sum(n_first..4, k));
     found.point = [0, 1, 2].map(|k| 0.5 * found.on_a[k] + 0.5 * found.on_b[k]);
@@ -129,7 +136,7 @@ pub(super) fn geometry(contact: &Contact, mesh: &Mesh, x: Ends) -> ContactGeomet
     {
         let t = contact.toi;
         let at = |i: usize| [0, 1, 2].map(|k| (1.0 - t) * t0[i][k] + t * t1[i][k]);
-        found = met(found, &exact, contact.kind.n_first(), &[0, 1, 2, 3].map(at));
+        found = met(found, &exact, contact.kind.n_first(), [&[0, 1, 2, 3].map(at), &t0, &t1]);
     }
     // A last vertex that is repeated has all of its weight in its first place.
     let weights = &mut found.weights;

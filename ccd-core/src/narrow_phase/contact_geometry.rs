@@ -21,7 +21,8 @@
 //!    parallel: against the part of the velocity that leaves the side on which they meet;
 //! 4. nothing moves: the normal of the face as its vertices go round, `(f1 - f0) x (f2 - f0)`, or
 //!    the product of the edges, `(ea1 - ea0) x (eb1 - eb0)`;
-//! 5. nothing but a line: some direction perpendicular to it; nothing but a point: the first axis.
+//! 5. nothing but a line: some direction perpendicular to it; nothing but a point: the first axis;
+//!    the opposite if the velocity goes that way by more than rounding.
 //!
 //! Nothing here is certified: a bound of rounding says only which rule applies. The normal has unit
 //! length and the weights lie in the patch whatever the input: weights are limited, and what is
@@ -254,12 +255,15 @@ impl<R: Real> Spread<R> {
             } else {
                 [zero; 3]
             };
+            // One that has shrunk to rounding is no side.
+            let side = if max_abs(side) > self.noise { side } else { [zero; 3] };
             let off = beside(velocity, side);
             if sum_abs(off) > still {
                 return unit_vector(scale(off, -one));
             }
         }
-        if flat { unit_vector(across) } else { perpendicular(self.b, self.c) }
+        let some = if flat { unit_vector(across) } else { perpendicular(self.b, self.c) };
+        if dot(velocity, some) > still { scale(some, -one) } else { some }
     }
 }
 

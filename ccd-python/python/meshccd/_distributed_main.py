@@ -24,14 +24,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if given.options is not None:
             options = Options.from_json(given.options.read_text(encoding="utf-8"))
         mesh, _ = read_mesh(given.mesh or given.frames[0])
+        n_workers = given.workers
+        # A task of Slurm has its cores for itself.
+        if n_workers is None and part != (1, 1) and not given.device:
+            n_workers = 1
         reports = map_frames(
             given.frames,
             mesh,
             given.out,
             options=options,
             runner=given.runner,
-            # A task of Slurm has its cores for itself.
-            n_workers=given.workers or (1 if part != (1, 1) and not given.device else None),
+            n_workers=n_workers,
             devices=given.device,
             part=part,
             steps_per_shard=given.steps_per_shard,

@@ -165,5 +165,11 @@ def _keys(edges: NDArray[np.uint32]) -> NDArray[np.uint64]:
 
 def _n_frames(path: str) -> int:
     if path.lower().endswith(".npy"):
-        return len(np.load(path, mmap_mode="r"))
+        try:
+            shape: tuple[int, ...] = np.lib.format.open_memmap(path, mode="r").shape
+        except ValueError as why:
+            raise ValueError(f"{path}: {why}") from why
+        if len(shape) != 3:
+            raise ValueError(f"{path}: the shape is {shape}, expected (frames, n, 3)")
+        return shape[0]
     return len(read_positions(path))

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -15,6 +18,8 @@ _Ids = NDArray[np.uint32]
 #: Which corners of a face a side joins; the edges of an `ELEMENT` are in this order.
 SIDES = ((0, 1), (1, 2), (2, 0))
 _KINDS = {"vertex-face": 0, "edge-edge": 1, "vertex-edge": 2, "vertex-vertex": 3}
+#: How errors of a session begin that name a feature.
+_NAMED = re.compile(r"(vertex|edge|face) (\d+)\b")
 
 
 class Local:
@@ -66,34 +71,12 @@ class Local:
         if options.bodies is None:
             return options
         whole = json.loads(options.to_json())
-        whole["bodies"] = self._bodies(whole["bodies"])
+        whole["bodies"] = Rules(whole["bodies"]).values(self)
         return Options.from_json(json.dumps(whole))
 
     def bodies(self, bodies: Bodies) -> Bodies:
         """Bodies of the whole mesh, of the vertices of `mesh`."""
-        return Bodies.from_json(json.dumps(self._bodies(json.loads(bodies.to_json()))))
-
-    def _bodies(self, rules: dict[str, Any]) -> dict[str, Any]:
-        of_all = np.asarray(rules["body_of_vertex"], np.uint32)
-        if len(self.vertices) and self.vertices[-1] >= len(of_all):
-            raise ValueError(f"vertex {self.vertices[-1]} has no body: there are {len(of_all)}")
-        of_vertex = of_all[self.vertices]
-        there = set(of_vertex.tolist())
-        excluded = []
-        for kind, (a, b) in rules["excluded_features"]:
-            first, second = self._features[_KINDS[kind]]
-            pair = [_find(first[0], a), _find(second[0], b)]
-            if None not in pair:
-                excluded.append([kind, pair])
-        bodies = [rule for rule in rules["bodies"] if rule["body"] in there]
-        pairs = [pair for pair in rules["excluded_bodies"] if there.issuperset(pair)]
-        return {
-            **rules,
-            "body_of_vertex": of_vertex.tolist(),
-            "bodies": bodies,
-            "excluded_bodies": pairs,
-            "excluded_features": excluded,
-        }
+        return Rules(json.loads(bodies.to_json())).bodies(self)
 
     def owned(self, kind: int, pairs: ArrayLike) -> _Ids:
         """Of pairs of features (n, 2) of one `Kind`, by their numbers in `mesh`, those that this
@@ -107,9 +90,10 @@ class Local:
         """The earliest time of impact by a session of `mesh`; None if all is free. Of all parts
         the least is that of the whole mesh; that of the session itself may be of a pair which the
         whole mesh has not, where a part has a face [v, v, v]."""
-        if not self._doubtful:
-            return session.earliest_toi(self.x0, self.x1)
-        toi = self.contacts(session.step(self.x0, self.x1))["toi"]
+        with whole_numbers(self):
+            if not self._doubtful:
+                return session.earliest_toi(self.x0, self.x1)
+            toi = self.contacts(session.step(self.x0, self.x1))["toi"]
         return float(toi.min()) if len(toi) else None
 
     def contacts(self, report: Report) -> NDArray[np.void]:
@@ -125,12 +109,65 @@ class Local:
         return contacts[keep]
 
 
+class Rules:
+    """Bodies of the whole mesh, of what `Bodies.to_json` says: read once, for the local meshes of
+    many steps."""
+
+    def __init__(self, values: dict[str, Any]) -> None:
+        self._values = {**values, "body_of_vertex": [], "excluded_features": []}
+        self._of_all = np.array(values["body_of_vertex"], np.uint32)
+        self._pairs = np.array(values["excluded_bodies"], np.uint32).reshape(-1, 2)
+        listed: dict[str, list[list[int]]] = {}
+        for kind, pair in values["excluded_features"]:
+            listed.setdefault(kind, []).append(pair)
+        self._excluded = {kind: np.array(pairs, np.uint32) for kind, pairs in listed.items()}
+        self._last: tuple[tuple[_Ids, _Ids, _Ids], Bodies] | None = None
+
+    def bodies(self, local: Local) -> Bodies:
+        """Those of the vertices of a local mesh: the last ones while halos have the same features.
+        """
+        ids = (local.vertices, local.edges, local.faces)
+        if self._last is None or not all(map(np.array_equal, ids, self._last[0])):
+            self._last = ids, Bodies.from_json(json.dumps(self.values(local)))
+        return self._last[1]
+
+    def values(self, local: Local) -> dict[str, Any]:
+        """What `to_json` says of them."""
+        ids = local.vertices
+        if len(ids) and ids[-1] >= len(self._of_all):
+            raise ValueError(f"vertex {ids[-1]} has no body: there are {len(self._of_all)}")
+        of_vertex = self._of_all[ids]
+        there = set(of_vertex.tolist())
+        excluded: list[list[Any]] = []
+        for kind, pairs in self._excluded.items():
+            (a, _), (b, _) = local._features[_KINDS[kind]]
+            i, j = pairs[np.isin(pairs[:, 0], a) & np.isin(pairs[:, 1], b)].T
+            here = np.stack([np.searchsorted(a, i), np.searchsorted(b, j)], axis=1)
+            excluded += [[kind, pair] for pair in here.tolist()]
+        return {
+            **self._values,
+            "body_of_vertex": of_vertex.tolist(),
+            "bodies": [rule for rule in self._values["bodies"] if rule["body"] in there],
+            "excluded_bodies": self._pairs[np.isin(self._pairs, of_vertex).all(axis=1)].tolist(),
+            "excluded_features": excluded,
+        }
+
+
+@contextmanager
+def whole_numbers(local: Local) -> Iterator[None]:
+    """Errors of a session of a local mesh name features by their numbers in the whole mesh."""
+    try:
+        yield
+    except ValueError as why:
+        text = str(why)
+        named = _NAMED.match(text)
+        if named is None:
+            raise
+        ids = {"vertex": local.vertices, "edge": local.edges, "face": local.faces}[named[1]]
+        raise ValueError(f"{named[1]} {ids[int(named[2])]}{text[named.end() :]}") from why
+
+
 def edge_keys(edges: NDArray[Any]) -> NDArray[np.int64]:
     """A number for each edge (n, 2), in the order of the edges of a mesh."""
     ends = np.sort(edges.astype(np.int64).reshape(-1, 2), axis=1)
     return ends[:, 1] << 32 | ends[:, 0]
-
-
-def _find(ids: _Ids, wanted: int) -> int | None:
-    at = int(np.searchsorted(ids, wanted))
-    return at if at < len(ids) and ids[at] == wanted else None

@@ -248,6 +248,9 @@ class Session:
     @property
     def place(self) -> str:
         """Where steps run: "2 threads", or the name of the GPU."""
+    @property
+    def last_place(self) -> str:
+        """Where the last step ran: `place`, or the CPU for one on a GPU in which little moved."""
     def step(
         self, x0: _Array, x1: _Array, window: tuple[float, float] | None = None
     ) -> Report:
@@ -383,7 +386,7 @@ class Report:
         """v f0 f1 f2, or ea0 ea1 eb0 eb1: (n, 4)."""
     @property
     def contacts(self) -> NDArray[np.void]:
-        """All columns but vertices in one structured array."""
+        """All columns but approach and vertices in one structured array."""
     @property
     def earliest_toi(self) -> float | None:
         """Least time of impact; None without contact."""

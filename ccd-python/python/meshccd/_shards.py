@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -187,24 +187,39 @@ def alone(path: Path) -> Iterator[None]:
     """While no other process has this shard; a ShardError if one has. A process that dies leaves
     it at once."""
     lock = path.with_name(f".{path.name}.lock")
-    with lock.open("a+") as file:
-        if fcntl is not None:
-            try:
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                file.seek(0)
-                who = file.read().strip() or "another process"
-                raise ShardError(f"{path} is being written by {who}") from None
-            except OSError:
-                pass  # A file system without locks: `_publish` tells two runs apart.
+    file, locked = _open(lock, path)
+    with file:
         file.truncate(0)
         file.write(f"process {os.getpid()} on {socket.gethostname()}\n")
         file.flush()
-        # What a process of this machine left that died while it wrote.
-        for left in path.parent.glob(f".{path.name}.{socket.gethostname()}.*"):
-            left.unlink(missing_ok=True)
+        # What a process of this machine left that died while it wrote; without locks it may live.
+        if locked:
+            for left in path.parent.glob(f".{path.name}.{socket.gethostname()}.*"):
+                left.unlink(missing_ok=True)
         try:
             yield
         finally:
             with suppress(OSError):
                 lock.unlink()
+
+
+def _open(lock: Path, path: Path) -> tuple[IO[str], bool]:
+    """The file of a lock, and whether it is locked."""
+    while True:
+        file = lock.open("a+")
+        if fcntl is None:
+            return file, False
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            with file:
+                file.seek(0)
+                who = file.read().strip() or "another process"
+            raise ShardError(f"{path} is being written by {who}") from None
+        except OSError:  # A file system without locks: `_publish` tells two runs apart.
+            return file, False
+        # The process that had it may have removed it meanwhile: then it locks nothing.
+        with suppress(FileNotFoundError):
+            if os.path.samestat(os.fstat(file.fileno()), lock.stat()):
+                return file, True
+        file.close()

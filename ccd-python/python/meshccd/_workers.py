@@ -7,7 +7,7 @@ import os
 import subprocess
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from multiprocessing import get_context
@@ -107,9 +107,13 @@ def here(job: Job, tasks: Iterable[Task], device: str | None) -> Iterator[Outcom
 _worker: Worker | None = None
 
 
-def _begin(job: Job, devices: Any) -> None:
+def _begin(job: Job, device: str | None) -> None:
     global _worker
-    _worker = Worker(job, devices.get())
+    _worker = Worker(job, device)
+
+
+def _ready() -> None:
+    """What a process does first: no task is lost with one that cannot begin."""
 
 
 def _run(task: Task) -> Outcome:
@@ -118,29 +122,51 @@ def _run(task: Task) -> Outcome:
 
 
 def processes(job: Job, tasks: Iterable[Task], devices: Sequence[str | None]) -> Iterator[Outcome]:
-    """By a process a device, begun by spawn."""
+    """By a process a device, begun by spawn, each in a pool of its own and with one task at a time:
+    one that dies breaks its pool and costs the shard of its task. Another takes its place."""
     context = get_context("spawn")
-    queue = context.SimpleQueue()
-    for device in devices:
-        queue.put(device)
-    pool = ProcessPoolExecutor(
-        len(devices), mp_context=context, initializer=_begin, initargs=(job, queue)
-    )
+    pools: dict[int, ProcessPoolExecutor] = {}
+    busy: dict[Future[Any], tuple[int, Task | None]] = {}
+    waiting = list(tasks)[::-1]
+
+    def begin(at: int) -> None:
+        pools[at] = ProcessPoolExecutor(
+            1, mp_context=context, initializer=_begin, initargs=(job, devices[at])
+        )
+        busy[pools[at].submit(_ready)] = (at, None)
+
+    def give(at: int, task: Task) -> None:
+        try:
+            busy[pools[at].submit(_run, task)] = (at, task)
+        except BrokenProcessPool:  # It died between two tasks.
+            waiting.append(task)
+            pools.pop(at).shutdown()
+            begin(at)
+
     try:
-        futures = {}
-        for task in tasks:
+        for at in range(len(devices)):
+            begin(at)
+        while busy:
+            done = next(iter(wait(busy, return_when=FIRST_COMPLETED).done))
+            at, task = busy.pop(done)
             try:
-                futures[pool.submit(_run, task)] = task
+                outcome = done.result()
             except BrokenProcessPool:
-                yield Outcome(task.begin, task.end, error=DIED)
-        for future in as_completed(futures):
-            task = futures[future]
-            try:
-                yield future.result()
-            except BrokenProcessPool:
-                yield Outcome(task.begin, task.end, error=DIED)
+                pools.pop(at).shutdown()
+                if task is not None:
+                    if waiting:
+                        begin(at)
+                    yield Outcome(task.begin, task.end, error=DIED)
+                continue
+            if waiting:
+                give(at, waiting.pop())
+            if outcome is not None:
+                yield outcome
     finally:
-        pool.shutdown(cancel_futures=True)
+        for pool in pools.values():
+            pool.shutdown(cancel_futures=True)
+    # No process can begin for these.
+    yield from (Outcome(task.begin, task.end, error=DIED) for task in waiting[::-1])
 
 
 def actors(job: Job, tasks: Iterable[Task], devices: Sequence[str | None]) -> Iterator[Outcome]:
@@ -154,26 +180,33 @@ def actors(job: Job, tasks: Iterable[Task], devices: Sequence[str | None]) -> It
             "worker; it waits until there is one",
             stacklevel=2,
         )
-    made = [_actor(ray, device, threads).remote(shared, device) for device in devices]
-    # An actor gets its first task when the cluster has a place for it, if it ever has one.
-    busy: dict[Any, tuple[Any, Task | None]]
-    busy = {actor.__ray_ready__.remote(): (actor, None) for actor in made}
+    busy: dict[Any, tuple[Any, str | None, Task | None]] = {}
     waiting = list(tasks)[::-1]
-    while busy and (waiting or any(task is not None for _, task in busy.values())):
+
+    def begin(device: str | None) -> None:
+        # An actor gets its first task when the cluster has a place for it, if it ever has one.
+        actor = _actor(ray, device, threads).remote(shared, device)
+        busy[actor.__ray_ready__.remote()] = (actor, device, None)
+
+    for device in devices:
+        begin(device)
+    while busy and (waiting or any(task is not None for _, _, task in busy.values())):
         (done, *_), _ = ray.wait(list(busy))
-        actor, task = busy.pop(done)
+        actor, device, task = busy.pop(done)
         try:
             outcome = ray.get(done)
         except ray.exceptions.RayError as why:
             if task is not None:
+                if waiting:
+                    begin(device)
                 yield Outcome(task.begin, task.end, error=f"{DIED} ({type(why).__name__})")
             continue
         if task is not None:
             yield outcome
         if waiting:
             task = waiting.pop()
-            busy[actor.run.remote(task)] = (actor, task)
-    # No actor is left for these.
+            busy[actor.run.remote(task)] = (actor, device, task)
+    # No actor can begin for these.
     yield from (Outcome(task.begin, task.end, error=DIED) for task in waiting[::-1])
 
 

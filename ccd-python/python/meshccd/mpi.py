@@ -14,12 +14,14 @@ its cores: give a session `Options(threads=n)`.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._local import Rules, whole_numbers
 from ._native import Mesh, Options, Session
 from .partition import ELEMENT, Local, Part, merge, split
 
@@ -30,6 +32,8 @@ __all__ = ["Scene"]
 
 _Ids = NDArray[np.uint32]
 _T = TypeVar("_T")
+#: As of `Report.contacts`.
+_CONTACT = np.dtype([("kind", "u1"), ("a", "u4"), ("b", "u4"), ("toi", "f8"), ("state", "u1")])
 
 
 class Scene:
@@ -67,7 +71,7 @@ class Scene:
         self._options = Options() if options is None else options
         self._device = device
         self._session: Session | None = None
-        _together(self._comm, self._check)
+        self._rules: Rules | None = _together(self._comm, self._checked)
 
     @classmethod
     def of_mesh(
@@ -114,9 +118,7 @@ class Scene:
             If one rank refuses its positions or options, on every rank.
         """
         local = self._exchange(x0, x1)
-        return _together(
-            self._comm, lambda: local.contacts(self._on(local).step(local.x0, local.x1))
-        )
+        return _together(self._comm, lambda: self._contacts(local))
 
     def earliest_toi(self, x0: ArrayLike, x1: ArrayLike) -> float | None:
         """The earliest time of impact of the whole scene, on every rank; None if all is free."""
@@ -133,14 +135,24 @@ class Scene:
         return 1.0 if toi is None else toi
 
     def gather(self, contacts: NDArray[np.void], root: int = 0) -> NDArray[np.void] | None:
-        """The contacts of all ranks on one, sorted as by one process; None on the others."""
-        parts = self._comm.gather(contacts, root)
-        return None if parts is None else merge(parts)
+        """The contacts of all ranks on one, sorted as by one process; None on the others.
 
-    def _check(self) -> None:
+        Raises
+        ------
+        ValueError
+            If one rank gives no contacts, or a root that is no rank, on every rank.
+        """
+        given = _together(self._comm, lambda: _sent(contacts, root, self._comm.size))
+        parts = self._comm.gather(given, root)
+        return _together(self._comm, lambda: None if parts is None else merge(parts))
+
+    def _checked(self) -> Rules | None:
+        """What steps need of the bodies of the whole mesh."""
         rank, size = self._comm.rank, self._comm.size
         if (self.part.index, self.part.n_parts) != (rank, size):
             raise ValueError(f"{self.part!r} is not that of rank {rank} of {size}")
+        bodies = self._options.bodies
+        return None if bodies is None else Rules(json.loads(bodies.to_json()))
 
     def _exchange(self, x0: ArrayLike, x1: ArrayLike) -> Local:
         """The mesh of this rank and its halo."""
@@ -165,12 +177,19 @@ class Scene:
             item.Free()
         return _together(comm, lambda: part.local(x0, x1, [received]))
 
+    def _contacts(self, local: Local) -> NDArray[np.void]:
+        session = self._on(local)
+        with whole_numbers(local):
+            return local.contacts(session.step(local.x0, local.x1))
+
     def _on(self, local: Local) -> Session:
-        options = local.options(self._options)
-        if self._session is None:
-            self._session = Session(local.mesh, options, device=self._device)
-        else:
-            self._session.set_mesh(local.mesh, options.bodies)
+        bodies = None if self._rules is None else self._rules.bodies(local)
+        options, device = self._options, self._device
+        with whole_numbers(local):
+            if self._session is None:
+                self._session = Session(local.mesh, options, bodies=bodies, device=device)
+            else:
+                self._session.set_mesh(local.mesh, bodies)
         return self._session
 
 
@@ -196,6 +215,19 @@ def _world() -> MPI.Intracomm:
     from mpi4py import MPI
 
     return MPI.COMM_WORLD
+
+
+def _sent(contacts: object, root: int, n_ranks: int) -> NDArray[np.void]:
+    """Contacts that can be sent to the root."""
+    if not 0 <= root < n_ranks:
+        raise ValueError(f"root is {root}; there are {n_ranks} ranks")
+    array = np.asarray(contacts)
+    if array.ndim != 1 or array.dtype != _CONTACT:
+        raise ValueError(
+            f"contacts are an array of {array.dtype} with the shape {array.shape}; they must be as "
+            "`step` returns them"
+        )
+    return array
 
 
 def _starts(counts: NDArray[np.int64]) -> NDArray[np.int64]:

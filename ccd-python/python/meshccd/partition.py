@@ -140,8 +140,11 @@ class Part:
         Raises
         ------
         ValueError
-            If positions are not finite or of another shape, or the distance is negative.
+            If positions are not finite or of another shape, the distance is negative, or no box is
+            allowed.
         """
+        if at_most < 1:
+            raise ValueError(f"at_most is {at_most}; it must be at least 1")
         boxes = self._swept(*self._ends(x0, x1), min_distance)
         starts = np.unique(np.arange(at_most) * len(boxes) // at_most)
         if len(boxes) == 0:
@@ -241,9 +244,15 @@ def _records(mesh: Mesh) -> _Records:
 
 
 def _positions(name: str, x: ArrayLike, n: int) -> _Reals:
-    array = np.asarray(x, np.float64)
-    if array.shape != (n, 3):
-        raise ValueError(f"{name} has the shape {array.shape}; there are {n} vertices: ({n}, 3)")
+    given = np.asarray(x)
+    if given.shape != (n, 3):
+        raise ValueError(f"{name} has the shape {given.shape}; there are {n} vertices: ({n}, 3)")
+    # As of a `Session`: only numbers that have a place in float64.
+    if not np.can_cast(given.dtype, np.float64, "safe"):
+        raise ValueError(f"{name} is an array of {given.dtype}, which float64 does not hold")
+    if given.dtype.kind in "iu" and n and max(-int(given.min()), int(given.max())) > 2**53:
+        raise ValueError(f"{name} has integers beyond 2**53, which float64 rounds")
+    array = given.astype(np.float64, copy=False)
     bad = ~np.isfinite(array).all(axis=1)
     if bad.any():
         at = int(np.argmax(bad))
