@@ -196,12 +196,15 @@ impl Device {
 fn polled(poll: impl FnOnce() -> Result<wgpu::PollStatus, wgpu::PollError>) -> Result<(), Error> {
     match catch_unwind(AssertUnwindSafe(poll)) {
         Ok(polled) => polled.map(|_| ()).map_err(|e| Error::Lost { why: e.to_string() }),
-        Err(payload) => match payload.downcast_ref::<String>() {
-            Some(why) if why.starts_with("Error in Device::poll") => {
-                Err(Error::Lost { why: why.clone() })
+        Err(payload) => {
+            let text = payload.downcast_ref::<String>().map(String::as_str);
+            match text.or_else(|| payload.downcast_ref::<&str>().copied()) {
+                Some(why) if why.starts_with("Error in Device::poll") => {
+                    Err(Error::Lost { why: why.to_owned() })
+                }
+                _ => resume_unwind(payload),
             }
-            _ => resume_unwind(payload),
-        },
+        }
     }
 }
 
