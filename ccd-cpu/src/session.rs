@@ -24,7 +24,7 @@ use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Options;
 use ccd_core::model::report::Report;
 use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, Kept, Moved, State};
-use passes::{collect, detect, drop_repeated, least_toi, prepare};
+use passes::{collect, detect, drop_repeated, least_toi, prepare, swept_until};
 use std::sync::Arc;
 
 mod candidate_set;
@@ -313,7 +313,7 @@ impl Engine {
                     && report.candidates.total() * SAMPLE as u64
                         > CANDIDATES_PER_FEATURE * n_features as u64
                 {
-                    (x.until, x.again) = (bound, true);
+                    (x.until, x.again) = (swept_until(bound, options), true);
                     prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
                 }
             }

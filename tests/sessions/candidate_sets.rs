@@ -1,6 +1,7 @@
 //! Sets of candidates that serve many steps: what they hold is what a session lists of each step,
 //! and their times are a session's; steps beyond them are refused.
 
+use ccd::method::{BroadPhaseMethod, Pipeline};
 use ccd::scenes::{Random, Step, crumpled_sheet, particles_and_rods, triangle_soup};
 use ccd::{
     Bodies, CancelToken, CandidateSet, Coordinate, Error, Kind, Mesh, Options, Pair, Session,
@@ -154,4 +155,40 @@ fn steps_beyond_a_set_are_refused() {
     let mut set = session.candidate_set(&at(1.0), &at(0.5), 0.0).expect("a set");
     token.cancel();
     assert_eq!(set.earliest_toi(&at(1.0), &at(0.5)), Err(Error::Cancelled));
+}
+
+/// A grid falls flat on another one, so that many pairs touch at once: whichever are sampled, the
+/// earliest time is that of the step, by every method.
+#[test]
+fn an_earliest_time_is_that_of_the_step() {
+    for n in [9, 31] {
+        let mut faces = Vec::new();
+        ccd::scenes::grid(&mut faces, n, 0);
+        ccd::scenes::grid(&mut faces, n, (n * n) as u32);
+        let at = |k: usize| ((k % (n * n) / n) as f64, (k % n) as f64);
+        let place = |k: usize, fall: f64| match (at(k), k < n * n) {
+            ((x, z), true) => [x, 0.0, z],
+            ((x, z), false) => [0.97 * x + 0.31, 1.0 - fall, 0.93 * z + 0.17],
+        };
+        let [x0, x1] = [0.0, 1.7]
+            .map(|fall| (0..2 * n * n).map(|k| place(k, fall)).collect::<Vec<[f64; 3]>>());
+        let mesh = Mesh::new(2 * n * n, &faces).expect("a mesh");
+        let of = |options: &Options| Session::new(&mesh, options.clone()).expect("a session");
+        let blocks = Options::default().with_threads(1);
+        let want = of(&blocks).step(&x0, &x1).expect("a step").toi;
+        assert!(want.is_some());
+        let every =
+            Options::default().with_threads(1).with_broad_phase(BroadPhaseMethod::BruteForce);
+        let triangles = blocks.clone().with_pipeline(Pipeline::Triangles(Default::default()));
+        for options in [&blocks, &every, &triangles] {
+            let found = of(options).earliest_toi(&x0, &x1).expect("a step");
+            assert_eq!(found, want, "{n}, {:?}", options.broad_phase);
+        }
+        let mut used = of(&blocks);
+        used.step(&x1, &x0).expect("a step");
+        assert_eq!(used.earliest_toi(&x0, &x1).expect("a step"), want, "{n}, used");
+        let mut set = used.candidate_set(&x0, &x1, 0.0).expect("candidates");
+        let found = set.earliest_toi(&x0, &x1).expect("a step");
+        assert_eq!(found, want, "{n}, candidates");
+    }
 }

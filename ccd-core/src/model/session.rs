@@ -156,11 +156,10 @@ impl<E: Engine, P> Session<E, P> {
     /// The earliest time of impact of the step, without the list of contacts: cheaper than
     /// [`Session::step`]. `None`: the whole step is free.
     ///
-    /// It is not later than the earliest contact, and within the tolerance of it unless that is
-    /// undecided; its last bits may depend on calls before, of which a session keeps its trees. On
-    /// a GPU it is rounded down to an `f32`; in exact mode, and with a tolerance below 1e-7, which
-    /// an `f32` cannot keep, it is not rounded there, and costs time and memory as
-    /// [`Session::step`].
+    /// It is not later than the earliest contact. On a CPU it is the time of that, unless the pair
+    /// is undecided: then the method and calls before may have a part in it. On a GPU it is rounded
+    /// down to an `f32`; in exact mode, and with a tolerance below 1e-7, which an `f32` cannot
+    /// keep, it is not rounded there, and costs time and memory as [`Session::step`].
     ///
     /// # Errors
     /// Those of [`Session::step`].

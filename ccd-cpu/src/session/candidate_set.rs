@@ -9,7 +9,7 @@
 //! those of the set. So are two features that come to the distance, and they are a pair.
 
 use super::{Engine, SAMPLE, WHOLE};
-use crate::session::passes::least_toi;
+use crate::session::passes::{least_toi, swept_until};
 use crate::step::candidates::{Given, Scene, Take};
 use crate::step::narrow_phase::Worker;
 use crate::step::positions::Positions;
@@ -227,7 +227,7 @@ impl CandidateSet {
             if parts.len() > 1
                 && let Some(bound) = least_toi(workers)
             {
-                (x.until, x.again) = (bound, true);
+                (x.until, x.again) = (swept_until(bound, options), true);
                 prepared.boxes(threads, mesh, options, &x)?;
             }
             let scene = prepared.scene((mesh, options), selection, &x, WHOLE, false, stop);

@@ -4,7 +4,7 @@ use super::{Engine, Session, WHOLE};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::simd::{F32x8, Mask, RowSimd, WIDTH, Work};
-use crate::step::candidates::{Given, Scene, shared};
+use crate::step::candidates::{Given, Scene, boxes_overlap, shared};
 use crate::step::leaves::Leaves;
 use crate::step::positions::Positions;
 use crate::threads::{Own, Threads};
@@ -190,7 +190,12 @@ impl Through<'_> {
         };
         match segment_meets_triangle(edge.map(at), face.map(at)) {
             Some(meet) => meet.then_some(State::Hit),
-            None => self.scene.boxes_overlap(edge, face).then_some(State::Undecided),
+            // Without the minimum distance, which may be there with the boxes of a session.
+            None => match self.scene.given {
+                Precision::F32(x) => boxes_overlap(x, 0.0, &edge, &face),
+                Precision::F64(x) => boxes_overlap(x, 0.0, &edge, &face),
+            }
+            .then_some(State::Undecided),
         }
     }
 }

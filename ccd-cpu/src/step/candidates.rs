@@ -122,7 +122,8 @@ impl Scene<'_> {
     }
 }
 
-fn boxes_overlap<T: Real>(x: [&[[T; 3]]; 2], min_distance: f64, a: &[u32], b: &[u32]) -> bool {
+/// Whether the swept boxes of two features overlap, grown for a minimum distance.
+pub fn boxes_overlap<T: Real>(x: [&[[T; 3]]; 2], min_distance: f64, a: &[u32], b: &[u32]) -> bool {
     let swept = |v: u32| swept_box::swept(x[0][v as usize], x[1][v as usize]);
     let feature_box = |ids: &[u32]| {
         let all = ids.iter().skip(1).fold(swept(ids[0]), |all, &v| all.union(&swept(v)));
