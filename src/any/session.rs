@@ -53,9 +53,10 @@ pub struct Engine {
 }
 
 /// A session on a GPU has the CPU take a step of which it is told what moves
-/// ([`Session::step_bodies`](session::Session::step_bodies) and its like), if of so many vertices
-/// at most the positions differ from those of the call before, and that found at most
-/// [`FEW_CANDIDATES`]: two threads are done with so little before a GPU has begun.
+/// ([`Session::step_bodies`](session::Session::step_bodies) and its like), if at most so many
+/// vertices move in it and in the step before, together, and that one found at most
+/// [`FEW_CANDIDATES`]: two threads are done with so little before a GPU has begun. A body that
+/// moves in every step counts twice.
 ///
 /// The first such step makes a session on the CPU, which takes as long as a first step there and
 /// as much memory; so there is none with [`Options::max_memory`](crate::Options::max_memory), nor

@@ -109,7 +109,8 @@ kernel! {
     pair_swap[256](t; params: Building; least: [u32; 3]; mut items: [UVec4], mut found: [u32]) {
         if t.lane == 0 {
             clear(least);
-            // Of a word that it changes below, and a barrier is of workgroup memory alone.
+            // This thread alone reads the word, which it changes below: a barrier orders workgroup
+            // memory only.
             set(least, 2, at(found, PLACE) + 1);
         }
         barrier();

@@ -27,7 +27,8 @@ kernel! {
         mut nodes: [u32]) {
         let (args, next_round) = (params.args, listed(params.dispatch.first + 1));
         let n = 1 << args.workers;
-        // Of the first thread alone, which changes it: a barrier is of workgroup memory.
+        // The first thread alone reads the word, which it changes below: a barrier orders workgroup
+        // memory only.
         let begin = if t.lane == 0 { at(control, next_round) } else { 0 };
         let of_thread = (n + SCANNERS - 1) / SCANNERS;
         let mut sum = 0;
