@@ -1,9 +1,11 @@
 //! Where work runs: in the calling thread, on rayon's current pool, or on a pool of a wanted size.
+#![allow(unsafe_code, reason = "threads write to parts of one slice")]
 
 use crate::stop::Stop;
 use ccd_core::Error;
 use ccd_core::model::options::Options;
 use rayon::prelude::*;
+use std::marker::PhantomData;
 use std::sync::Arc;
 
 /// What one worker owns, alone on its cache lines: workers that write into neighbouring ones would
@@ -62,6 +64,12 @@ impl Threads {
     /// it is done: twice a change of threads, and on a busy machine twice a wait for a processor. A
     /// step makes some forty such calls; this way it waits once.
     pub fn enter<R: Send>(&self, f: impl FnOnce() -> R + Send) -> R {
+        let (mut f, mut result) = (Some(f), None);
+        self.inside(&mut || result = f.take().map(|f| f()));
+        result.expect("called once")
+    }
+
+    fn inside(&self, f: &mut (dyn FnMut() + Send)) {
         match &self.pool {
             Some(pool) => pool.install(f),
             None if self.count == 1 || rayon::current_thread_index().is_some() => f(),
@@ -69,16 +77,23 @@ impl Threads {
         }
     }
 
+    /// Calls `f` once with each of `0..n`, at most `most` of them in one task.
+    ///
+    /// Here and in what calls it `f` does much, so that rayon is compiled once, not into each use.
+    fn calls(&self, n: usize, most: usize, f: &(dyn Fn(usize) + Sync)) {
+        if self.count == 1 {
+            (0..n).for_each(f);
+        } else {
+            (0..n).into_par_iter().with_max_len(most).for_each(f);
+        }
+    }
+
     /// Runs `f(k, worker)` once per worker, in parallel; workers pull their work from what `f`
     /// shares.
-    ///
-    /// Here and below `f` is called once for much work, so that it need not be compiled into rayon.
     pub fn each<W: Send>(&self, workers: &mut [W], f: &(dyn Fn(usize, &mut W) + Sync)) {
-        if self.count == 1 {
-            workers.iter_mut().enumerate().for_each(|(k, w)| f(k, w));
-        } else {
-            workers.par_iter_mut().with_max_len(1).enumerate().for_each(|(k, w)| f(k, w));
-        }
+        let workers = Parts::new(workers, 1);
+        // SAFETY: `calls` gives each number to one call.
+        self.calls(workers.count(), 1, &|k| f(k, &mut unsafe { workers.part(k) }[0]));
     }
 
     /// As [`Threads::each`], with a second thing of its own for every worker.
@@ -89,11 +104,9 @@ impl Threads {
         f: &(dyn Fn(&mut W, &mut S) + Sync),
     ) {
         assert_eq!(workers.len(), scratch.len());
-        if self.count == 1 {
-            workers.iter_mut().zip(scratch).for_each(|(w, s)| f(w, s));
-        } else {
-            workers.par_iter_mut().zip(scratch).with_max_len(1).for_each(|(w, s)| f(w, s));
-        }
+        let scratch = Parts::new(scratch, 1);
+        // SAFETY: `each` gives each number to one call.
+        self.each(workers, &|k, worker| f(worker, &mut unsafe { scratch.part(k) }[0]));
     }
 
     /// Fills `out[i] = f(i)`.
@@ -114,11 +127,9 @@ impl Threads {
     pub fn chunks<T: Send>(&self, out: &mut [T], f: &(dyn Fn(usize, &mut [T]) + Sync)) {
         // Elements a task, some 64 KiB: small enough to balance, large enough to amortise.
         let n = if size_of::<T>() > 64 { 256 } else { 2048 };
-        if self.count == 1 {
-            out.chunks_mut(n).enumerate().for_each(|(k, part)| f(k * n, part));
-        } else {
-            out.par_chunks_mut(n).enumerate().for_each(|(k, part)| f(k * n, part));
-        }
+        let parts = Parts::new(out, n);
+        // SAFETY: `calls` gives each number to one call.
+        self.calls(parts.count(), usize::MAX, &|k| f(k * n, unsafe { parts.part(k) }));
     }
 
     /// Merges what `measure` says of parts of all sets, in the same order for any number of
@@ -148,6 +159,43 @@ impl Threads {
             items.sort_unstable_by_key(key)
         } else {
             items.par_sort_unstable_by_key(key)
+        }
+    }
+}
+
+/// A slice in parts that threads take by their number.
+struct Parts<'a, T> {
+    items: *mut T,
+    len: usize,
+    /// Items of each part, but for the last one.
+    size: usize,
+    slice: PhantomData<&'a mut [T]>,
+}
+
+// SAFETY: who shares this reaches an item only by `part`, whose caller has that part alone.
+unsafe impl<T: Send> Sync for Parts<'_, T> {}
+
+impl<'a, T> Parts<'a, T> {
+    fn new(items: &'a mut [T], size: usize) -> Self {
+        Self { items: items.as_mut_ptr(), len: items.len(), size, slice: PhantomData }
+    }
+
+    fn count(&self) -> usize {
+        self.len.div_ceil(self.size)
+    }
+
+    /// Part `k`.
+    ///
+    /// # Safety
+    ///
+    /// No other slice of this part may exist.
+    #[allow(clippy::mut_from_ref, reason = "each part is another slice")]
+    unsafe fn part(&self, k: usize) -> &mut [T] {
+        let first = k * self.size;
+        assert!(first < self.len);
+        // SAFETY: within the slice that this borrows; disjoint from all other parts.
+        unsafe {
+            std::slice::from_raw_parts_mut(self.items.add(first), self.size.min(self.len - first))
         }
     }
 }
