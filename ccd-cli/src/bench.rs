@@ -1,7 +1,7 @@
 //! `ccd bench`: times of two built-in scenes on any machine. A time counts only with the right
 //! answer, so every run's answer is checked.
 
-use super::backend::BackendOptions;
+use super::backend::{BackendOptions, PLACE};
 use super::method::MethodOptions;
 use super::{Failure, Outcome, output, toi};
 use ccd::any::{BroadPhase, Choice, Error, Session};
@@ -15,15 +15,8 @@ use std::time::{Duration, Instant};
 
 #[derive(Args)]
 pub struct Bench {
-    #[command(flatten)]
-    backend: BackendOptions,
-    #[command(flatten)]
-    method: MethodOptions,
-    /// Number of threads on the CPU; 0 means one per processor
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    threads: usize,
     /// Boxes in millions, instead of 0.1 and 1; may be given several times
-    #[arg(long, value_name = "N", value_parser = millions)]
+    #[arg(long, value_name = "N", value_parser = millions, allow_negative_numbers = true)]
     size: Vec<usize>,
     /// Ten million boxes, too
     #[arg(long)]
@@ -32,12 +25,21 @@ pub struct Bench {
     #[arg(long, conflicts_with_all = ["size", "large"])]
     small: bool,
     /// Runs after the warm-up; the median time is reported
-    #[arg(long, value_name = "N", default_value_t = 5)]
+    #[arg(long, value_name = "N", default_value_t = 5, allow_negative_numbers = true)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=1000))]
     runs: u32,
     /// Print one JSON object instead of text
     #[arg(short, long)]
     json: bool,
+    #[command(flatten)]
+    backend: BackendOptions,
+    /// Number of threads on the CPU; 0 means one per processor
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    #[arg(help_heading = PLACE)]
+    threads: usize,
+    // Last: the options behind it would stand below its heading.
+    #[command(flatten)]
+    method: MethodOptions,
 }
 
 fn millions(text: &str) -> Result<usize, String> {
@@ -264,7 +266,7 @@ impl Bench {
             work(subject)?;
             times.push(start.elapsed().as_secs_f64() * 1e3);
         }
-        let (median_ms, min_ms) = median(times).unwrap_or_default();
+        let (median_ms, min_ms) = median_and_least(times).unwrap_or_default();
         Ok(Timed { answer, median_ms, min_ms, device_ms: None })
     }
 
@@ -296,7 +298,7 @@ impl Bench {
             }
         }
         subject.set_timing(Timing::Off)?;
-        Ok(Timed { device_ms: median(device).map(|m| m.0), ..timed })
+        Ok(Timed { device_ms: median_and_least(device).map(|m| m.0), ..timed })
     }
 
     fn put(&self, rows: &mut Vec<Row>, scene: &str, what: &'static str, timed: Timed) {
@@ -321,9 +323,9 @@ struct Timed {
 }
 
 /// The median and the least.
-fn median(mut times: Vec<f64>) -> Option<(f64, f64)> {
+fn median_and_least(mut times: Vec<f64>) -> Option<(f64, f64)> {
     times.sort_unstable_by(f64::total_cmp);
-    Some((*times.get(times.len() / 2)?, *times.first()?))
+    Some((output::median(&times)?, *times.first()?))
 }
 
 /// A session or broad phase that a device can time.

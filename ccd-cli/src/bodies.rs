@@ -20,19 +20,21 @@ pub struct BodyOptions {
     /// Bodies that do not move, as 0,3
     ///
     /// Contacts between two of them are left out.
-    #[arg(long, value_name = "BODY", value_delimiter = ',', help_heading = INPUT)]
+    #[arg(long, value_name = "BODY", value_delimiter = ',', allow_hyphen_values = true)]
+    #[arg(help_heading = INPUT)]
     fixed: Vec<u32>,
     /// Layers that a body is in (M) and touches (F), as bits: 3=1/6,4=2/1
     ///
     /// Two bodies touch if each is in a layer that the other one touches; without this a body is
     /// in all layers and touches all.
     #[arg(long, value_name = "BODY=M/F", value_delimiter = ',', value_parser = layers)]
-    #[arg(hide_short_help = true, help_heading = QUESTION)]
+    #[arg(allow_hyphen_values = true, hide_short_help = true, help_heading = QUESTION)]
     layers: Vec<(u32, Groups)>,
     /// Leave out features of which two vertices are at most N edges apart
     ///
     /// With a --min-distance above the length of edges, neighbours would always be in contact.
-    #[arg(long, value_name = "N", hide_short_help = true, help_heading = QUESTION)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(hide_short_help = true, help_heading = QUESTION)]
     exclude_neighbours: Option<u32>,
 }
 
@@ -55,11 +57,13 @@ impl BodyOptions {
     }
 
     /// The bodies of a mesh, if any option speaks of them; of several objects, that of each vertex
-    /// and which stand still, unless a file has others.
+    /// and which stand still, unless a file has others. `max_memory`: bytes that lists of
+    /// neighbours may take.
     pub fn of(
         &self,
         mesh: &Mesh,
         objects: Option<(Vec<u32>, Vec<bool>)>,
+        max_memory: Option<u64>,
     ) -> Result<Option<Bodies>, Failure> {
         let by_body = !self.fixed.is_empty() || !self.layers.is_empty() || self.no_self_contact;
         let is_chosen = self.bodies.is_some() || by_body || self.exclude_neighbours.is_some();
@@ -69,7 +73,7 @@ impl BodyOptions {
         let (of_vertex, mut fixed) = match (&self.bodies, objects) {
             (Some(path), _) => (read(path, mesh.n_vertices())?, Vec::new()),
             (None, Some(objects)) => objects,
-            (None, None) => (parts(mesh), Vec::new()),
+            (None, None) => (Bodies::of_components(mesh).body_of_vertex().to_vec(), Vec::new()),
         };
         let most = of_vertex.iter().max().copied();
         fixed.resize(most.map_or(0, |most| most as usize + 1), false);
@@ -79,11 +83,18 @@ impl BodyOptions {
             Failure(format!("{option}: there is no body {body}; {last}"))
         };
         for &body in &self.fixed {
-            *fixed.get_mut(body as usize).ok_or_else(|| missing("--fixed", body))? = true;
+            if !of_vertex.contains(&body) {
+                return Err(missing("--fixed", body));
+            }
+            fixed[body as usize] = true;
         }
-        let unknown = self.layers.iter().find(|(body, _)| !of_vertex.contains(body));
-        if let Some(&(body, _)) = unknown {
-            return Err(missing("--layers", body));
+        for (at, (body, _)) in self.layers.iter().enumerate() {
+            if !of_vertex.contains(body) {
+                return Err(missing("--layers", *body));
+            }
+            if self.layers[..at].iter().any(|(before, _)| before == body) {
+                return Err(Failure(format!("--layers: body {body} is given twice")));
+            }
         }
         let mut bodies = Bodies::new(&of_vertex)
             .with_fixed_mask(&fixed)
@@ -92,7 +103,9 @@ impl BodyOptions {
             bodies = bodies.with_groups(body, groups);
         }
         if let Some(rings) = self.exclude_neighbours {
-            bodies = bodies.with_exclusions(&Exclusions::of_neighbours(mesh, rings));
+            let most = max_memory.unwrap_or(u64::MAX);
+            let near = Exclusions::of_neighbours_within(mesh, rings, most)?;
+            bodies = bodies.with_exclusions(&near);
         }
         Ok(Some(bodies))
     }
@@ -123,44 +136,4 @@ fn read(path: &Path, n_vertices: usize) -> Result<Vec<u32>, Failure> {
         return Err(in_file(path, format_args!("{n} bodies for {n_vertices} vertices")));
     }
     Ok(bodies)
-}
-
-/// The connected part that each vertex belongs to.
-fn parts(mesh: &Mesh) -> Vec<u32> {
-    let mut parent: Vec<u32> = (0..mesh.n_vertices() as u32).collect();
-    let root = |parent: &mut Vec<u32>, mut v: u32| {
-        while parent[v as usize] != v {
-            parent[v as usize] = parent[parent[v as usize] as usize];
-            v = parent[v as usize];
-        }
-        v
-    };
-    for &[v, w] in mesh.edges() {
-        let (v, w) = (root(&mut parent, v), root(&mut parent, w));
-        // The first vertex of a part is its root.
-        parent[v.max(w) as usize] = v.min(w);
-    }
-    let mut n = 0;
-    let mut parts = vec![0; parent.len()];
-    for v in 0..parent.len() {
-        let root = root(&mut parent, v as u32) as usize;
-        if root == v {
-            parts[v] = n;
-            n += 1;
-        } else {
-            parts[v] = parts[root];
-        }
-    }
-    parts
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn connected_parts_are_numbered_by_their_first_vertices() {
-        let mesh = Mesh::new(8, &[[0, 5, 2], [6, 3, 1], [5, 2, 4]]).unwrap();
-        assert_eq!(parts(&mesh), [0, 1, 0, 1, 0, 0, 1, 2]);
-    }
 }

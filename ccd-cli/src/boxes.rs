@@ -1,6 +1,6 @@
 //! `ccd boxes`: the broad phase alone.
 
-use super::backend::BackendOptions;
+use super::backend::{BackendOptions, PLACE};
 use super::method::MethodOptions;
 use super::{Failure, Outcome, backend, files, in_file, output, progress};
 use ccd::Aabb;
@@ -19,15 +19,8 @@ pub struct Boxes {
     /// A second set of boxes
     #[arg(value_name = "B.bin")]
     b: Option<PathBuf>,
-    #[command(flatten)]
-    backend: BackendOptions,
-    #[command(flatten)]
-    method: MethodOptions,
-    /// Number of threads on the CPU; 0 means one per processor
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    threads: usize,
     /// Runs; the median time is reported
-    #[arg(long, value_name = "N", default_value_t = 5)]
+    #[arg(long, value_name = "N", default_value_t = 5, allow_negative_numbers = true)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=1000))]
     runs: u32,
     /// Write the pairs, raw and sorted, as below; `-` is standard output
@@ -36,6 +29,15 @@ pub struct Boxes {
     /// Print one JSON object instead of text
     #[arg(short, long)]
     json: bool,
+    #[command(flatten)]
+    backend: BackendOptions,
+    /// Number of threads on the CPU; 0 means one per processor
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    #[arg(help_heading = PLACE)]
+    threads: usize,
+    // Last: the options behind it would stand below its heading.
+    #[command(flatten)]
+    method: MethodOptions,
 }
 
 #[derive(Serialize)]
@@ -64,7 +66,7 @@ impl Boxes {
         let json = self.json.then_some("--json");
         let pairs_path = self.pairs.as_deref();
         files::check(json, &[("--pairs", pairs_path)], &read_from)?;
-        let out = pairs_path.map(|path| files::create(path, "bin")).transpose()?;
+        let out = pairs_path.map(|path| files::create(path, &["bin"])).transpose()?;
         let start = Instant::now();
         let a = read(&self.a)?;
         let b = self.b.as_deref().map(read).transpose()?;
@@ -89,7 +91,8 @@ impl Boxes {
         let compilation = choice.device().map(|device| device.compilation());
         let first = times[0];
         times.sort_unstable_by(f64::total_cmp);
-        let times = Times { load, first, median: times[times.len() / 2], min: times[0] };
+        let median = output::median(&times).unwrap_or_default();
+        let times = Times { load, first, median, min: times[0] };
         let boxes = [a.len(), b.as_ref().map_or(0, Vec::len)];
         let place = broad.place();
         if self.json {

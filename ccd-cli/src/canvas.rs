@@ -25,15 +25,13 @@ impl Shape {
         let (round, square) = (x.hypot(y), x.abs().max(y.abs()));
         match self {
             Shape::Disc => round <= radius,
-            Shape::Square => square <= 0.9 * radius && square >= 0.9 * radius - stroke(radius),
+            Shape::Square => {
+                let line = (0.35 * radius).max(1.5);
+                square <= 0.9 * radius && square >= 0.9 * radius - line
+            }
             Shape::Ring => round <= radius && round >= radius * (5.0 / 6.0),
         }
     }
-}
-
-/// The width of the line of an empty mark.
-fn stroke(radius: f64) -> f64 {
-    (0.35 * radius).max(1.5)
 }
 
 /// Samples of a picture: what is nearest at each of them.

@@ -36,14 +36,17 @@ pub struct Check {
     #[arg(long, value_parser = MESH_EXTENSIONS, hide_short_help = true, help_heading = INPUT)]
     format: Option<String>,
     /// Only contacts that exist at some time from A to B in [0, 1]
-    #[arg(long, value_name = "A,B", value_parser = window, help_heading = QUESTION)]
+    #[arg(long, value_name = "A,B", value_parser = window, allow_hyphen_values = true)]
+    #[arg(help_heading = QUESTION)]
     window: Option<[f64; 2]>,
     /// Write and draw at most N contacts, those with the least times
     ///
     /// This limits files and the picture alone: all contacts are found and counted.
-    #[arg(long, value_name = "N", help_heading = OUTPUT)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, help_heading = OUTPUT)]
     earliest: Option<usize>,
     /// Write the candidates, pairs whose swept boxes overlap, as CSV: kind,a,b, sorted
+    ///
+    /// Those of the whole step: they cannot be had together with a --window.
     #[arg(long, value_name = "OUT.csv", hide_short_help = true, help_heading = OUTPUT)]
     candidates: Option<PathBuf>,
     #[command(flatten)]
@@ -79,6 +82,12 @@ impl Check {
         // Meshes are PLY, and so may contacts be.
         let read: Vec<&Path> = files.iter().flat_map(Files::paths).collect();
         self.options.check_outputs(None, self.candidates.as_deref(), &read)?;
+        let window = self.window.unwrap_or([0.0, 1.0]);
+        if self.candidates.is_some() && !start::is_whole(window) {
+            let what = "--candidates are those of the whole step, --window is a part of it";
+            return Err(Failure(format!("{what}: use one of the two")));
+        }
+        let picture = self.options.picture_file()?;
         let file = self.options.contact_file(false)?;
         let points = self.options.point_file()?;
         let listed = self.candidates.as_deref().map(|path| rows::Rows::create(path, "kind,a,b"));
@@ -92,7 +101,7 @@ impl Check {
         let load = start.elapsed().as_secs_f64() * 1e3;
 
         work.goes_on("preparing the step");
-        let mut session = self.options.session_of(mesh, objects.bodies())?;
+        let mut session = self.options.session(mesh, objects.bodies())?;
         if session.options().scheduling.front != Front::Off {
             output::notice!(
                 "--front on changes nothing of one step: a front is what a step leaves for the \
@@ -105,7 +114,6 @@ impl Check {
             work.goes_on("listing candidates");
             list_candidates(&mut session, precision, [t0, t1], place, file)?;
         }
-        let window = self.window.unwrap_or([0.0, 1.0]);
         work.goes_on("looking for contacts");
         step(&mut session, precision, [t0, t1], window, place)?;
         work.goes_on("looking for intersections of the first frame");
@@ -125,7 +133,7 @@ impl Check {
                 points.write(&shown, &step)?;
             }
         }
-        if let Some(path) = &self.options.picture {
+        if let Some(to) = picture {
             work.goes_on("drawing the picture");
             let (distance, place) = (self.options.min_distance, session.place());
             let mut title = output::title(&names, distance, &place);
@@ -136,8 +144,9 @@ impl Check {
             }
             let title = &title;
             let x = [&t0.positions[..], &t1.positions];
-            let scene = picture::Scene { title, mesh, x, contacts: &shown, look: self.look };
-            picture::write(path, &scene)?;
+            let (contacts, total) = (&shown[..], report.contacts.len());
+            let scene = picture::Scene { title, mesh, x, contacts, total, window, look: self.look };
+            picture::write(to, &scene)?;
         }
         drop(work);
         let contacts = report.n_contacts();
@@ -156,7 +165,9 @@ impl Check {
                 times_ms: TimesMs::new(load, report, &place),
                 intersections_ms: start.ms,
             })?;
-        } else if self.options.prints_text() && !self.lists_to_stdout() {
+        } else if self.options.prints_text()
+            && !self.candidates.as_deref().is_some_and(files::is_standard)
+        {
             print(&session, &objects, &start, window, load, compilation);
         }
         output::flush();
@@ -172,10 +183,6 @@ impl Check {
         all.truncate(n);
         all.sort_unstable_by_key(|c| (c.kind as u8, c.a, c.b));
         Cow::Owned(all)
-    }
-
-    fn lists_to_stdout(&self) -> bool {
-        self.candidates.as_deref().is_some_and(files::is_standard)
     }
 }
 

@@ -4,10 +4,10 @@ use super::backend::BackendOptions;
 use super::cloth::{Cloth, PUSH_DISTANCE, Size};
 use super::look::{Look, Zoom};
 use super::method::MethodOptions;
+use super::pixels::Picture;
 use super::plot::Series;
 use super::{
-    Failure, Outcome, backend, files, in_file, interrupt, mesh_file, output, picture, plot,
-    progress,
+    Failure, Outcome, backend, in_file, interrupt, mesh_file, output, picture, plot, progress,
 };
 use ccd::Mesh;
 use clap::Args;
@@ -16,11 +16,11 @@ use std::path::PathBuf;
 #[derive(Args)]
 pub struct Demo {
     /// Frames to simulate, 60 to a second
-    #[arg(long, value_name = "N", default_value_t = 90)]
+    #[arg(long, value_name = "N", default_value_t = 90, allow_negative_numbers = true)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=10_000))]
     frames: u32,
     /// Frames after those, in which the cloth loses its velocity and comes to rest
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     #[arg(value_parser = clap::value_parser!(u32).range(0..=10_000))]
     settle: u32,
     /// How fine the meshes are
@@ -34,6 +34,9 @@ pub struct Demo {
     zoom: Zoom,
     /// Write the frames, the first one too, as PLY: FOLDER/frame-00000.ply and so on; made if it is
     /// not there
+    ///
+    /// `ccd sequence FOLDER --fixed 1` checks them: the sphere is body 1, and its seam and poles
+    /// lie double, which are contacts at t = 0 unless it is fixed.
     #[arg(long, value_name = "FOLDER")]
     frames_out: Option<PathBuf>,
     #[command(flatten)]
@@ -47,14 +50,13 @@ const STEPS: usize = 8;
 
 impl Demo {
     pub fn run(&self) -> Outcome {
+        output::go_on();
         if let Some(folder) = &self.frames_out {
             std::fs::create_dir_all(folder).map_err(|e| in_file(folder, e))?;
         }
         std::fs::create_dir_all(&self.out).map_err(|e| in_file(&self.out, e))?;
         let (last, plots) = (self.out.join("last-frame.png"), self.out.join("times.png"));
-        for path in [&last, &plots] {
-            files::open(path, "png")?;
-        }
+        let [to_picture, to_plots] = [Picture::create(&last)?, Picture::create(&plots)?];
         let mut cloth = Cloth::new(self.size, &self.backend, &self.method)?;
         self.write_frame(0, &cloth)?;
         output::line("scene", output::MeshSize::of(&cloth.mesh));
@@ -85,11 +87,13 @@ impl Demo {
             mesh: &cloth.mesh,
             x: [x0, x1],
             contacts: &cloth.contacts,
+            total: cloth.contacts.len(),
+            window: [0.0, 1.0],
             look: Look { zoom: self.zoom, ..Look::default() },
         };
-        picture::write(&last, &scene)?;
+        picture::write(to_picture, &scene)?;
         plot::write(
-            &plots,
+            to_plots,
             &title,
             ("frame", 0),
             [

@@ -3,6 +3,7 @@
 
 use super::output::{ended, is_unread, unfinished};
 use super::{Failure, in_file, interrupt};
+use ccd::io::listed;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -17,20 +18,15 @@ pub fn is_standard(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Creates a file, or opens standard output for `-`.
-pub fn create(path: &Path, extension: &str) -> Result<Output, Failure> {
+/// Creates a file whose name ends in one of these, or opens standard output for `-`.
+pub fn create(path: &Path, extensions: &[&str]) -> Result<Output, Failure> {
     if is_standard(path) {
         return Ok(Output { to: Box::new(Standard), places: None });
     }
-    if !has_extension(path, &[extension]) {
-        return Err(in_file(path, format_args!("the name must end in .{extension}")));
+    if !has_extension(path, extensions) {
+        return Err(in_file(path, format_args!("the name must end in {}", listed(extensions))));
     }
     Output::beside(path).map_err(|e| in_file(path, e))
-}
-
-/// Checks that a file can be created; it is created once there is something to write.
-pub fn open(path: &Path, extension: &str) -> Result<(), Failure> {
-    create(path, extension).map(drop)
 }
 
 /// A file that is in its place once it is done: until then what was there stays, and if it is never
@@ -47,7 +43,7 @@ impl Output {
         // So that there is somebody who ends with an error.
         interrupt::token();
         // What a link points to is replaced, and not the link.
-        let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let place = target(path);
         let existing = fs::metadata(&place).ok();
         if existing.is_some() {
             // What must not be written is not replaced either.
@@ -61,16 +57,18 @@ impl Output {
         loop {
             let beside =
                 place.with_file_name(format!(".{name}.{}-{attempt}.part", std::process::id()));
+            // Before the file is there: whoever removes unfinished files knows of it.
+            let mut files = unfinished();
             let created = File::options().write(true).create_new(true).open(&beside);
             match created {
                 Err(e) if e.kind() == ErrorKind::AlreadyExists && attempt < 100 => attempt += 1,
                 other => {
                     let to = other?;
-                    unfinished().push(beside.clone());
-                    if let Some(existing) = existing {
-                        to.set_permissions(existing.permissions())?;
-                    }
-                    return Ok(Self { to: Box::new(to), places: Some([beside, place]) });
+                    files.push(beside.clone());
+                    drop(files);
+                    let allowed = existing.map(|of| to.set_permissions(of.permissions()));
+                    let output = Self { to: Box::new(to), places: Some([beside, place]) };
+                    return allowed.unwrap_or(Ok(())).map(|()| output);
                 }
             }
         }
@@ -168,8 +166,22 @@ pub fn check(
     Ok(())
 }
 
+/// The file that a path means: that to which links lead, whether it is there or not.
+fn target(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| {
+        let mut place = path.to_owned();
+        // As many links as Linux follows.
+        for _ in 0..40 {
+            let Ok(next) = fs::read_link(&place) else { break };
+            place = place.parent().unwrap_or(Path::new("")).join(next);
+        }
+        place
+    })
+}
+
 /// A path by which files are compared; the file need not exist.
 fn identity(path: &Path) -> PathBuf {
+    let path = &target(path);
     let in_folder = || {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
         let folder = folder.unwrap_or(Path::new(".")).canonicalize().ok()?;

@@ -81,6 +81,8 @@ pub struct Legend<'a> {
     pub pixels_per_unit: f64,
     /// The earliest and the latest time of impact.
     pub times: Option<[f64; 2]>,
+    /// What is said where there is none.
+    pub nothing: &'a str,
     /// Whether there are undecided contacts.
     pub undecided: bool,
     /// Whether backs of faces are to be seen.
@@ -158,7 +160,7 @@ impl Legend<'_> {
 
     fn colours(&self, root: &Area) -> Result<(), Failed> {
         let Some([first, last]) = self.times else {
-            return self.below(root, "no contact", [390, 14], SIZE);
+            return self.below(root, self.nothing, [390, 14], SIZE);
         };
         let [left, length, height] = BAR;
         self.below(root, "time of impact", [left, 6], SIZE - 2)?;

@@ -1,8 +1,9 @@
 //! The lines of `ccd sequence --json-lines`, which `ccd merge` reads: steps, and their summary.
 
-use super::output::{Counts, Fronts, MeshSize, TimesMs, Triangles};
+use super::output::{Counts, MeshSize, TimesMs, median};
 use super::part::Part;
 use super::start::Intersections;
+use ccd::method::{FrontCounts, TriangleCounts};
 use serde::{Deserialize, Serialize};
 
 /// A step; `frame` is its number among all steps, from 0, and that of the frame it begins with.
@@ -20,10 +21,10 @@ pub struct Step {
     pub rebuilt: bool,
     /// With --pipeline triangles.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub triangles: Option<Triangles>,
+    pub triangles: Option<TriangleCounts>,
     /// With --front on.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub front: Option<Fronts>,
+    pub front: Option<FrontCounts>,
     pub times_ms: TimesMs,
 }
 
@@ -95,7 +96,7 @@ pub fn summarise(steps: &[Step]) -> Summary {
         at_start: sum(|s| s.at_start),
         free_steps: steps.iter().filter(|s| s.toi.is_none()).count(),
         rebuilt: steps.iter().filter(|s| s.rebuilt).count(),
-        median_ms: times.get(times.len() / 2).copied().unwrap_or_default(),
+        median_ms: median(&times).unwrap_or_default(),
         // From a zero that has no sign: that of no steps is 0.
         total_ms: times.iter().fold(0.0, |sum, time| sum + time),
     }

@@ -161,14 +161,10 @@ impl Precision {
     }
 }
 
-/// How times of impact are found.
-#[derive(Clone, Copy, ValueEnum)]
-enum Mode {
-    /// Never late, and early by the tolerance at most
-    Conservative,
-    /// The true ones, rounded down
-    Exact,
-}
+const MODES: method::Choices<ccd::Mode, 2> = [
+    ("conservative", "Never late, and early by the tolerance at most", ccd::Mode::Conservative),
+    ("exact", "The true ones, rounded down", ccd::Mode::Exact),
+];
 
 /// Headings of options in the help.
 const INPUT: &str = "Input";
@@ -190,8 +186,9 @@ struct StepOptions {
     /// How times of impact are found
     ///
     /// Contacts are the same in both. Exact ones take no --min-distance.
-    #[arg(long, value_enum, default_value_t = Mode::Conservative, help_heading = QUESTION)]
-    mode: Mode,
+    #[arg(long, value_parser = method::choice(MODES), default_value = "conservative")]
+    #[arg(help_heading = QUESTION)]
+    mode: ccd::Mode,
     /// Leave out contacts at the start whose features separate
     ///
     /// Where they certainly do, what counts is their next contact. Without a --min-distance it is
@@ -200,7 +197,7 @@ struct StepOptions {
     leave_contact: bool,
     /// How early a certain time of impact may be, in units of the step
     #[arg(long, value_name = "T", default_value_t = ccd::TOI_TOLERANCE)]
-    #[arg(hide_short_help = true, help_heading = QUESTION)]
+    #[arg(allow_negative_numbers = true, hide_short_help = true, help_heading = QUESTION)]
     tolerance: f64,
     /// Print one JSON object instead of text
     #[arg(short, long, help_heading = OUTPUT)]
@@ -225,12 +222,13 @@ struct StepOptions {
     #[command(flatten)]
     backend: backend::BackendOptions,
     /// Threads on the CPU; 0: one per processor
-    #[arg(short, long, value_name = "N", default_value_t = 0, help_heading = backend::PLACE)]
+    #[arg(short, long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    #[arg(help_heading = backend::PLACE)]
     threads: usize,
     /// Memory that may be held, in bytes, or with K, M or G (2G); more is an error
     ///
     /// Not counted are the mesh and what is read and written.
-    #[arg(long, value_name = "BYTES", value_parser = bytes)]
+    #[arg(long, value_name = "BYTES", value_parser = bytes, allow_hyphen_values = true)]
     #[arg(hide_short_help = true, help_heading = backend::PLACE)]
     max_memory: Option<u64>,
     #[command(flatten)]
@@ -238,17 +236,18 @@ struct StepOptions {
 }
 
 impl StepOptions {
-    /// Opens what will be written, before any work: contacts, if they are wanted. A picture that
-    /// cannot be written is refused here, too.
+    /// Opens the file of a picture before any work, if one is wanted.
+    fn picture_file(&self) -> Result<Option<pixels::Picture<'_>>, Failure> {
+        self.picture.as_deref().map(pixels::Picture::create).transpose()
+    }
+
+    /// The same of contacts.
     fn contact_file(&self, frames: bool) -> Result<Option<rows::Rows<'_>>, Failure> {
-        if let Some(path) = &self.picture {
-            files::open(path, "png")?;
-        }
         let path = self.contacts.as_deref().filter(|path| frames || !points::are_wanted(path));
         path.map(|path| rows::Rows::of_contacts(path, frames)).transpose()
     }
 
-    /// The same of contacts that are written as points.
+    /// The same of contacts as points.
     fn point_file(&self) -> Result<Option<points::Points<'_>>, Failure> {
         let path = self.contacts.as_deref().filter(|path| points::are_wanted(path));
         path.map(points::Points::create).transpose()
@@ -290,13 +289,9 @@ impl StepOptions {
         !self.json && !files.into_iter().flatten().any(|path| files::is_standard(path))
     }
 
-    /// A session for a mesh where the options want it.
-    fn session(&self, mesh: ccd::Mesh) -> Result<ccd::any::Session, Failure> {
-        self.session_of(mesh, None)
-    }
-
-    /// The same of several objects: the body of each vertex, and which of them stand still.
-    fn session_of(
+    /// A session for a mesh where the options want it. `objects`: of several, the body of each
+    /// vertex, and which of them stand still.
+    fn session(
         &self,
         mesh: ccd::Mesh,
         objects: Option<(Vec<u32>, Vec<bool>)>,
@@ -304,12 +299,9 @@ impl StepOptions {
         let options = ccd::Options::default()
             .with_min_distance(self.min_distance)
             .with_tolerance(self.tolerance)
-            .with_mode(match self.mode {
-                Mode::Conservative => ccd::Mode::Conservative,
-                Mode::Exact => ccd::Mode::Exact,
-            })
+            .with_mode(self.mode)
             .with_leave_contact(self.leave_contact)
-            .with_bodies(self.bodies.of(&mesh, objects)?)
+            .with_bodies(self.bodies.of(&mesh, objects, self.max_memory)?)
             .with_threads(self.threads)
             .with_max_memory(self.max_memory);
         let choice = self.backend.choose(mesh.edges().len())?;
@@ -362,7 +354,7 @@ fn main() -> ExitCode {
         Ok(true) if fail_on_contact => ExitCode::from(1),
         Ok(_) => ExitCode::SUCCESS,
         Err(_) if interrupt::happened() => {
-            Failure("interrupted".into()).print();
+            interrupt::interrupted().print();
             ExitCode::from(interrupt::status())
         }
         Err(failure) => {

@@ -8,6 +8,7 @@ use std::path::PathBuf;
 
 #[derive(Args)]
 pub struct Completions {
+    /// The shell that reads them
     #[arg(value_enum)]
     shell: clap_complete::Shell,
 }
@@ -41,6 +42,11 @@ impl Man {
 
     /// Writes a page. Its last section has columns, which `man` must not fill up.
     fn write(&self, command: clap::Command) -> Result<(), Failure> {
+        // Of an option that `-h` leaves out a page has the long text alone.
+        let command = command.mut_args(|arg| match arg.get_help().cloned() {
+            Some(help) if arg.get_long_help().is_none() => arg.long_help(help),
+            _ => arg,
+        });
         let page = clap_mangen::Man::new(command);
         let path = self.folder.join(page.get_filename());
         let mut text = Vec::new();

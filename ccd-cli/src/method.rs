@@ -34,13 +34,13 @@ pub struct MethodOptions {
     #[arg(hide_possible_values = true, hide_short_help = true)]
     volume: Option<Volume>,
     /// Neighbours to either side that --builder ploc looks at
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     radius: Option<u32>,
     /// Most boxes for --builder nearest-pair, whose time grows with their square
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     limit: Option<u32>,
     /// Nodes of the cut that --traversal cut and cut-stacks start from
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     cut: Option<u32>,
     /// What is paired first, features or triangles
     #[arg(long, value_name = "NAME", value_parser = named::<Pipeline>())]

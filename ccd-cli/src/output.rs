@@ -2,7 +2,6 @@
 
 use super::{Failure, Precision};
 use ccd::any;
-use ccd::method::{FrontCounts, TriangleCounts};
 use ccd::{Mesh, PerKind, Report};
 use serde::{Deserialize, Serialize};
 use std::io::{ErrorKind, Write};
@@ -25,7 +24,7 @@ pub(crate) use say;
 macro_rules! notice {
     ($($text:tt)*) => {
         if !$crate::output::is_quiet() {
-            eprintln!("ccd: {}", format_args!($($text)*))
+            $crate::output::tell(format_args!($($text)*))
         }
     };
 }
@@ -55,9 +54,23 @@ pub fn go_on() {
     GOES_ON.store(true, Relaxed);
 }
 
-/// The files that are removed if the program ends where it is.
+/// The files that are removed if the program ends where it is. None is begun while this is held.
 pub fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes unfinished files. Who holds what this returns until the program ends leaves none.
+pub fn remove_unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    let files = unfinished();
+    for path in files.iter() {
+        let _ = std::fs::remove_file(path);
+    }
+    files
+}
+
+/// Prints a notice. Where it cannot be written the work goes on all the same.
+pub fn tell(text: std::fmt::Arguments) {
+    let _ = writeln!(std::io::stderr(), "ccd: {text}");
 }
 
 /// Prints a line to standard output.
@@ -82,9 +95,7 @@ pub fn is_unread(e: &std::io::Error) -> bool {
 /// Nothing can be printed any more. A reader that has gone away has seen what it wanted; all else
 /// is an error.
 pub fn ended(e: &std::io::Error) -> ! {
-    for path in unfinished().iter() {
-        let _ = std::fs::remove_file(path);
-    }
+    let _none_begins = remove_unfinished();
     if e.kind() == ErrorKind::BrokenPipe {
         std::process::exit(0);
     }
@@ -207,49 +218,6 @@ impl TimesMs {
     }
 }
 
-/// Pairs of triangles of a step, and the tests of features that they are.
-#[derive(Serialize, Deserialize)]
-pub struct Triangles {
-    /// Pairs whose swept boxes overlap.
-    pub pairs: u64,
-    /// Of these those that share a vertex, which were skipped.
-    pub adjacent: u64,
-    /// Of these those in a region that does not touch itself, which were skipped.
-    pub free: u64,
-    /// Of the others those whose oriented boxes are apart; their candidates go no further.
-    #[serde(default)]
-    pub separated: u64,
-    /// Tests to which all that were not skipped were expanded.
-    pub represented: u64,
-    /// Tests of orphans.
-    pub orphans: u64,
-}
-
-impl From<TriangleCounts> for Triangles {
-    fn from(n: TriangleCounts) -> Self {
-        let TriangleCounts { pairs, adjacent, free, separated, represented, orphans, .. } = n;
-        Self { pairs, adjacent, free, separated, represented, orphans }
-    }
-}
-
-/// Fronts of a step.
-#[derive(Serialize, Deserialize)]
-pub struct Fronts {
-    /// Pairs of nodes that are kept for the next step.
-    pub pairs: u64,
-    /// Pairs of nodes with which the step began; 0: it began at the roots.
-    pub begun: u64,
-    /// Memory that they take.
-    pub bytes: u64,
-}
-
-impl From<FrontCounts> for Fronts {
-    fn from(n: FrontCounts) -> Self {
-        let FrontCounts { pairs, begun, bytes, .. } = n;
-        Self { pairs, begun, bytes }
-    }
-}
-
 /// A number with the digits that matter: milliseconds, microseconds below one.
 pub fn milliseconds(ms: f64) -> String {
     if ms >= 100.0 {
@@ -259,6 +227,12 @@ pub fn milliseconds(ms: f64) -> String {
     } else {
         format!("{:.0} us", ms * 1e3)
     }
+}
+
+/// The median of sorted times, which is the mean of the middle two of an even number of them.
+pub fn median(sorted: &[f64]) -> Option<f64> {
+    let upper = *sorted.get(sorted.len() / 2)?;
+    Some(sorted[(sorted.len() - 1) / 2].midpoint(upper))
 }
 
 /// Number of contacts at t = 0.
@@ -337,5 +311,24 @@ pub fn flush() {
         Ok(()) => {}
         Err(e) if is_unread(&e) => {}
         Err(e) => ended(&e),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn medians_are_in_the_middle() {
+        for (sorted, want) in [
+            (&[0.0; 0][..], None),
+            (&[3.0], Some(3.0)),
+            (&[1.0, 3.0], Some(2.0)),
+            (&[1.0, 3.0, 9.0], Some(3.0)),
+            (&[1.0, 3.0, 5.0, 90.0], Some(4.0)),
+            (&[f64::MAX, f64::MAX], Some(f64::MAX)),
+        ] {
+            assert_eq!(median(sorted), want, "{sorted:?}");
+        }
     }
 }

@@ -5,11 +5,11 @@ use super::canvas::{Canvas, Colour, Shape};
 use super::legend::{Frame, Legend, colour_of};
 use super::look::{Look, Subject};
 use super::output::thousands;
-use super::{Failure, in_file, pixels, toi};
+use super::pixels::{Failed, Picture};
+use super::{Failure, start, toi};
 use ccd::geometry::vec3::{dot, lerp, sub};
 use ccd::{Contact, ContactGeometry, Mesh, State, TOI_TOLERANCE};
 use std::collections::HashSet;
-use std::path::Path;
 
 /// Contents of a picture.
 pub struct Scene<'a> {
@@ -18,7 +18,12 @@ pub struct Scene<'a> {
     pub mesh: &'a Mesh,
     /// Positions at the start and at the end of the step.
     pub x: [&'a [[f64; 3]]; 2],
+    /// Those that are drawn: all, or the earliest.
     pub contacts: &'a [Contact],
+    /// The number of all contacts.
+    pub total: usize,
+    /// The part of the step that they were looked for in.
+    pub window: [f64; 2],
     pub look: Look,
 }
 
@@ -34,12 +39,11 @@ const FEW: usize = 24;
 
 /// Writes the picture: the mesh as it is at the earliest time of impact, and a mark for each
 /// contact at its place and in the colour of its time.
-pub fn write(path: &Path, scene: &Scene) -> Result<(), Failure> {
-    let drawn = draw(scene).map_err(|e| in_file(path, e))?;
-    pixels::save(path, scene.look.size.map(|n| n as u32).into(), drawn)
+pub fn write(to: Picture, scene: &Scene) -> Result<(), Failure> {
+    to.save(scene.look.size.map(|n| n as u32).into(), draw(scene))
 }
 
-fn draw(scene: &Scene) -> Result<Vec<u8>, pixels::Failed> {
+fn draw(scene: &Scene) -> Result<Vec<u8>, Failed> {
     let (mesh, [x0, x1]) = (scene.mesh, scene.x);
     let mut marks: Vec<(&Contact, ContactGeometry)> =
         scene.contacts.iter().map(|c| (c, c.geometry(mesh, x0, x1))).collect();
@@ -76,8 +80,8 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, pixels::Failed> {
     draw_marks(&mut canvas, scene, &marks, times.unwrap_or([0.0; 2]), [spread, frame.unit]);
 
     let n_undecided = marks.iter().filter(|(c, _)| c.state == State::Undecided).count();
-    let plural = if marks.len() == 1 { "" } else { "s" };
-    let mut text = format!("{} contact{plural}", thousands(marks.len()));
+    let n_shown = counted(marks.len(), scene.total, scene.window);
+    let mut text = n_shown.clone();
     if n_undecided > 0 {
         text += &format!(", {} of them undecided", thousands(n_undecided));
     }
@@ -94,10 +98,27 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, pixels::Failed> {
         lines: [scene.title, &text],
         pixels_per_unit: view.scale(),
         times,
+        nothing: &n_shown,
         undecided: n_undecided > 0,
         backs,
     };
     legend.around(&canvas.pixels())
+}
+
+/// How many contacts are drawn, of how many and from which part of the step.
+fn counted(n: usize, total: usize, window: [f64; 2]) -> String {
+    let plural = if total == 1 { "" } else { "s" };
+    let all = match total {
+        0 => "no contact".into(),
+        _ => format!("{} contact{plural}", thousands(total)),
+    };
+    let text = match n {
+        n if n == total => all,
+        0 => format!("none of {all}"),
+        1 => format!("the earliest of {all}"),
+        n => format!("the {} earliest of {all}", thousands(n)),
+    };
+    text + &start::within(window)
 }
 
 /// Marks of contacts, which are sorted by their times: the latest first, so that the earlier are
@@ -180,4 +201,25 @@ fn loose(mesh: &Mesh) -> (Vec<[u32; 2]>, Vec<u32>) {
     }
     let rods = mesh.edges().iter().copied().filter(|e| !sides.contains(e)).collect();
     (rods, (0..mesh.n_vertices() as u32).filter(|&v| alone[v as usize]).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_drawn_is_counted() {
+        for (n, total, window, want) in [
+            (0, 0, [0.0, 1.0], "no contact"),
+            (1, 1, [0.0, 1.0], "1 contact"),
+            (1234, 1234, [0.0, 1.0], "1,234 contacts"),
+            (3, 308, [0.0, 1.0], "the 3 earliest of 308 contacts"),
+            (1, 2, [0.0, 1.0], "the earliest of 2 contacts"),
+            (0, 1, [0.0, 1.0], "none of 1 contact"),
+            (0, 0, [0.0, 0.1], "no contact from 0 to 0.1 of the step"),
+            (2, 8, [0.5, 1.0], "the 2 earliest of 8 contacts from 0.5 to 1 of the step"),
+        ] {
+            assert_eq!(counted(n, total, window), want);
+        }
+    }
 }

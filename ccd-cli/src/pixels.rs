@@ -20,17 +20,36 @@ const FONT: &[u8] = epaint_default_fonts::UBUNTU_LIGHT;
 pub type Area<'a> = DrawingArea<Pixels<'a>, plotters::coord::Shift>;
 pub type Failed = Box<dyn std::error::Error>;
 
-/// Writes pixels, three bytes each, as a small file, or to standard output for `-`.
-pub fn save(path: &Path, (width, height): (u32, u32), pixels: Vec<u8>) -> Result<(), Failure> {
+/// A file of a picture, which is opened before any work.
+pub struct Picture<'a> {
+    path: &'a Path,
+    to: files::Output,
+}
+
+impl<'a> Picture<'a> {
+    /// Opens the file, or standard output for `-`.
+    pub fn create(path: &'a Path) -> Result<Self, Failure> {
+        Ok(Self { path, to: files::create(path, &["png"])? })
+    }
+
+    /// Writes pixels, three bytes each, if they could be drawn, and puts the file in its place.
+    pub fn save(mut self, size: (u32, u32), drawn: Result<Vec<u8>, Failed>) -> Result<(), Failure> {
+        let png = drawn.and_then(|pixels| encoded(size, &pixels));
+        let png = png.map_err(|e| in_file(self.path, e))?;
+        let written = self.to.write_all(&png).and_then(|()| self.to.done());
+        written.map_err(|e| files::failed(self.path, e))
+    }
+}
+
+/// Pixels as the bytes of a small file.
+fn encoded((width, height): (u32, u32), pixels: &[u8]) -> Result<Vec<u8>, Failed> {
     let mut png = Vec::new();
     let mut encoder = png::Encoder::new(&mut png, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_compression(png::Compression::High);
     encoder.set_filter(png::Filter::Adaptive);
-    let written = encoder.write_header().and_then(|mut to| to.write_image_data(&pixels));
-    written.map_err(|e| in_file(path, e))?;
-    let mut to = files::create(path, "png")?;
-    to.write_all(&png).and_then(|()| to.done()).map_err(|e| files::failed(path, e))
+    encoder.write_header()?.write_image_data(pixels)?;
+    Ok(png)
 }
 
 /// Three bytes a pixel, row by row.

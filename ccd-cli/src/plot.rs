@@ -1,9 +1,8 @@
 //! Line plots of numbers over frames, one above the other.
 
-use super::pixels::{self, Failed, Pixels};
-use super::{Failure, in_file};
+use super::Failure;
+use super::pixels::{Failed, Picture, Pixels};
 use plotters::prelude::*;
-use std::path::Path;
 
 const WIDTH: u32 = 1200;
 const HEIGHT_EACH: u32 = 320;
@@ -34,15 +33,15 @@ impl<'a> Series<'a> {
 /// Writes one plot per series, all over the same axis; each has its name and starts at 0. `title`:
 /// the scene, and the backend that ran it. `axis`: its name, and its number at the first value.
 pub fn write<const N: usize>(
-    path: &Path,
+    to: Picture,
     title: &str,
     axis: (&str, usize),
     series: [Series; N],
 ) -> Result<(), Failure> {
     let size = (WIDTH, TITLE + HEIGHT_EACH * N as u32);
     let mut pixels = vec![255u8; (size.0 * size.1 * 3) as usize];
-    draw(&mut pixels, size, title, axis, series).map_err(|e| in_file(path, e))?;
-    pixels::save(path, size, pixels)
+    let drawn = draw(&mut pixels, size, title, axis, series);
+    to.save(size, drawn.map(|()| pixels))
 }
 
 fn draw<const N: usize>(

@@ -26,7 +26,7 @@ pub struct Points<'a> {
 
 impl<'a> Points<'a> {
     pub fn create(path: &'a Path) -> Result<Self, Failure> {
-        Ok(Self { path, out: BufWriter::new(files::create(path, "ply")?) })
+        Ok(Self { path, out: BufWriter::new(files::create(path, &["ply"])?) })
     }
 
     /// Writes the contacts of a step, and puts the file in its place.

@@ -172,10 +172,7 @@ fn write(
     file: &File,
     verdicts: &[Option<Verdict<f64>>],
 ) -> Result<(), Failure> {
-    let name = match name.contains([',', '"', '\n']) {
-        true => format!("\"{}\"", name.replace('"', "\"\"")),
-        false => name.to_owned(),
-    };
+    let name = quoted(name);
     for (at, (query, verdict)) in file.queries.iter().zip(verdicts).enumerate() {
         let kind = rows::kind(match query {
             Query::VertexFace(_) => Kind::VertexFace,
@@ -192,6 +189,14 @@ fn write(
         out.row(format_args!("{name},{at},{kind},{word},{toi},{answer}"))?;
     }
     out.flush()
+}
+
+/// A cell of CSV, in quotes if it needs them.
+fn quoted(cell: &str) -> String {
+    match cell.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", cell.replace('"', "\"\"")),
+        false => cell.to_owned(),
+    }
 }
 
 /// The folder that all files are in, below which their names tell them apart.
@@ -288,5 +293,23 @@ fn widen(verdict: Verdict<f32>, d: f64) -> Option<Verdict<f64>> {
         Verdict::Miss => Some(Verdict::Miss),
         Verdict::Hit { toi } if round_up(d) as f64 == d => Some(Verdict::Hit { toi: toi.into() }),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_with_ends_of_lines_are_quoted() {
+        for (cell, want) in [
+            ("in/a b.csv", "in/a b.csv"),
+            ("a,b", "\"a,b\""),
+            ("a\"b", "\"a\"\"b\""),
+            ("a\nb", "\"a\nb\""),
+            ("a\rb", "\"a\rb\""),
+        ] {
+            assert_eq!(quoted(cell), want);
+        }
     }
 }

@@ -26,16 +26,25 @@ pub struct Rows<'a> {
 impl<'a> Rows<'a> {
     /// Opens the file, or standard output for `-`, and writes the names of columns.
     pub fn create(path: &'a Path, columns: &str) -> Result<Self, Failure> {
-        let writer = BufWriter::with_capacity(1 << 16, files::create(path, "csv")?);
+        Self::ending(path, &["csv"], columns)
+    }
+
+    /// The same, where the name may end in any of these.
+    fn ending(path: &'a Path, extensions: &[&str], columns: &str) -> Result<Self, Failure> {
+        let writer = BufWriter::with_capacity(1 << 16, files::create(path, extensions)?);
         let mut rows = Self { path, writer };
         rows.row(format_args!("{columns}"))?;
         rows.flush()?;
         Ok(rows)
     }
 
-    /// A file of contacts, of many steps with their numbers in front.
+    /// A file of contacts, of many steps with their numbers in front. Those of one step may also be
+    /// points of a PLY file, which is not opened here: a name that is neither is told both.
     pub fn of_contacts(path: &'a Path, frames: bool) -> Result<Self, Failure> {
-        Self::create(path, &format!("{}{COLUMNS}", if frames { "frame," } else { "" }))
+        match frames {
+            true => Self::create(path, &format!("frame,{COLUMNS}")),
+            false => Self::ending(path, &["csv", "ply"], COLUMNS),
+        }
     }
 
     pub fn row(&mut self, text: std::fmt::Arguments) -> Result<(), Failure> {

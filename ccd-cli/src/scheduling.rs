@@ -19,32 +19,32 @@ pub struct SchedulingOptions {
     #[arg(long, value_name = "NAME", value_parser = named::<Front>(), hide_short_help = true)]
     front: Option<Front>,
     /// Compare the front's length with its length N steps before
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     front_period: Option<u32>,
     /// Give the front up if it is then below N percent of that length; 0: never
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     front_threshold: Option<u32>,
     /// Give the front up if it is longer than N percent of its length after a step from the roots
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     front_growth: Option<u32>,
     /// Most memory of all fronts in MiB; a longer one is given up
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     front_memory: Option<u32>,
     /// Percentage of workers that must be idle for --scheduler balanced to deal out again
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     idle: Option<u32>,
     /// Workers of --scheduler: threads, never more than --threads; workgroups of a GPU, a power of
     /// two from 16 to 2048
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     workers: Option<u32>,
     /// Pairs of nodes that the stack of a GPU's worker holds, at most 1024; those of threads grow
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     stack: Option<u32>,
     /// Pairs of a batch of --scheduler lazy-stealing, and of stealing on a GPU, at most 64
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     batch: Option<u32>,
     /// Length of a stack from which on these schedulers offer a batch to others, at most 1024
-    #[arg(long, value_name = "N", hide_short_help = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     threshold: Option<u32>,
 }
 

@@ -6,6 +6,7 @@ use super::lines::{LastLine, Share, Step, Summary, digest_of, step_ms, summarise
 use super::objects::notice_folded;
 use super::output::{self, MeshSize, TimesMs};
 use super::part::Part;
+use super::pixels::Picture;
 use super::plot::Series;
 use super::start::Intersections;
 use super::{Failure, INPUT, OUTPUT, Outcome, StepOptions, backend, plot, progress, rows, toi};
@@ -13,7 +14,7 @@ use ccd::any::Session;
 use ccd::io::{MESH_EXTENSIONS, PointCache, listed};
 use clap::Args;
 use serde::Serialize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 #[derive(Args)]
@@ -33,7 +34,7 @@ pub struct Sequence {
     ///
     /// `slurm`: i and n from SLURM_ARRAY_TASK_ID, _COUNT, _MIN and _STEP, which nothing else reads.
     /// `ccd merge` joins what --json-lines printed, and what --contacts wrote.
-    #[arg(long, value_name = "i/n", help_heading = INPUT)]
+    #[arg(long, value_name = "i/n", allow_hyphen_values = true, help_heading = INPUT)]
     part: Option<Part>,
     #[command(flatten)]
     pub options: StepOptions,
@@ -55,6 +56,7 @@ struct Json<'a> {
 impl Sequence {
     pub fn run(&self) -> Outcome {
         self.options.check_outputs(self.json_lines.then_some("--json-lines"), None, &[])?;
+        let picture = self.options.picture_file()?;
         let mut file = self.options.contact_file(true)?;
         let (mut frames, is_unsorted) = Frames::open(&self.frames, self.mesh.as_deref())?;
         if is_unsorted {
@@ -68,7 +70,7 @@ impl Sequence {
         let (mut before, mesh) = frames.first(todo.start)?;
         notice_folded(&frames.name(todo.start), &before);
         let polygons = before.polygons.clone();
-        let mut session = self.options.session(mesh)?;
+        let mut session = self.options.session(mesh, None)?;
         let mut load = load_start.elapsed().as_secs_f64() * 1e3;
         let precision = self.options.precision;
         let is_first = self.part.is_none_or(|part| part.index == 1);
@@ -106,8 +108,8 @@ impl Sequence {
                 toi: report.toi,
                 // The look at the first frame leaves trees to the first step.
                 rebuilt: report.rebuilt || i == todo.start,
-                triangles: report.triangles.map(Into::into),
-                front: report.front.map(Into::into),
+                triangles: report.triangles,
+                front: report.front,
                 times_ms: TimesMs::new(load, report, &session.place()),
             };
             if let Some(file) = &mut file {
@@ -132,36 +134,27 @@ impl Sequence {
             Share { frames: [share.frames[0], last], ..share }
         });
         file.map_or(Ok(()), rows::Rows::done)?;
-        let ends = [frames.name(todo.start), frames.name(todo.end)];
-        self.finish(&mut session, [&ends[0], &ends[1]], todo.start, steps, share, start)
+        if let Some(to) = picture {
+            let [from, until] = [todo.start, todo.end].map(|at| frames.name(at));
+            let distance = self.options.min_distance;
+            let mut title = output::title(&[&from, &until], distance, &session.place());
+            if let Some(Share { part, all_steps, .. }) = share {
+                title += &format!("; part {} of {} of {all_steps} steps", part.index, part.of);
+            }
+            draw(to, &title, todo.start, &steps)?;
+        }
+        self.finish(&mut session, steps, share, start)
     }
 
     fn finish(
         &self,
         session: &mut Session,
-        ends: [&Path; 2],
-        first: usize,
         steps: Vec<Step>,
         part: Option<Share>,
         start: Option<Intersections>,
     ) -> Outcome {
         let summary = summarise(&steps);
         let compilation = backend::compilation(session);
-        if let Some(path) = &self.options.picture {
-            let times: Vec<f64> = steps.iter().map(step_ms).collect();
-            let contacts: Vec<f64> = steps.iter().map(|s| s.contacts.total() as f64).collect();
-            let tois: Vec<f64> = steps.iter().map(|s| s.toi.unwrap_or(f64::NAN)).collect();
-            let mut title = output::title(&ends, self.options.min_distance, &session.place());
-            if let Some(Share { part, all_steps, .. }) = part {
-                title += &format!("; part {} of {} of {all_steps} steps", part.index, part.of);
-            }
-            let series = [
-                Series::new("time of a step, ms", &times),
-                Series::new("contacts", &contacts),
-                Series { top: Some(1.0), ..Series::new("earliest time of impact", &tois) },
-            ];
-            plot::write(path, &title, ("step", first), series)?;
-        }
         let any = summary.contacts > 0 || start.as_ref().is_some_and(|start| start.pairs > 0);
         let place = session.place();
         if self.options.json {
@@ -201,6 +194,19 @@ impl Sequence {
         output::flush();
         Ok::<_, Failure>(any)
     }
+}
+
+/// Draws times and contacts of steps, of which the first has this number.
+fn draw(to: Picture, title: &str, first: usize, steps: &[Step]) -> Result<(), Failure> {
+    let times: Vec<f64> = steps.iter().map(step_ms).collect();
+    let contacts: Vec<f64> = steps.iter().map(|s| s.contacts.total() as f64).collect();
+    let tois: Vec<f64> = steps.iter().map(|s| s.toi.unwrap_or(f64::NAN)).collect();
+    let series = [
+        Series::new("time of a step, ms", &times),
+        Series::new("contacts", &contacts),
+        Series { top: Some(1.0), ..Series::new("earliest time of impact", &tois) },
+    ];
+    plot::write(to, title, ("step", first), series)
 }
 
 /// The first contact of all steps, for people.

@@ -76,16 +76,19 @@ pub fn is_whole([from, until]: [f64; 2]) -> bool {
     from <= 0.0 && until >= 1.0
 }
 
+/// A window in words behind others, none for the whole step.
+pub fn within(window: [f64; 2]) -> String {
+    let [from, until] = window;
+    if is_whole(window) { String::new() } else { format!(" from {from} to {until} of the step") }
+}
+
 /// Result of a window of a step in one sentence for people.
-pub fn sentence(report: &Report, start: &Intersections, [from, until]: [f64; 2]) -> String {
-    let whole = is_whole([from, until]);
+pub fn sentence(report: &Report, start: &Intersections, window: [f64; 2]) -> String {
+    let ([from, _], within) = (window, within(window));
     match (report.toi, start.verb()) {
-        (None, None) if whole => "No contact: the whole step is free.".into(),
-        (None, None) => format!("No contact from {from} to {until} of the step."),
-        (None, Some(verb)) if whole => format!("No contact, but the first frame {verb}."),
-        (None, Some(verb)) => {
-            format!("No contact from {from} to {until} of the step, but the first frame {verb}.")
-        }
+        (None, None) if is_whole(window) => "No contact: the whole step is free.".into(),
+        (None, None) => format!("No contact{within}."),
+        (None, Some(verb)) => format!("No contact{within}, but the first frame {verb}."),
         (Some(time), _) if from > 0.0 => {
             format!("First contact from {from} of the step on: {}.", toi::when(time))
         }

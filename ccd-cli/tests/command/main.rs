@@ -18,6 +18,7 @@ const ANYWHERE: &[(&str, fn())] = &[
     ("the_list_names_every_choice", methods::the_list_names_every_choice),
     ("the_documents_name_every_choice", methods::the_documents_name_every_choice),
     ("every_choice_finds_the_same", methods::every_choice_finds_the_same),
+    ("pages_describe_every_option", methods::pages_describe_every_option),
     #[cfg(unix)]
     ("a_reader_that_goes_away_ends_quietly", interrupted::a_reader_that_goes_away_ends_quietly),
     #[cfg(unix)]
@@ -26,6 +27,10 @@ const ANYWHERE: &[(&str, fn())] = &[
     ("ctrl_c_leaves_whole_files_or_none", interrupted::ctrl_c_leaves_whole_files_or_none),
     #[cfg(unix)]
     ("a_second_ctrl_c_ends_at_once", interrupted::a_second_ctrl_c_ends_at_once),
+    #[cfg(unix)]
+    ("what_cannot_be_told_changes_nothing", interrupted::what_cannot_be_told_changes_nothing),
+    #[cfg(unix)]
+    ("links_and_pipes_are_written_to", interrupted::links_and_pipes_are_written_to),
 ];
 /// Tests that need a GPU: without one they are ignored with the reason, and counted.
 const WITH_GPU: &[(&str, fn())] = &[

@@ -61,6 +61,25 @@ pub fn every_choice_finds_the_same() {
     assert!(n_choices > 4);
 }
 
+/// No option of a man page is without text, not even one that `-h` leaves out.
+pub fn pages_describe_every_option() {
+    let dir = tempfile::tempdir().unwrap();
+    let written = ccd(&["man", dir.path().to_str().unwrap()]);
+    assert!(written.status.success(), "{}", text(&written.stderr));
+    let mut n_options = 0;
+    for page in std::fs::read_dir(dir.path()).unwrap() {
+        let path = page.unwrap().path();
+        let page = std::fs::read_to_string(&path).unwrap();
+        let lines: Vec<&str> = page.lines().collect();
+        for at in (0..lines.len()).filter(|&at| lines[at] == ".TP") {
+            let [option, what] = [lines[at + 1], lines[at + 2]];
+            assert!(!what.is_empty() && !what.starts_with('.'), "{}: {option}", path.display());
+            n_options += 1;
+        }
+    }
+    assert!(n_options > 100, "{n_options} options");
+}
+
 /// The table of the documents names every choice, and no other; the files that it names are there.
 pub fn the_documents_name_every_choice() {
     let page = include_str!("../../../docs/ALGORITHMS.md");

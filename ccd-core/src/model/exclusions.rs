@@ -5,8 +5,13 @@
 
 use super::incidence::Incidence;
 use super::mesh::Mesh;
+use crate::model::error::Error;
 use alloc::vec;
 use alloc::vec::Vec;
+use core::convert::Infallible;
+
+/// Bytes of a pair: in a list, and with its kind in the rules of bodies.
+const PAIR: u64 = 20;
 
 /// Pairs of features, by their ids in a mesh; sorted, each once.
 ///
@@ -52,8 +57,45 @@ impl Exclusions {
     /// # Ok::<(), ccd::Error>(())
     /// ```
     pub fn of_neighbours(mesh: &Mesh, rings: u32) -> Self {
+        let Ok(all) = Self::list_neighbours(mesh, rings, |_| Ok::<(), Infallible>(()));
+        all
+    }
+
+    /// [`Exclusions::of_neighbours`] where that takes no more than so many bytes: many rings are
+    /// all pairs of a mesh. Counted are the lists as they are made, in which some pairs stand
+    /// several times, and the [`Bodies`](super::bodies::Bodies) that take them.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    ///
+    /// ```
+    /// use ccd::{Error, Exclusions, Mesh};
+    ///
+    /// let mesh = Mesh::new(5, &[[0, 1, 2], [2, 1, 3], [2, 3, 4]])?;
+    /// let some = Exclusions::of_neighbours_within(&mesh, 9, 10_000)?;
+    /// assert_eq!(some, Exclusions::of_neighbours(&mesh, 9));
+    /// let none = Exclusions::of_neighbours_within(&mesh, 9, 100);
+    /// assert!(matches!(none, Err(Error::Memory { limit: 100, .. })));
+    /// # Ok::<(), ccd::Error>(())
+    /// ```
+    pub fn of_neighbours_within(mesh: &Mesh, rings: u32, max_bytes: u64) -> Result<Self, Error> {
+        Self::list_neighbours(mesh, rings, |n| match n as u64 * PAIR {
+            bytes if bytes > max_bytes => {
+                let what = "pairs of neighbours";
+                Err(Error::Memory { what, bytes, held: 0, limit: max_bytes })
+            }
+            _ => Ok(()),
+        })
+    }
+
+    /// `check`: whether there may be so many pairs.
+    fn list_neighbours<E>(
+        mesh: &Mesh,
+        rings: u32,
+        check: impl Fn(usize) -> Result<(), E>,
+    ) -> Result<Self, E> {
         if rings == 0 {
-            return Self::default();
+            return Ok(Self::default());
         }
         let n = mesh.n_vertices();
         let ends = |&[a, b]: &[u32; 2]| [(a, b), (b, a)];
@@ -76,10 +118,11 @@ impl Exclusions {
                             ee.push([a, b]);
                         }
                     }
+                    check(vf.len() + ee.len())?;
                 }
             }
         }
-        Self::new(vf, ee)
+        Ok(Self::new(vf, ee))
     }
 
     /// Both together.
