@@ -122,6 +122,10 @@ struct Form {
     n_free: u8,
 }
 
+/// At less, rounding may have made most of a normal: of edges on one line all of it. Above, the
+/// normal's direction is known to some `2^-26`, and so is the distance to the size.
+const LEAST_SINE_SQUARED: f64 = f64::EPSILON;
+
 /// No difference.
 const NONE: [usize; 2] = [0; 2];
 
@@ -168,13 +172,15 @@ impl VertexFaceType {
         [Self::F0, Self::F1, Self::F2, Self::F0F1, Self::F1F2, Self::F2F0, Self::Face];
 
     /// The type at these positions. On the border of two it is either; of corners and sides that
-    /// are equally far, that with the least number of a corner or of an end.
+    /// are equally far, that with the least number of a corner or of an end. A face whose sides at
+    /// `f0` meet at an angle below 1.5e-8 counts as its three sides.
     pub fn of(x: &Points) -> Self {
         let d = in_unit(x);
         let (a, b, c) = (d([0, 1]), d([2, 1]), d([3, 1]));
         let n = cross(b, c);
         let (s, r) = (dot(cross(a, c), n), dot(cross(b, a), n));
-        if s > 0.0 && r > 0.0 && s + r < dot(n, n) {
+        let nn = dot(n, n);
+        if s > 0.0 && r > 0.0 && s + r < nn && nn > LEAST_SINE_SQUARED * dot(b, b) * dot(c, c) {
             return Self::Face;
         }
         nearest([
@@ -239,15 +245,17 @@ impl EdgeEdgeType {
         Self::AB,
     ];
 
-    /// The type at these positions. On the border of two it is either; of parallel edges, it is
-    /// that of an end, of `ea0` before `ea1`, `eb0`, `eb1` where several are equally near.
+    /// The type at these positions. On the border of two it is either; of parallel edges (those at
+    /// an angle below 1.5e-8), it is that of an end, of `ea0` before `ea1`, `eb0`, `eb1` where
+    /// several are equally near.
     pub fn of(x: &Points) -> Self {
         let d = in_unit(x);
         let (u, v, w) = (d([1, 0]), d([3, 2]), d([2, 0]));
         let n = cross(u, v);
         let nn = dot(n, n);
         let (s, t) = (dot(cross(w, v), n), dot(cross(w, u), n));
-        if s > 0.0 && s < nn && t > 0.0 && t < nn {
+        let inside = s > 0.0 && s < nn && t > 0.0 && t < nn;
+        if inside && nn > LEAST_SINE_SQUARED * dot(u, u) * dot(v, v) {
             return Self::AB;
         }
         nearest([

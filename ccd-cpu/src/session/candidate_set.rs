@@ -121,7 +121,8 @@ impl Engine {
         };
         let min_distance = options.min_distance;
         options.min_distance = distance_for(min_distance, reach);
-        check_min_distance(options.min_distance)?;
+        check_min_distance(options.min_distance)
+            .map_err(|_| Error::MinDistance { value: inflation })?;
         self.threads.stop.begin()?;
         if let Err(why) = self.list(given, Some(&options)) {
             self.clear();
@@ -297,8 +298,10 @@ fn swept_and_reach<T: Real>([x0, x1]: [&[[T; 3]]; 2], inflation: f64) -> (Vec<Aa
     let all = boxes.iter().flat_map(|b| b.min.iter().chain(&b.max));
     let greatest = all.fold(0.0, |most: f64, &c| Num::max(most, c.abs()));
     // Of `x0 + s (x1 - x0)`, a difference and a product of twice the greatest coordinate are
-    // rounded, and a sum: five units. The other way rounds less.
-    (boxes, inflation + greatest * (8.0 * T::UNIT.to_f64()))
+    // rounded, and a sum: five units. The other way rounds less. Numbers that are not normal are
+    // rounded to multiples of the least one.
+    let least = 2.0 * T::UNIT.to_f64() * T::MIN_NORMAL.to_f64();
+    (boxes, inflation + 8.0 * (greatest * T::UNIT.to_f64() + least))
 }
 
 /// The minimum distance for which candidates are listed: boxes grow by half of it, at least by half

@@ -55,7 +55,7 @@ impl core::fmt::Display for Error {
                 write!(f, "{count} {element}: at most {limit} are possible")
             }
             Error::MinDistance { value } => {
-                write!(f, "minimum distance or inflation is {value}; it must be finite and >= 0")
+                write!(f, "minimum distance or inflation is {value:?}; it must be from 0 to 1e100")
             }
             Error::ExactDistance { value } => {
                 write!(

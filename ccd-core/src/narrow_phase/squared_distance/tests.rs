@@ -96,15 +96,15 @@ fn flat_features_have_types_of_their_ends() {
         let [p, q, a, _] = [(); 4].map(|()| random.point());
         let on = |t: f64| add(a, scale(sub(q, p), t));
         let (s, t) = (random.unit() * 4.0 - 2.0, random.unit() * 4.0 - 2.0);
-        let x = match round % 4 {
+        let x = match round % 5 {
             0 => [p, q, on(s), on(t)],
             1 => [p, q, a, a],
             2 => [p, p, a, q],
-            _ => [p, a, a, a],
+            3 => [p, a, a, a],
+            _ => [s, t, s + 0.3, t * s].map(on),
         };
         let edges = EdgeEdgeType::of(&x);
-        // Of points on a line without rounding, but for the last bit of `on`.
-        assert!(edges != EdgeEdgeType::AB || round % 4 == 0);
+        assert_ne!(edges, EdgeEdgeType::AB);
         let line = [p, on(0.0), on(s), on(t)];
         for (d, bounds) in [
             (edges.at(&x), Distance::edge_edge(x)),
