@@ -7,6 +7,7 @@ use ccd::{Aabb, BroadPhase, EdgeEdge, Options, Session, Verdict, VertexFace};
 use ccd_core::backend::broad_phase::{morton_key, radix_tree};
 use ccd_core::math::morton::MortonGrid;
 use ccd_core::math::obb::Obb;
+use ccd_core::math::vec3::{dot, sub};
 use ccd_core::narrow_phase::cascade::apart;
 use ccd_core::narrow_phase::coplanarity::Coplanarity;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
@@ -15,38 +16,45 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use std::time::Duration;
 
-/// A vertex that goes through a face, the same that stays above it, and edges that cross.
-fn pairs() -> (VertexFace<f64>, VertexFace<f64>, EdgeEdge<f64>) {
+/// A vertex that goes through a face, the same that stays above it or beside it, and edges that
+/// cross.
+fn pairs() -> ([VertexFace<f64>; 3], EdgeEdge<f64>) {
     let hit = VertexFace {
         t0: [[0.3, 1.0, 0.3], [0.0, 0.1, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
         t1: [[0.2, -1.0, 0.4], [0.1, 0.0, 0.0], [1.0, 0.2, 0.1], [0.0, 0.0, 1.0]],
     };
     let mut miss = hit;
     miss.t1[0][1] = 0.9;
+    let mut aside = hit;
+    (aside.t0[0], aside.t1[0]) = ([-3.0, 0.1, 0.4], [-3.0, 0.0, 0.4]);
     let edges = EdgeEdge {
         t0: [[-1.0, 1.0, 0.1], [1.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.1, 0.0, 1.0]],
         t1: [[-1.0, -1.0, 0.0], [1.0, -1.1, 0.0], [0.0, 0.1, -1.0], [0.0, 0.0, 1.0]],
     };
-    (hit, miss, edges)
+    ([hit, miss, aside], edges)
 }
 
 /// The filters in `f32`, each by itself and as a cascade, and the decision in `f64`.
 fn narrow_phase(c: &mut Criterion) {
-    let (hit, miss, edges) = pairs();
+    let ([hit, miss, aside], edges) = pairs();
     let points = |q: &VertexFace<f64>| {
         let [t0, t1] = [q.t0, q.t1].map(|x| x.map(|p| p.map(|c| c as f32)));
         Motion::new(Patch::Triangle, &t0, &t1, 0.0)
     };
-    let (through, above) = (points(&hit), points(&miss));
+    let (through, above, beside_it) = (points(&hit), points(&miss), points(&aside));
     let by_plane = |m: &Motion<f32>| Coplanarity::new(m).clearance(0.0) > 0.0;
     let by_direction = |m: &Motion<f32>| beside(m, Patch::Triangle, 0.0) > 0.0;
     let by_all = |m: &Motion<f32>| apart(m, Patch::Triangle, 0.0);
-    let filters: [(&str, &dyn Fn(&Motion<f32>) -> bool); 3] =
-        [("Bernstein", &by_plane), ("direction", &by_direction), ("cascade", &by_all)];
-    for (name, filter) in filters {
+    // What each must reject, and whether it rejects what stays above.
+    type Filter<'a> = (&'a str, &'a dyn Fn(&Motion<f32>) -> bool, &'a Motion<f32>, bool);
+    let filters: [Filter; 3] = [
+        ("Bernstein", &by_plane, &above, true),
+        ("direction", &by_direction, &beside_it, false),
+        ("cascade", &by_all, &beside_it, true),
+    ];
+    for (name, filter, apart, rejects) in filters {
         assert!(!filter(&through), "{name} rejects a contact");
-        let rejects = filter(&above);
-        assert!(rejects || name == "direction", "{name} keeps what stays above");
+        assert!(filter(apart), "{name} keeps what is apart");
         c.bench_function(&format!("filter: {name}"), |b| {
             b.iter(|| assert_eq!(filter(black_box(&above)), rejects))
         });
@@ -71,8 +79,43 @@ fn narrow_phase(c: &mut Criterion) {
         let [[v0, rest0 @ ..], [v1, rest1 @ ..]] = [hit.t0, hit.t1];
         let separate = Obb::around(&[v0, v1]).separated(&Obb::of_moving_triangle(&rest0, &rest1));
         assert!(!separate, "boxes of features that touch are apart");
-        b.iter(|| Obb::of_moving_triangle(black_box(&rest0), black_box(&rest1)))
+        let want = Obb::of_moving_triangle(&rest0, &rest1);
+        for p in rest0.iter().chain(&rest1) {
+            let along = |k: usize| dot(want.axes[k], sub(*p, want.centre)).abs();
+            assert!((0..3).all(|k| along(k) <= want.half[k]), "{p:?} is not in {want:?}");
+        }
+        b.iter(|| {
+            assert_eq!(Obb::of_moving_triangle(black_box(&rest0), black_box(&rest1)), want);
+        })
     });
+}
+
+/// Cell numbers of 21 bits, interleaved bit by bit.
+fn plain_code(cell: [u32; 3]) -> u64 {
+    let bit = |k: usize, i: u32| ((cell[k] >> i & 1) as u64) << (3 * i + 2 - k as u32);
+    (0..21).flat_map(|i| [bit(0, i), bit(1, i), bit(2, i)]).sum()
+}
+
+/// What all internal nodes of the radix tree over sorted codes hold, from the root down: leaves
+/// less one.
+fn plain_spans(codes: &[u64]) -> u64 {
+    let key = |i: usize| (codes[i] as u128) << 32 | i as u128;
+    let (mut sum, mut stack) = (0, vec![(0, codes.len() - 1)]);
+    while let Some((first, last)) = stack.pop() {
+        if first == last {
+            continue;
+        }
+        sum += (last - first) as u64;
+        // The first key with the highest bit that not all have in common.
+        let bit = 127 - (key(first) ^ key(last)).leading_zeros();
+        let (mut without, mut with) = (first, last);
+        while with - without > 1 {
+            let middle = without + (with - without) / 2;
+            if key(middle) >> bit & 1 == 0 { without = middle } else { with = middle }
+        }
+        stack.extend([(first, without), (with, last)]);
+    }
+    sum
 }
 
 /// Codes, order and trees over uniform boxes; pairs of each method that `Blocks` differs from.
@@ -82,7 +125,10 @@ fn broad_phase(c: &mut Criterion) {
     let grid = MortonGrid::new(&scene, 21);
     let code = |i: usize| morton_key::morton(i, black_box(&boxes), &grid);
     let mut codes: Vec<[u32; 2]> = (0..boxes.len()).map(code).collect();
-    let sum = codes.iter().fold(0, |sum, code| sum ^ code[0]);
+    let long = |&[low, high]: &[u32; 2]| (high as u64) << 32 | low as u64;
+    let plain: Vec<u64> = boxes.iter().map(|b| plain_code(grid.cell(b))).collect();
+    assert!(codes.iter().map(long).eq(plain.iter().copied()), "other codes than bit by bit");
+    let sum = plain.iter().fold(0, |sum, &code| sum ^ code as u32);
     c.bench_function("Morton codes, 100,000 boxes", |b| {
         b.iter(|| assert_eq!((0..boxes.len()).fold(0, |sum, i| sum ^ code(i)[0]), sum))
     });
@@ -91,7 +137,7 @@ fn broad_phase(c: &mut Criterion) {
     let below = |codes: &[[u32; 2]]| -> u64 {
         (0..n - 1).map(|i| radix_tree::branch(i, n, codes)).map(|b| (b.last - b.first) as u64).sum()
     };
-    let want = below(&codes);
+    let want = plain_spans(&codes.iter().map(long).collect::<Vec<_>>());
     c.bench_function("branches of a radix tree, 100,000 codes", |b| {
         b.iter(|| assert_eq!(below(black_box(&codes)), want))
     });
@@ -167,6 +213,11 @@ fn device(c: &mut Criterion) {
     let values: Vec<u32> = (0..100_000).collect();
     let keys: Vec<u32> = values.iter().map(|&i| ccd::scenes::pcg(i)).collect();
     let mut sorter = gpu::Sorter::new(&device, 100_000).expect("memory");
+    let (sorted, order) = sorter.sort(&keys, &values).expect("sorted");
+    let mut want = keys.clone();
+    want.sort_unstable();
+    assert!(sorted == want, "other keys than those of a CPU");
+    assert!(order.iter().map(|&i| keys[i as usize]).eq(want), "values without their keys");
     c.bench_function("GPU: radix sort, 100,000 keys", |b| {
         b.iter(|| {
             let (sorted, _) = sorter.sort(black_box(&keys), &values).expect("sorted");

@@ -88,7 +88,11 @@ async function visit(page, browser) {
   await page.focus("#tab-cloth");
   await page.keyboard.press("ArrowRight");
   assert.equal(await page.evaluate(() => document.activeElement.id), "tab-files");
-  assert.ok(await page.evaluate(() => getComputedStyle(document.activeElement).outlineWidth) > "0");
+  const { outlineStyle, outlineWidth } = await page.evaluate(() => {
+    const { outlineStyle, outlineWidth } = getComputedStyle(document.activeElement);
+    return { outlineStyle, outlineWidth };
+  });
+  assert.ok(outlineStyle !== "none" && parseFloat(outlineWidth) > 0, `outline: ${outlineWidth}`);
 
   // A file alone, then two.
   await (await page.$("#pick")).uploadFile(files[0]);

@@ -22,8 +22,8 @@ pub fn bodies(path: &Path, data: &[u8]) {
     let (mesh, other) = (ccd::Mesh::new(n, &[]), ccd::Mesh::new(n + 1, &[]));
     let (mesh, other) = (mesh.expect("no faces"), other.expect("no faces"));
     // Whether each body is fixed is a list up to the last one, of 2^24 at most.
-    let bodies = bounded(data.len(), 64, BUFFERS + (1 << 24), || options.of(&mesh));
-    assert!(options.of(&other).is_err(), "a body too few");
+    let bodies = bounded(data.len(), 64, BUFFERS + (1 << 24), || options.of(&mesh, None, None));
+    assert!(options.of(&other, None, None).is_err(), "a body too few");
     if let Ok(bodies) = bodies {
         let bodies = bodies.expect("there is a file");
         assert!(words().map(str::parse).eq(bodies.body_of_vertex().iter().map(|&b| Ok(b))));

@@ -10,12 +10,17 @@ mod memory;
 
 #[path = "../../ccd-cli/src/bodies.rs"]
 mod bodies;
+#[path = "../../ccd-cli/src/files.rs"]
+mod files;
+#[path = "../../ccd-cli/src/interrupt.rs"]
+mod interrupt;
 #[path = "../../ccd-cli/src/join.rs"]
 mod join;
 #[path = "../../ccd-cli/src/lines.rs"]
 mod lines;
 #[path = "../../ccd-cli/src/merge.rs"]
 mod merge;
+#[allow(unused_macros, reason = "notices of the command")]
 #[path = "../../ccd-cli/src/output.rs"]
 mod output;
 #[path = "../../ccd-cli/src/part.rs"]
@@ -58,10 +63,23 @@ fn write(folder: &Path, name: &str, data: &[u8]) -> PathBuf {
     path
 }
 
-/// What the command's files have from its `main.rs`.
+/// What the command's files have from its `main.rs` and `failure.rs`, which would need all of its
+/// files and the GPU backend.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
 struct Failure(String);
+
+impl Failure {
+    fn print(&self) {
+        panic!("{self}");
+    }
+}
+
+impl From<ccd::Error> for Failure {
+    fn from(e: ccd::Error) -> Self {
+        Failure(e.to_string())
+    }
+}
 
 type Outcome = Result<bool, Failure>;
 
@@ -69,6 +87,16 @@ fn in_file(path: &Path, e: impl std::fmt::Display) -> Failure {
     Failure(format!("{}: {e}", path.display()))
 }
 
-fn complain(failure: &Failure) {
-    panic!("{failure}");
+/// Headings of options in the help.
+const INPUT: &str = "";
+const QUESTION: &str = "";
+
+/// The coordinates that a step starts from: nothing here takes a step.
+#[derive(Clone, Copy)]
+enum Precision {}
+
+impl Precision {
+    fn name(self) -> &'static str {
+        match self {}
+    }
 }

@@ -1,9 +1,11 @@
 //! Boxes, margins, tables and separating axes: what must hold for every number, checked in a wider
 //! arithmetic.
 
+use crate::common::adversary::{Adversarial, undisturbed};
 use crate::common::ascent::Ascent;
+use crate::common::motion::wrap;
 use crate::common::random::Random;
-use ccd_core::backend::broad_phase::swept_box::{end, swept};
+use ccd_core::backend::broad_phase::swept_box::{end, end_error, swept};
 use ccd_core::backend::quantization::{Scan, margin, slack_at};
 use ccd_core::math::vec3::sub;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
@@ -145,6 +147,17 @@ fn recentred(x: &[f64]) -> f64 {
     let reach = 0.5 * width * ulp;
     let rounded = 1.01 * f32::UNIT as f64 * reach * table.scale;
     (error - rounded) / (16.0 * f64::UNIT * scan.greatest() * table.scale)
+}
+
+#[test]
+fn ends_of_shortened_steps() {
+    let ratio = |x: &[f64]| {
+        let until = 0.5 + 0.5 * x[2];
+        let found = end(wrap([x[0], 0.0, 0.0]), wrap([x[1], 0.0, 0.0]), Adversarial(until))[0].0;
+        let bound = undisturbed(|| end_error(Adversarial(1.0)).0);
+        (found - (x[0] + (x[1] - x[0]) * until)) / bound
+    };
+    Ascent { n_inputs: 3, flush: false, ratio }.check("end of a step", 43, [2, 200], 0.31);
 }
 
 #[test]

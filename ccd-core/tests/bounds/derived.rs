@@ -3,13 +3,15 @@
 
 use crate::common::Points;
 use crate::common::random::Random;
+use ccd_core::backend::broad_phase::swept_box::end_error;
+use ccd_core::math::obb::Obb;
 use ccd_core::narrow_phase::containment::{Ball, cross2};
 use ccd_core::narrow_phase::coplanarity::Coplanarity;
 use ccd_core::narrow_phase::cubic_roots::Cubic;
 use ccd_core::narrow_phase::query::solve;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::separating_direction::beside;
-use ccd_core::{Real, TOI_TOLERANCE, Verdict};
+use ccd_core::{Aabb, Real, TOI_TOLERANCE, Verdict};
 
 /// Rounding of the bounds themselves and of what is computed here.
 const NEARLY: f64 = 1.0 - 1e-5;
@@ -76,12 +78,15 @@ fn check_flushed<R: Real>() {
     let m = Motion::vertex_face(&points, &points, R::splat(0.0));
     let (plane, zero) = (Coplanarity::new(&m), R::splat(0.0));
     let ball = Ball::new(&m.a, zero, zero, zero);
+    let nothing = Aabb { min: [zero; 3], max: [zero; 3] };
     let bounds = [
         (plane.bound, 90.0),
         (plane.normal, 60.0),
         (m.corner_error(), 22.0),
         (-beside(&m, Patch::Triangle, zero), 9.0),
         (cross2(&ball, &ball, 0, 1).1, 15.0),
+        (Obb::of_box(&nothing).half[0], 4.0),
+        (end_error(zero), 5.0),
     ];
     for (bound, least) in bounds {
         let least = least * R::MIN_NORMAL.to_f64();
