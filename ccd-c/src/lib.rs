@@ -10,9 +10,9 @@
 //! | `results.rs` | contacts, reports and other results as C sees them |
 //! | `session.rs`, `moving.rs` | a mesh stepped frame by frame; bodies that move |
 //!
-//! `include/ccd.h` is written from these files by `tests/header.rs`; doc comments of what is
-//! exported are its documentation, for readers of C. An exported function is `unsafe` if it is
-//! given a pointer: the caller's duties are in the header's first comment (`cbindgen.toml`).
+//! `include/ccd.h` is written from these files by `tests/header.rs` of the workspace; doc comments
+//! of what is exported are its documentation, for readers of C. An exported function is `unsafe` if
+//! it is given a pointer: the caller's duties are in the header's first comment (`cbindgen.toml`).
 #![allow(clippy::missing_safety_doc, reason = "the header's first comment says it for all")]
 
 pub mod bodies;

@@ -81,7 +81,8 @@ pub unsafe extern "C" fn ccd_mesh_create_with_edges(
             write(mesh, "mesh", null_mut())?;
             let triangles = rows(triangles, triangle_count, triangle_stride, "triangles")?;
             let edges = rows(edges, edge_count, edge_stride, "edges")?;
-            write(mesh, "mesh", boxed(Mesh::with_edges(vertex_count, &triangles, &edges)?))
+            let new = Mesh::with_edges(vertex_count, &triangles, &edges)?;
+            write(mesh, "mesh", Box::into_raw(Box::new(CcdMesh { mesh: Arc::new(new) })))
         }
     })
 }
@@ -119,10 +120,6 @@ pub unsafe extern "C" fn ccd_mesh_edges(mesh: *const CcdMesh) -> CcdPairs {
             CcdPairs { data: edges.as_ptr().cast::<CcdPair>(), count: edges.len() }
         })
     })
-}
-
-fn boxed(mesh: Mesh) -> *mut CcdMesh {
-    Box::into_raw(Box::new(CcdMesh { mesh: Arc::new(mesh) }))
 }
 
 /// Positions at both ends of a step.

@@ -1,6 +1,7 @@
 //! A cube falls on a square: one step on a microcontroller without an operating system.
 //!
-//! `cargo run --release` in this folder runs it in qemu (Debian: `qemu-system-arm`).
+//! `cargo run --release` in this folder runs it in qemu (Debian: `qemu-system-arm`), after
+//! `rustup target add thumbv7em-none-eabihf`.
 #![no_std]
 #![no_main]
 
