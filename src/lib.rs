@@ -179,5 +179,6 @@ pub use ccd_core::{
 pub use ccd_cpu::set_clock;
 pub use ccd_cpu::{
     BroadPhase, BroadPhaseTimes, CandidateSet, Candidates, Intersection, MAX_LOOSENESS, Pairs,
-    Session, earliest_toi, has_intersections, instruction_set, intersections, near_at_rest, step,
+    Session, earliest_toi, has_intersections, instruction_set, intersections, near_at_rest,
+    near_at_rest_on, step,
 };

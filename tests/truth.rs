@@ -10,8 +10,8 @@ use ccd::{
     TOI_TOLERANCE, Verdict, VertexFace,
 };
 use ccd_testkit::data::{self, QUERY_SETS, SCENES, Scene};
+use ccd_testkit::grazing::distance::{First, first_within, point_triangle, segment_segment};
 use ccd_testkit::{brute, compare};
-use first::{First, first_within, point_triangle, segment_segment};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 use std::path::Path;
 
@@ -19,8 +19,6 @@ use std::path::Path;
 mod candidate_sets;
 #[path = "truth/exact.rs"]
 mod exact_answers;
-#[path = "../ccd-core/tests/bounds/common/distance.rs"]
-mod first;
 
 fn main() {
     let data = data::data_dir();
@@ -36,14 +34,13 @@ fn main() {
         }));
     };
     type OfScene = (&'static str, fn(&Path, &Scene));
-    let of_scenes: [OfScene; 8] = [
+    let of_scenes: [OfScene; 7] = [
         ("sizes", check_sizes),
         ("broad_phase", check_broad_phase),
         ("step", check_step),
         ("step_exact", exact_answers::check_step),
         ("min_distance", check_min_distance),
         ("candidate_set", candidate_sets::check),
-        ("contacts_f64", check_contacts_f64),
         ("contacts_exact", exact_answers::check_contacts),
     ];
     for scene in &SCENES {
@@ -196,16 +193,6 @@ fn check_step(data: &Path, scene: &Scene) {
 fn run(t0: &Frame, t1: &Frame, threads: usize) -> Report {
     let options = Options::default().with_threads(threads);
     ccd::step(&t0.mesh().unwrap(), &t0.positions, &t1.positions, &options).unwrap()
-}
-
-/// Every true collision is found, never late, at most the tolerance early; there are no others.
-fn check_contacts_f64(data: &Path, scene: &Scene) {
-    let [t0, t1] = scene.load(data);
-    let report = run(&t0, &t1, 2);
-    let false_alarms =
-        compare::contacts(&report, &scene.contacts(data, "vf"), &scene.contacts(data, "ee"));
-    println!("{}: {} contacts", scene.name, report.contacts.len());
-    assert_eq!(false_alarms, 0);
 }
 
 /// The scene whose coordinates are no `f32`, after rounding them, against the exact answers for the

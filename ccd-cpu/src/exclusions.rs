@@ -34,7 +34,18 @@ pub fn near_at_rest<T: Coordinate>(
     rest: &[[T; 3]],
     distance: f64,
 ) -> Result<Exclusions, Error> {
-    let options = Options::default().with_min_distance(distance);
+    near_at_rest_on(0, mesh, rest, distance)
+}
+
+/// [`near_at_rest`] on so many threads, as [`Options::threads`] counts them.
+#[doc(hidden)]
+pub fn near_at_rest_on<T: Coordinate>(
+    threads: usize,
+    mesh: &Mesh,
+    rest: &[[T; 3]],
+    distance: f64,
+) -> Result<Exclusions, Error> {
+    let options = Options::default().with_min_distance(distance).with_threads(threads);
     let mut session = Session::new(mesh.clone(), options)?;
     let wide: Vec<[f64; 3]> = rest.iter().map(|p| p.map(Real::to_f64)).collect();
     let all = session.candidates(&wide, &wide)?;

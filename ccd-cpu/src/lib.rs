@@ -33,7 +33,7 @@ pub use broad_phase::{BroadPhase, BroadPhaseTimes};
 pub use ccd_core::model::session::Intersection;
 #[cfg(all(target_family = "wasm", target_os = "unknown"))]
 pub use clock::set_clock;
-pub use exclusions::near_at_rest;
+pub use exclusions::{near_at_rest, near_at_rest_on};
 pub use session::{
     CandidateSet, Candidates, Engine, Session, earliest_toi, has_intersections, intersections, step,
 };

@@ -1,41 +1,4 @@
-//! Times as reports give them, from a clock where there is one.
-//!
-//! A browser has none that the standard library knows: there all times are 0, unless a program
-//! gives its own clock (`set_clock`). Twin: the file of this name of ccd-cpu.
+//! Times as reports give them, from a clock where there is one; twin: the file of this name of
+//! ccd-cpu.
 
-#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
-pub use std::time::Instant;
-
-#[cfg(all(target_family = "wasm", target_os = "unknown"))]
-pub use given::{Instant, set_clock};
-
-/// The clock of the program where the system has none.
-#[cfg(all(target_family = "wasm", target_os = "unknown"))]
-mod given {
-    use core::time::Duration;
-    use std::sync::OnceLock;
-
-    static CLOCK: OnceLock<fn() -> f64> = OnceLock::new();
-
-    /// Gives the times of reports a clock, on `wasm32-unknown-unknown`, where the standard library
-    /// has none: `now` returns milliseconds, such as `performance.now()` does. The first one given
-    /// stays; without one all times are 0.
-    pub fn set_clock(now: fn() -> f64) {
-        let _ = CLOCK.set(now);
-    }
-
-    /// A moment, in milliseconds.
-    #[derive(Clone, Copy, Debug)]
-    pub struct Instant(f64);
-
-    impl Instant {
-        pub fn now() -> Self {
-            Self(CLOCK.get().map_or(0.0, |now| now()))
-        }
-
-        pub fn elapsed(&self) -> Duration {
-            let Self(now) = Self::now();
-            Duration::try_from_secs_f64((now - self.0) * 1e-3).unwrap_or_default()
-        }
-    }
-}
+ccd_core::clock!();

@@ -3,8 +3,8 @@
 //! order, integers, lists. NumPy's word for "in one piece" is also true of Fortran order, whose
 //! numbers lie in another sequence; so C order is asked for by name.
 
-use crate::errors::refused;
-use ccd::Kind;
+use crate::errors::{input, refused};
+use ccd::{Error, Kind};
 use numpy::{
     Element, PyArray1, PyArray2, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods,
     PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods, dtype,
@@ -42,6 +42,18 @@ impl<'py, const N: usize> Floats<'py, N> {
         }
     }
 
+    /// Points in `f64`, in which every `f32` has its place, checked.
+    pub fn points(&self, py: Python<'_>) -> PyResult<[Vec<[f64; 3]>; N]> {
+        let mut all = std::array::from_fn(|_| Vec::new());
+        for (i, points_of) in all.iter_mut().enumerate() {
+            *points_of = match self {
+                Self::F32(arrays) => points(py, i as u8, numbers(&arrays[i])?)?,
+                Self::F64(arrays) => points(py, i as u8, numbers(&arrays[i])?)?,
+            };
+        }
+        Ok(all)
+    }
+
     /// The same, if each has one axis before the last ones.
     pub fn in_rows(self, names: [&str; N], last: &[usize]) -> PyResult<Self> {
         for (i, name) in names.into_iter().enumerate() {
@@ -56,6 +68,26 @@ impl<'py, const N: usize> Floats<'py, N> {
 /// The numbers of an array that [`Floats`] made, in C order.
 pub fn numbers<'a, T: Element>(array: &'a PyReadonlyArrayDyn<'_, T>) -> PyResult<&'a [T]> {
     array.as_slice().map_err(refused)
+}
+
+fn points<T: Element + Copy + Into<f64>>(
+    py: Python<'_>,
+    time: u8,
+    x: &[T],
+) -> PyResult<Vec<[f64; 3]>> {
+    let found = py.detach(|| {
+        let points: Vec<[f64; 3]> =
+            x.as_chunks::<3>().0.iter().map(|point| point.map(Into::into)).collect();
+        let all = points.as_flattened();
+        match all.iter().position(|c| !(c.abs() <= Error::MAX_COORDINATE)) {
+            Some(at) => {
+                let (vertex, axis, value) = (at / 3, (at % 3) as u8, all[at]);
+                Err(Error::Coordinate { time, vertex, axis, value })
+            }
+            None => Ok(points),
+        }
+    });
+    found.map_err(input)
 }
 
 /// Rows of `N` indices.

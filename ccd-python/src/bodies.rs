@@ -68,10 +68,12 @@ impl Bodies {
     /// Static obstacles: vertices whose entry of `is_static`, an array of bool, is true are body 1,
     /// which is fixed; all others are body 0. Obstacles are tested against what moves alone.
     #[staticmethod]
-    fn of_obstacles(py: Python<'_>, is_static: Vec<bool>) -> PyResult<Self> {
+    fn of_obstacles(is_static: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let is_static = is_static.extract::<Vec<bool>>().map_err(|_| {
+            refused("is_static is not an array of bool with an entry for each vertex")
+        })?;
         let of_vertex: Vec<u32> = is_static.into_iter().map(u32::from).collect();
-        let rules = [("fixed", vec![false, true])].into_py_dict(py)?;
-        Self::new(PyArray1::from_vec(py, of_vertex).as_any(), Some(&rules))
+        Ok(Self { inner: ccd::Bodies::new(&of_vertex).with_fixed_mask(&[false, true]) })
     }
 
     /// Patches of vertices: each is a body, without self-contact. `patches` has that of each
@@ -86,12 +88,10 @@ impl Bodies {
     /// component are looked at.
     #[staticmethod]
     #[pyo3(signature = (mesh, self_contact=true))]
-    fn of_components(mesh: &Bound<'_, Mesh>, self_contact: bool) -> PyResult<Self> {
+    fn of_components(mesh: &Bound<'_, Mesh>, self_contact: bool) -> Self {
         let (py, mesh) = (mesh.py(), &mesh.get().inner);
         let bodies = py.detach(|| ccd::Bodies::of_components(mesh));
-        let of_vertex = PyArray1::from_slice(py, bodies.body_of_vertex());
-        let rules = [("self_contact", self_contact)].into_py_dict(py)?;
-        Self::new(of_vertex.as_any(), Some(&rules))
+        Self { inner: bodies.with_self_contacts(self_contact) }
     }
 
     /// The body of each vertex: a new array of shape (n_vertices,), uint32.
@@ -196,16 +196,15 @@ fn with_rules(
     }
     for name in RULES {
         let Some(given) = rules.get_item(name)?.filter(|given| !given.is_none()) else { continue };
-        let flags = || given.extract::<Vec<bool>>();
         match name {
-            "fixed" => bodies = bodies.with_fixed_mask(&flags()?),
+            "fixed" => bodies = bodies.with_fixed_mask(&flags(name, &given)?),
             "sleeping" => {
-                let sleeping = flags()?;
+                let sleeping = flags(name, &given)?;
                 for body in of_bodies(sleeping.len()) {
                     bodies = bodies.with_sleeping(body, sleeping[body as usize]);
                 }
             }
-            "self_contact" => match given.extract()? {
+            "self_contact" => match all_or_each(name, &given)? {
                 Flags::All(self_contact) => bodies = bodies.with_self_contacts(self_contact),
                 Flags::Each(each) => {
                     for body in of_bodies(each.len()) {
@@ -235,6 +234,21 @@ fn with_rules(
         bodies = bodies.with_groups(body, groups);
     }
     Ok(bodies)
+}
+
+/// What an argument with this name has to be.
+const EACH_BODY: &str = "an array of bool with an entry for each body";
+
+/// One value for each body.
+pub fn flags(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<bool>> {
+    let flags = given.extract::<Vec<bool>>();
+    flags.map_err(|_| refused(format!("{name} is not {EACH_BODY}")))
+}
+
+/// One value for all bodies, or one for each.
+fn all_or_each(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Flags> {
+    let flags = given.extract::<Flags>();
+    flags.map_err(|_| refused(format!("{name} is not bool, or {EACH_BODY}")))
 }
 
 /// What a caller gives as bodies: an object with rules, or the body of each vertex.

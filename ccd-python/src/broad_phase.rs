@@ -2,17 +2,15 @@
 
 use crate::arrays::{Floats, numbers, pair_array};
 use crate::device;
-use crate::errors::{failed, lock, refused};
-use crate::options::{self, NAMES_OF_METHODS};
-use crate::process::{MadeBy, threads_here};
+use crate::errors::{failed, refused};
+use crate::options;
+use crate::process::{Guarded, threads_here};
 use ccd::Aabb;
 use ccd::any;
 use ccd::method::{BroadPhaseMethod, Scheduling, TreeStatistics};
 use numpy::PyArray2;
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
-use std::sync::Mutex;
 
 /// Finds overlapping boxes; keeps its buffers between calls. Overlap is closed: boxes that touch
 /// are a pair.
@@ -37,8 +35,7 @@ use std::sync::Mutex;
 ///     If there is no GPU and one was asked for.
 #[pyclass(frozen, module = "meshccd")]
 pub struct BroadPhase {
-    inner: Mutex<On>,
-    made_by: MadeBy,
+    inner: Guarded<On>,
 }
 
 /// On the CPU, with boxes of either precision, or on a GPU.
@@ -60,13 +57,7 @@ impl BroadPhase {
         given: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let given = given.map_or_else(|| Ok(PyDict::new(py)), |given| given.copy())?;
-        for (name, _) in given.iter() {
-            let name: String = name.extract()?;
-            if !NAMES_OF_METHODS.contains(&&name[..]) {
-                let why = format!("BroadPhase() got an unexpected keyword argument '{name}'");
-                return Err(PyTypeError::new_err(why));
-            }
-        }
+        options::check_names("BroadPhase", &[], &given)?;
         let (method, scheduling) =
             options::method(BroadPhaseMethod::default(), Scheduling::default(), &given)?;
         let threads = threads_here(threads);
@@ -87,13 +78,13 @@ impl BroadPhase {
                 On::Gpu(Box::new(inner.map_err(failed)?))
             }
         };
-        Ok(Self { inner: Mutex::new(on), made_by: MadeBy::this() })
+        Ok(Self { inner: Guarded::new("broad phase", on) })
     }
 
     /// Where it runs: "2 threads", or the name of the GPU.
     #[getter]
     fn place(&self, py: Python<'_>) -> PyResult<String> {
-        self.with(py, |on| {
+        self.inner.with(py, |on| {
             Ok(match on {
                 On::Cpu(on) => any::Place::Cpu { threads: on.threads() }.to_string(),
                 On::Gpu(on) => on.place().to_string(),
@@ -104,12 +95,7 @@ impl BroadPhase {
     /// Where the time of the last call went, in milliseconds: "build" and "search". None on a GPU.
     #[getter]
     fn times<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let times = self.with(py, |on| {
-            Ok(match on {
-                On::Cpu(on) => Some(on.times()),
-                On::Gpu(_) => None,
-            })
-        })?;
+        let times = self.inner.with(py, |on| Ok(on.cpu().map(|on| on.times())))?;
         let of =
             |t: ccd::BroadPhaseTimes| [("build", t.build), ("search", t.search)].into_py_dict(py);
         times.map(of).transpose()
@@ -119,24 +105,14 @@ impl BroadPhase {
     /// binary tree. None on a GPU.
     #[getter]
     fn visits(&self, py: Python<'_>) -> PyResult<Option<u64>> {
-        self.with(py, |on| {
-            Ok(match on {
-                On::Cpu(on) => Some(on.visits()),
-                On::Gpu(_) => None,
-            })
-        })
+        self.inner.with(py, |on| Ok(on.cpu().map(|on| on.visits())))
     }
 
     /// Figures of the binary tree of the last call, by name: "nodes", "depth", "sah_cost",
     /// "visited_per_query". None if the method has none, and on a GPU.
     #[getter]
     fn tree_statistics<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let figures = self.with(py, |on| {
-            Ok(match on {
-                On::Cpu(on) => on.tree_statistics(),
-                On::Gpu(_) => None,
-            })
-        })?;
+        let figures = self.inner.with(py, |on| Ok(on.cpu().and_then(|on| on.tree_statistics())))?;
         let of = |tree: TreeStatistics| {
             let all = [("sah_cost", tree.sah_cost), ("visited_per_query", tree.visited_per_query)];
             let all = all.into_py_dict(py)?;
@@ -158,16 +134,16 @@ impl BroadPhase {
         let pairs = match &boxes {
             Floats::F32([boxes]) => {
                 let boxes: &[Aabb<f32>] = bytemuck::cast_slice(numbers(boxes)?);
-                self.with(py, |on| match on {
+                self.inner.with(py, |on| match on {
                     On::Cpu(on) => Ok(flat(on.self_pairs(boxes).map_err(refused)?.iter())),
                     On::Gpu(on) => Ok(flat(on.self_pairs(boxes).map_err(failed)?.iter())),
                 })
             }
             Floats::F64([boxes]) => {
                 let boxes: &[Aabb<f64>] = bytemuck::cast_slice(numbers(boxes)?);
-                self.with(py, |on| match on {
-                    On::Cpu(on) => Ok(flat(on.self_pairs(boxes).map_err(refused)?.iter())),
-                    On::Gpu(_) => Err(not_single()),
+                self.inner.with(py, |on| {
+                    let on = on.cpu().ok_or_else(not_single)?;
+                    Ok(flat(on.self_pairs(boxes).map_err(refused)?.iter()))
                 })
             }
         };
@@ -187,7 +163,7 @@ impl BroadPhase {
             Floats::F32([a, b]) => {
                 let a: &[Aabb<f32>] = bytemuck::cast_slice(numbers(a)?);
                 let b: &[Aabb<f32>] = bytemuck::cast_slice(numbers(b)?);
-                self.with(py, |on| match on {
+                self.inner.with(py, |on| match on {
                     On::Cpu(on) => Ok(flat(on.pairs(a, b).map_err(refused)?.iter())),
                     On::Gpu(on) => Ok(flat(on.pairs(a, b).map_err(failed)?.iter())),
                 })
@@ -195,9 +171,9 @@ impl BroadPhase {
             Floats::F64([a, b]) => {
                 let a: &[Aabb<f64>] = bytemuck::cast_slice(numbers(a)?);
                 let b: &[Aabb<f64>] = bytemuck::cast_slice(numbers(b)?);
-                self.with(py, |on| match on {
-                    On::Cpu(on) => Ok(flat(on.pairs(a, b).map_err(refused)?.iter())),
-                    On::Gpu(_) => Err(not_single()),
+                self.inner.with(py, |on| {
+                    let on = on.cpu().ok_or_else(not_single)?;
+                    Ok(flat(on.pairs(a, b).map_err(refused)?.iter()))
                 })
             }
         };
@@ -205,15 +181,13 @@ impl BroadPhase {
     }
 }
 
-impl BroadPhase {
-    /// Does something without the interpreter.
-    fn with<R: Send>(
-        &self,
-        py: Python<'_>,
-        work: impl FnOnce(&mut On) -> PyResult<R> + Send,
-    ) -> PyResult<R> {
-        self.made_by.check("broad phase")?;
-        py.detach(|| work(&mut *lock(&self.inner)?))
+impl On {
+    /// The CPU's, which alone has figures and takes `f64`.
+    fn cpu(&mut self) -> Option<&mut ccd::BroadPhase> {
+        match self {
+            Self::Cpu(on) => Some(on),
+            Self::Gpu(_) => None,
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::candidate_set::flat;
 use crate::errors::{failed, lock};
 use crate::filter::Wanted;
 use crate::mesh::Mesh;
-use crate::process::MadeBy;
+use crate::process::Guarded;
 use crate::report::Columns;
 use ccd::any;
 use ccd::{BodyMotion, Coordinate, Kind, Options};
@@ -17,9 +17,8 @@ use std::sync::{Arc, Mutex};
 
 /// A session that threads of Python share, in the process that made it.
 pub struct Shared {
-    inner: Mutex<Inner>,
+    inner: Guarded<Inner>,
     filter: Mutex<Option<Py<PyAny>>>,
-    made_by: MadeBy,
 }
 
 /// How often a filter is asked again because another thread, or the filter, changed the session.
@@ -39,8 +38,8 @@ pub type Motions<'py> = Vec<(u32, Bound<'py, PyAny>, Bound<'py, PyAny>)>;
 
 impl Shared {
     pub fn new(session: any::Session, mesh: Py<Mesh>) -> Self {
-        let inner = Mutex::new(Inner { session, mesh: Arc::new(mesh), changes: 0 });
-        Self { inner, filter: Mutex::default(), made_by: MadeBy::this() }
+        let inner = Inner { session, mesh: Arc::new(mesh), changes: 0 };
+        Self { inner: Guarded::new("session", inner), filter: Mutex::default() }
     }
 
     /// Makes a call.
@@ -76,17 +75,17 @@ impl Shared {
         let x = x.map(|x| x.as_chunks().0);
         let filter = lock(&self.filter)?.as_ref().map(|filter| filter.clone_ref(py));
         let Some(filter) = filter.filter(|_| C::ASKS) else {
-            return self.alone(py, move |inner| {
+            return self.inner.with(py, move |inner| {
                 Ok((call.call(&mut inner.session, x).map_err(failed)?, inner.mesh.clone()))
             });
         };
         // The callback may take its time, and may call the session: nothing is locked meanwhile.
         for _ in 0..TURNS {
-            let (candidates, changes) = self.alone(py, move |inner| {
+            let (candidates, changes) = self.inner.with(py, move |inner| {
                 Ok((call.candidates(&mut inner.session, x).map_err(failed)?, inner.changes))
             })?;
             let wanted = Wanted::new(py, &filter, candidates)?;
-            let found = self.alone(py, move |inner| {
+            let found = self.inner.with(py, move |inner| {
                 if inner.changes != changes {
                     return Ok(None);
                 }
@@ -110,12 +109,12 @@ impl Shared {
         py: Python<'_>,
         ask: impl FnOnce(&any::Session) -> R + Send,
     ) -> PyResult<R> {
-        self.alone(py, |inner| Ok(ask(&inner.session)))
+        self.inner.with(py, |inner| Ok(ask(&inner.session)))
     }
 
     /// The mesh of the next call.
     pub fn mesh(&self, py: Python<'_>) -> PyResult<Py<Mesh>> {
-        Ok(self.alone(py, |inner| Ok(inner.mesh.clone()))?.clone_ref(py))
+        Ok(self.inner.with(py, |inner| Ok(inner.mesh.clone()))?.clone_ref(py))
     }
 
     /// Changes the mesh, and bodies if some are given.
@@ -126,7 +125,7 @@ impl Shared {
         bodies: Option<ccd::Bodies>,
     ) -> PyResult<()> {
         let topology = mesh.get().inner.clone();
-        self.alone(py, move |inner| {
+        self.inner.with(py, move |inner| {
             inner.changes += 1;
             let changed = match bodies {
                 Some(bodies) => inner.session.set_mesh_and_bodies(topology, bodies),
@@ -145,10 +144,11 @@ impl Shared {
         others: impl Fn(Options) -> PyResult<Options>,
     ) -> PyResult<()> {
         for _ in 0..TURNS {
-            let (options, changes) =
-                self.alone(py, |inner| Ok((inner.session.options().clone(), inner.changes)))?;
+            let (options, changes) = self
+                .inner
+                .with(py, |inner| Ok((inner.session.options().clone(), inner.changes)))?;
             let options = others(options)?;
-            let is_done = self.alone(py, move |inner| {
+            let is_done = self.inner.with(py, move |inner| {
                 let is_same = inner.changes == changes;
                 if is_same {
                     inner.changes += 1;
@@ -169,20 +169,10 @@ impl Shared {
         py: Python<'_>,
         change: impl FnOnce(&mut any::Session) -> Result<R, any::Error> + Send,
     ) -> PyResult<R> {
-        self.alone(py, |inner| {
+        self.inner.with(py, |inner| {
             inner.changes += 1;
             change(&mut inner.session).map_err(failed)
         })
-    }
-
-    /// Does something while no other thread does, without the interpreter.
-    fn alone<R: Send>(
-        &self,
-        py: Python<'_>,
-        act: impl FnOnce(&mut Inner) -> PyResult<R> + Send,
-    ) -> PyResult<R> {
-        self.made_by.check("session")?;
-        py.detach(|| act(&mut *lock(&self.inner)?))
     }
 
     /// Has the next calls ask a callback which pairs they want; none has them want all.
@@ -211,7 +201,7 @@ impl Shared {
             })
         });
         let motions: Vec<BodyMotion> = motions.collect::<PyResult<_>>()?;
-        self.alone(py, |inner| {
+        self.inner.with(py, |inner| {
             Ok((call(&mut inner.session, &motions).map_err(failed)?, inner.mesh.clone()))
         })
     }

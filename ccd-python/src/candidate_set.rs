@@ -1,12 +1,11 @@
 //! Candidates that serve many steps.
 
 use crate::arrays::{Floats, numbers, pair_array};
-use crate::errors::{input, lock};
-use crate::process::MadeBy;
+use crate::errors::input;
+use crate::process::Guarded;
 use ccd::Kind;
 use numpy::PyArray2;
 use pyo3::prelude::*;
-use std::sync::Mutex;
 
 /// Candidates of a step, for all steps near it: those of a line search. `Session.candidate_set`
 /// makes one, with the options, bodies and filter that the session has.
@@ -16,28 +15,17 @@ use std::sync::Mutex;
 /// may add where a part of that step is taken. Others are refused.
 #[pyclass(frozen, module = "meshccd")]
 pub struct CandidateSet {
-    inner: Mutex<ccd::CandidateSet>,
-    made_by: MadeBy,
+    inner: Guarded<ccd::CandidateSet>,
 }
 
 impl CandidateSet {
     /// A set that serves this process.
     pub fn new(inner: ccd::CandidateSet) -> Self {
-        Self { inner: Mutex::new(inner), made_by: MadeBy::this() }
+        Self { inner: Guarded::new("set of candidates", inner) }
     }
 
     fn pairs<'py>(&self, py: Python<'py>, kind: Kind) -> PyResult<Bound<'py, PyArray2<u32>>> {
-        pair_array(py, self.with(py, |set| flat(set, kind))?)
-    }
-
-    /// Asks the set, without the interpreter: another thread may have it for long.
-    fn with<R: Send>(
-        &self,
-        py: Python<'_>,
-        ask: impl FnOnce(&mut ccd::CandidateSet) -> R + Send,
-    ) -> PyResult<R> {
-        self.made_by.check("set of candidates")?;
-        py.detach(|| Ok(ask(&mut *lock(&self.inner)?)))
+        pair_array(py, self.inner.with(py, |set| Ok(flat(set, kind)))?)
     }
 }
 
@@ -75,7 +63,7 @@ impl CandidateSet {
     /// How far vertices may be outside of the step that the candidates were found for.
     #[getter]
     fn inflation(&self, py: Python<'_>) -> PyResult<f64> {
-        self.with(py, |set| set.inflation())
+        self.inner.with(py, |set| Ok(set.inflation()))
     }
 
     /// The earliest time of impact of a step, never late; None if all of it is free.
@@ -91,17 +79,16 @@ impl CandidateSet {
         x1: &Bound<'_, PyAny>,
     ) -> PyResult<Option<f64>> {
         let positions = Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])?;
-        let found = match &positions {
+        match &positions {
             Floats::F32([x0, x1]) => {
                 let [x0, x1] = [numbers(x0)?, numbers(x1)?].map(|x| x.as_chunks().0);
-                self.with(py, |set| set.earliest_toi(x0, x1))?
+                self.inner.with(py, |set| set.earliest_toi(x0, x1).map_err(input))
             }
             Floats::F64([x0, x1]) => {
                 let [x0, x1] = [numbers(x0)?, numbers(x1)?].map(|x| x.as_chunks().0);
-                self.with(py, |set| set.earliest_toi(x0, x1))?
+                self.inner.with(py, |set| set.earliest_toi(x0, x1).map_err(input))
             }
-        };
-        found.map_err(input)
+        }
     }
 
     /// The part of a step that is free of contact, in [0, 1]; errors are those of `earliest_toi`.
@@ -126,8 +113,9 @@ impl CandidateSet {
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        let n: usize =
-            self.with(py, |set| Kind::ALL.into_iter().map(|kind| set.pairs(kind).len()).sum())?;
+        let n: usize = self
+            .inner
+            .with(py, |set| Ok(Kind::ALL.into_iter().map(|kind| set.pairs(kind).len()).sum()))?;
         Ok(format!("<CandidateSet of {n} pairs>"))
     }
 }

@@ -1,6 +1,6 @@
 //! Geometry of all contacts of a report, as columns.
 
-use crate::arrays::{Floats, numbers};
+use crate::arrays::{Floats, kind_of, numbers};
 use crate::errors::{input, refused};
 use crate::hit::state_number;
 use ccd::{Contact, Coordinate, Kind, Mesh, State};
@@ -22,12 +22,6 @@ pub struct Geometry {
     on_b: Py<PyArray2<f64>>,
     /// Between the nearest points, (n,) float64.
     distance: Py<PyArray1<f64>>,
-}
-
-/// The kind of a number, in the order of `Kind`.
-pub fn kind(number: u8) -> PyResult<Kind> {
-    let kind = Kind::ALL.get(usize::from(number));
-    kind.copied().ok_or_else(|| refused(format!("{number} is no kind of contact")))
 }
 
 /// Columns that say which contacts.
@@ -83,7 +77,7 @@ impl<'py> Contacts<'py> {
         let undecided = state_number(State::Undecided);
         // The columns of a report can be written to.
         for ((&number, &a), &b) in kind.iter().zip(a).zip(b) {
-            let [of_a, of_b] = match self::kind(number)? {
+            let [of_a, of_b] = match kind_of(number)? {
                 Kind::VertexFace => [mesh.n_vertices(), mesh.faces().len()],
                 Kind::EdgeEdge => [mesh.edges().len(); 2],
                 Kind::VertexEdge => [mesh.n_vertices(), mesh.edges().len()],

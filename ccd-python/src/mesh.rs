@@ -1,9 +1,9 @@
 //! Topology: faces, and the edges in a canonical order.
 
-use crate::arrays::{Floats, ids, kind_of, numbers, pair_array, rows};
+use crate::arrays::{Floats, ids, kind_of, pair_array, rows};
 use crate::errors::{input, of_one, refused};
 use crate::process::threads_here;
-use ccd::{Coordinate, Exclusions, Kind, Pair, Real};
+use ccd::{Exclusions, Kind, Pair};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -116,18 +116,12 @@ impl Mesh {
     /// `x`, as `neighbours` returns them.
     fn near_at_rest<'py>(&self, x: &Bound<'py, PyAny>, distance: f64) -> PyResult<PairLists<'py>> {
         let py = x.py();
-        let x = Floats::new([("x", x)], &[3])?.in_rows(["x"], &[3])?;
-        let near = match &x {
-            Floats::F32([x]) => {
-                let x = numbers(x)?.as_chunks().0;
-                py.detach(|| near_at_rest(&self.inner, x, distance))
-            }
-            Floats::F64([x]) => {
-                let x = numbers(x)?.as_chunks().0;
-                py.detach(|| near_at_rest(&self.inner, x, distance))
-            }
-        };
-        pair_lists(py, near.map_err(|why| of_one(py, input(why)))?)
+        let positions = Floats::new([("x", x)], &[3])?.in_rows(["x"], &[3])?;
+        let near = positions.points(py).and_then(|[x]| {
+            let (mesh, threads) = (&self.inner, threads_here(0));
+            py.detach(|| ccd::near_at_rest_on(threads, mesh, &x, distance)).map_err(input)
+        });
+        pair_lists(py, near.map_err(|why| of_one(py, why))?)
     }
 
     /// What a copy is made of.
@@ -146,25 +140,4 @@ impl Mesh {
 fn pair_lists(py: Python<'_>, lists: Exclusions) -> PyResult<PairLists<'_>> {
     let array = |pairs: Vec<[u32; 2]>| pair_array(py, pairs.into_flattened());
     Ok((array(lists.vf)?, array(lists.ee)?))
-}
-
-/// `ccd::near_at_rest`, with threads that this process has.
-fn near_at_rest<T: Coordinate>(
-    mesh: &ccd::Mesh,
-    rest: &[[T; 3]],
-    distance: f64,
-) -> Result<Exclusions, ccd::Error> {
-    let threads = threads_here(0);
-    if threads == 0 {
-        return ccd::near_at_rest(mesh, rest, distance);
-    }
-    let options = ccd::Options::default().with_min_distance(distance).with_threads(threads);
-    let mut session = ccd::Session::new(mesh.clone(), options)?;
-    let wide: Vec<[f64; 3]> = rest.iter().map(|p| p.map(Real::to_f64)).collect();
-    let all = session.candidates(&wide, &wide)?;
-    let near = |kind: Kind, pairs: ccd::Pairs| {
-        let within = |pair: &Pair| mesh.distance(kind, *pair, &wide).least <= distance;
-        pairs.iter().filter(within).map(|pair| [pair.a, pair.b]).collect()
-    };
-    Ok(Exclusions::new(near(Kind::VertexFace, all.vf), near(Kind::EdgeEdge, all.ee)))
 }

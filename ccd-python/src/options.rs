@@ -1,6 +1,6 @@
 //! Options of a session: Python's arguments by name, and back.
 
-use crate::bodies::{Bodies, bodies};
+use crate::bodies::{Bodies, bodies, flags};
 use crate::errors::refused;
 use ccd::Mode;
 use ccd::method::{
@@ -196,16 +196,8 @@ pub fn changed(
     mut options: ccd::Options,
     given: &Bound<'_, PyDict>,
 ) -> PyResult<ccd::Options> {
-    let value = |name: &str| -> PyResult<Option<Bound<'_, PyAny>>> {
-        Ok(given.get_item(name)?.filter(|value| !value.is_none()))
-    };
-    for (name, _) in given.iter() {
-        let name: String = name.extract()?;
-        if !NAMES.contains(&&name[..]) && !NAMES_OF_METHODS.contains(&&name[..]) {
-            let why = format!("{function}() got an unexpected keyword argument '{name}'");
-            return Err(PyTypeError::new_err(why));
-        }
-    }
+    let value = |name: &str| value(given, name);
+    check_names(function, &NAMES, given)?;
     if let Some(distance) = value("min_distance")? {
         options = options.with_min_distance(distance.extract()?);
     }
@@ -234,7 +226,7 @@ pub fn changed(
             return Err(refused("fixed and self_contact say something of bodies: give bodies too"));
         };
         if let Some(fixed) = fixed {
-            all = all.with_fixed_mask(&fixed.extract::<Vec<bool>>()?);
+            all = all.with_fixed_mask(&flags("fixed", &fixed)?);
         }
         if let Some(self_contact) = self_contact {
             all = all.with_self_contacts(self_contact.extract()?);
@@ -242,7 +234,7 @@ pub fn changed(
         options = options.with_bodies(all);
     }
 
-    if let Some(pipeline) = named::<Pipeline>("pipeline", value("pipeline")?)? {
+    if let Some(pipeline) = named::<Pipeline>(given, "pipeline")? {
         options = options.with_pipeline(pipeline);
     }
     let (method, scheduling) = method(options.broad_phase, options.scheduling, given)?;
@@ -255,11 +247,8 @@ pub fn method(
     mut scheduling: Scheduling,
     given: &Bound<'_, PyDict>,
 ) -> PyResult<(BroadPhaseMethod, Scheduling)> {
-    let value = |name: &str| -> PyResult<Option<Bound<'_, PyAny>>> {
-        Ok(given.get_item(name)?.filter(|value| !value.is_none()))
-    };
-    let wanted = named::<BroadPhaseMethod>("method", value("method")?)?;
-    let of_tree = OF_TREES.iter().find(|name| matches!(value(name), Ok(Some(_))));
+    let wanted = named::<BroadPhaseMethod>(given, "method")?;
+    let of_tree = OF_TREES.iter().find(|name| matches!(value(given, name), Ok(Some(_))));
     let method = match (of_tree, wanted) {
         (None, wanted) => wanted.unwrap_or(method),
         (Some(_), None | Some(BroadPhaseMethod::Tree(_))) => {
@@ -267,13 +256,13 @@ pub fn method(
                 BroadPhaseMethod::Tree(tree) => tree,
                 _ => TreeOptions::default(),
             };
-            if let Some(builder) = named::<Builder>("builder", value("builder")?)? {
+            if let Some(builder) = named::<Builder>(given, "builder")? {
                 tree = tree.builder(builder);
             }
-            if let Some(traversal) = named::<Traversal>("traversal", value("traversal")?)? {
+            if let Some(traversal) = named::<Traversal>(given, "traversal")? {
                 tree = tree.traversal(traversal);
             }
-            if let Some(volume) = named::<Volume>("volume", value("volume")?)? {
+            if let Some(volume) = named::<Volume>(given, "volume")? {
                 tree = tree.volume(volume);
             }
             BroadPhaseMethod::Tree(tree)
@@ -283,10 +272,10 @@ pub fn method(
             return Err(refused(format!("{name} is for the method \"tree\", not {method:?}")));
         }
     };
-    if let Some(scheduler) = named::<Scheduler>("scheduler", value("scheduler")?)? {
+    if let Some(scheduler) = named::<Scheduler>(given, "scheduler")? {
         scheduling = scheduling.scheduler(scheduler);
     }
-    if let Some(front) = named::<Front>("front", value("front")?)? {
+    if let Some(front) = named::<Front>(given, "front")? {
         scheduling = scheduling.front(front);
     }
     Ok((method, scheduling))
@@ -343,18 +332,33 @@ const NAMES: [&str; 10] = [
 ];
 
 /// Those that choose one.
-pub const NAMES_OF_METHODS: [&str; 6] =
+const NAMES_OF_METHODS: [&str; 6] =
     ["method", "builder", "traversal", "volume", "scheduler", "front"];
 
-/// The value of a name.
-fn named<T: Catalogued>(what: &str, given: Option<Bound<'_, PyAny>>) -> PyResult<Option<T>> {
-    given.map(|name| by_name(what, &name.extract::<String>()?)).transpose()
+/// Refuses names that are none of `names`, nor of what chooses a method.
+pub fn check_names(function: &str, names: &[&str], given: &Bound<'_, PyDict>) -> PyResult<()> {
+    for (name, _) in given.iter() {
+        let name: String = name.extract()?;
+        if !names.contains(&&name[..]) && !NAMES_OF_METHODS.contains(&&name[..]) {
+            let why = format!("{function}() got an unexpected keyword argument '{name}'");
+            return Err(PyTypeError::new_err(why));
+        }
+    }
+    Ok(())
 }
 
-/// The value of a name, or all names that there are.
-fn by_name<T: Catalogued>(what: &str, name: &str) -> PyResult<T> {
-    T::named(name).ok_or_else(|| {
+/// What was given by a name, unless it is None.
+fn value<'py>(given: &Bound<'py, PyDict>, name: &str) -> PyResult<Option<Bound<'py, PyAny>>> {
+    Ok(given.get_item(name)?.filter(|value| !value.is_none()))
+}
+
+/// The choice of a name that was given, or all names that there are.
+fn named<T: Catalogued>(given: &Bound<'_, PyDict>, what: &str) -> PyResult<Option<T>> {
+    let Some(name) = value(given, what)? else { return Ok(None) };
+    let name: String = name.extract()?;
+    let found = T::named(&name).ok_or_else(|| {
         let names: Vec<_> = T::ROWS.iter().map(|row: &Row<T>| row.name).collect();
         refused(format!("{what} is {name:?}; it must be one of {}", names.join(", ")))
-    })
+    });
+    found.map(Some)
 }

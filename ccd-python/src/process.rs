@@ -1,12 +1,14 @@
 //! Processes and their threads: a child made by a fork has the pool that all calls share without
 //! its threads, and would wait for them without end.
 
-use pyo3::PyResult;
+use crate::errors::lock;
 use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
 use std::process::id;
+use std::sync::{Mutex, OnceLock};
 
 /// The process that has loaded the module.
-static LOADED_BY: std::sync::OnceLock<u32> = std::sync::OnceLock::new();
+static LOADED_BY: OnceLock<u32> = OnceLock::new();
 
 /// Notes the process that loads the module.
 pub fn loaded() {
@@ -22,23 +24,34 @@ pub fn threads_here(threads: usize) -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// The process that has made an object with threads.
-pub struct MadeBy(u32);
+/// What threads of Python use one after the other, in the process that made it.
+pub struct Guarded<T> {
+    inner: Mutex<T>,
+    made_by: u32,
+    /// What errors call it.
+    what: &'static str,
+}
 
-impl MadeBy {
-    /// This one.
-    pub fn this() -> Self {
-        Self(id())
+impl<T: Send> Guarded<T> {
+    /// One of this process.
+    pub fn new(what: &'static str, inner: T) -> Self {
+        Self { inner: Mutex::new(inner), made_by: id(), what }
     }
 
-    /// Refuses another one.
-    pub fn check(&self, what: &str) -> PyResult<()> {
-        if self.0 == id() {
-            return Ok(());
+    /// Does something while no other thread does, without the interpreter; refused in a process
+    /// that did not make it.
+    pub fn with<R: Send>(
+        &self,
+        py: Python<'_>,
+        act: impl FnOnce(&mut T) -> PyResult<R> + Send,
+    ) -> PyResult<R> {
+        if self.made_by != id() {
+            return Err(PyRuntimeError::new_err(format!(
+                "the {} was made before a fork, and its threads are not in this process: make a \
+                 new one here, or start processes by \"spawn\"",
+                self.what
+            )));
         }
-        Err(PyRuntimeError::new_err(format!(
-            "the {what} was made before a fork, and its threads are not in this process: make a \
-             new one here, or start processes by \"spawn\""
-        )))
+        py.detach(|| act(&mut *lock(&self.inner)?))
     }
 }

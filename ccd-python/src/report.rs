@@ -1,6 +1,6 @@
 //! Report of a step: arrays with one entry per contact.
 
-use crate::arrays::rows;
+use crate::arrays::{kind_of, rows};
 use crate::errors::refused;
 use crate::geometry::{Contacts, Geometry};
 use crate::hit::state_number;
@@ -103,7 +103,7 @@ impl Report {
     fn n_contacts(&self, py: Python<'_>) -> PyResult<(u64, u64, u64, u64)> {
         let mut n = [0; 4];
         for &kind in self.kind.bind(py).try_readonly().map_err(refused)?.as_array() {
-            n[crate::geometry::kind(kind)? as usize] += 1;
+            n[kind_of(kind)? as usize] += 1;
         }
         Ok(n.into())
     }

@@ -106,7 +106,9 @@ impl Session {
         let keeps =
             is_array || frames.is_instance_of::<PyList>() || frames.is_instance_of::<PyTuple>();
         let numpy = py.import("numpy")?;
-        let mut frames = frames.try_iter()?.map(|frame| {
+        let whole = frames.hasattr("__dlpack__")? && !frames.hasattr("__iter__")?;
+        let given = whole.then(|| numpy.call_method1("from_dlpack", (frames,))).transpose()?;
+        let mut frames = given.as_ref().unwrap_or(frames).try_iter()?.map(|frame| {
             let mut frame = frame?;
             if keeps {
                 return Ok(frame);

@@ -1,8 +1,7 @@
 //! Squared distances with derivatives, of one pair of features or of many.
 
-use crate::arrays::{Floats, as_array, flat_ids, numbers};
-use crate::errors::{input, of_one, refused};
-use crate::queries::points;
+use crate::arrays::{Floats, as_array, flat_ids};
+use crate::errors::{of_one, refused};
 use ccd::squared_distance::{EdgeEdgeType, SquaredDistance, VertexFaceType};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
@@ -107,11 +106,7 @@ impl Pairs {
             return Err(refused(format!("kind is {kind}; it must be 0 or 1, see Kind")));
         }
         let positions = Floats::new([("x", x)], &[4, 3])?;
-        let points = match &positions {
-            Floats::F32([x]) => points(0, numbers(x)?),
-            Floats::F64([x]) => points(0, numbers(x)?),
-        };
-        let x = points.map_err(|why| of_one(py, input(why)))?;
+        let [x] = positions.points(py).map_err(|why| of_one(py, why))?;
         let shape = positions.shape(0);
         let shape = shape[..shape.len() - 2].to_vec();
         let nearest = |at: &[[f64; 3]; 4]| match kind {

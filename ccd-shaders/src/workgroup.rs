@@ -223,13 +223,7 @@ pub struct DeviceWords<'a> {
 }
 
 impl<'a> DeviceWords<'a> {
-    /// The words of a binding that is written.
-    #[inline(always)]
-    pub fn new(words: &'a mut [u32]) -> Self {
-        Self::behind(words, 0)
-    }
-
-    /// The same from word `first` on.
+    /// The words of a binding that is written, from word `first` on.
     #[inline(always)]
     pub fn behind(words: &'a mut [u32], first: usize) -> Self {
         Self { words, first, lifetime: PhantomData }

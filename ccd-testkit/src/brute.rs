@@ -1,6 +1,10 @@
 //! Every pair against every pair: what faster ways must equal.
 
-use ccd::{Aabb, Contact, EdgeEdge, Kind, Mesh, Pair, Real, VertexEdge, VertexFace, VertexVertex};
+use ccd::{
+    Aabb, Contact, EdgeEdge, Kind, Mesh, Options, Pair, Real, State, VertexEdge, VertexFace,
+    VertexVertex,
+};
+use ccd_core::model::decision::Decider;
 
 /// Pairs of boxes of one set that overlap, sorted.
 pub fn self_pairs<T: Real>(boxes: &[Aabb<T>]) -> Vec<Pair> {
@@ -137,4 +141,57 @@ pub fn contacts(mesh: &Mesh, x0: &[[f64; 3]], x1: &[[f64; 3]]) -> Vec<Contact> {
         Contact::of(Kind::EdgeEdge, pair, verdict)
     });
     vertex_face.chain(edge_edge).collect()
+}
+
+/// Contacts of every pair that the options want, each asked by itself, whether boxes overlap or
+/// not; in the order of a report.
+pub fn every_pair(
+    mesh: &Mesh,
+    x: [&[[f64; 3]]; 2],
+    options: &Options,
+    window: [f64; 2],
+) -> Vec<Contact> {
+    let decider = Decider::new(options, window);
+    let (edges, faces) = (mesh.edges(), mesh.faces());
+    let wants = |kind: Kind, a: u32, b: u32, v: u32, w: u32| {
+        options.bodies.as_ref().is_none_or(|of| of.wants(v, w) && !of.excludes(kind, a, b))
+    };
+    let mut all = Vec::new();
+    for (kind, pair) in feature_pairs(mesh) {
+        let ids = mesh.vertices_of(kind, pair);
+        if wants(kind, pair.a, pair.b, ids[0], ids[kind.n_first()]) {
+            all.extend(decider.contact(mesh, kind, pair, x));
+        }
+    }
+    let alone = mesh.isolated_vertices();
+    let of_face = |[a, b]: &[u32; 2]| faces.iter().any(|f| f.contains(a) && f.contains(b));
+    let mut thin = |kind: Kind, a: u32, b: u32, w: u32| {
+        if wants(kind, a, b, a, w) {
+            all.extend(decider.contact(mesh, kind, Pair { a, b }, x));
+        }
+    };
+    for &v in alone {
+        for (e, ends) in (0..).zip(edges).filter(|(_, ends)| !of_face(ends)) {
+            thin(Kind::VertexEdge, v, e, ends[0]);
+        }
+    }
+    for (i, &v) in alone.iter().enumerate() {
+        alone[i + 1..].iter().for_each(|&w| thin(Kind::VertexVertex, v, w, w));
+    }
+    all.sort_unstable_by_key(|c| (c.kind, c.a, c.b));
+    all
+}
+
+/// What is found is among what every pair says, the same to the last bit; and of that nothing is
+/// missing but what is undecided and has boxes that are apart.
+pub fn check_pairs(what: &str, want: &[Contact], found: &[Contact]) {
+    let key = |c: &Contact| (c.kind, c.a, c.b);
+    for c in found {
+        let at =
+            want.binary_search_by_key(&key(c), key).unwrap_or_else(|_| panic!("{what}: {c:?}"));
+        assert_eq!(want[at], *c, "{what}");
+    }
+    for c in want.iter().filter(|c| c.state == State::Hit) {
+        assert!(found.binary_search_by_key(&key(c), key).is_ok(), "{what}: missing {c:?}");
+    }
 }

@@ -70,8 +70,7 @@ pub fn step_text(report: &Report) -> String {
     format!("candidates vf {} ee {}\ncontacts {}\n", c.vf, c.ee, contact_digest(&report.contacts))
 }
 
-/// The same text as it is recorded for a real scene, in the folder of snapshots; `truth.rs`
-/// compares what is recorded with published answers.
+/// The same text as `truth.rs` records it for a real scene, in the folder of snapshots.
 pub fn recorded_step(scene: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/snapshots");
     let path = folder.join(format!("truth__step_{scene}.snap"));

@@ -1,6 +1,9 @@
 //! Generators and exact arithmetic of the core's own tests: queries that nearly graze, contacts in
-//! integers, squares of distances in rational numbers.
+//! integers, distances, squares of them in rational numbers.
 
+#[allow(missing_docs, reason = "as in the tests it comes from")]
+#[path = "../../ccd-core/tests/bounds/common/distance.rs"]
+pub mod distance;
 #[path = "../../ccd-core/tests/bounds/common/exact.rs"]
 pub mod exact;
 #[allow(missing_docs, reason = "as in the tests it comes from")]

@@ -3,7 +3,7 @@
 use crate::columns::{Columns, Places};
 use crate::options::{RawMesh, RawOptions};
 use crate::refused;
-use crate::session::{Ends, numbers, places};
+use crate::session::{Ends, shared, with_positions};
 use crate::watch::watched;
 use ccd::Aabb;
 use ccd::gpu::wgpu::DeviceType;
@@ -60,6 +60,8 @@ pub struct RawGpuSession {
     columns: Columns,
 }
 
+shared!(RawGpuSession);
+
 #[wasm_bindgen]
 impl RawGpuSession {
     #[wasm_bindgen(constructor)]
@@ -73,12 +75,6 @@ impl RawGpuSession {
         Ok(Self { inner, f32, f64, columns })
     }
 
-    /// Where positions of this precision go; see `RawSession`.
-    pub fn positions(&mut self, in_f64: bool) -> Places {
-        let n = self.inner.mesh().n_vertices();
-        places(&mut self.f32, &mut self.f64, n, in_f64)
-    }
-
     /// Finds the contacts in a window of time.
     pub async fn step(
         &mut self,
@@ -90,37 +86,11 @@ impl RawGpuSession {
         watched(self.fill(in_f64, [from, to], geometry)).await
     }
 
-    /// Columns of the contacts.
-    pub fn columns(&self) -> Places {
-        self.columns.places()
-    }
-
-    /// Numbers of the last report; see `RawSession`.
-    pub fn numbers(&self) -> Vec<f64> {
-        numbers(self.inner.report())
-    }
-
     /// The earliest time of impact.
     pub async fn earliest_toi(&mut self, in_f64: bool) -> Result<Option<f64>, JsError> {
-        let Self { inner, f32, f64, .. } = self;
-        let toi = if in_f64 {
-            watched(inner.earliest_toi_async(&f64[0], &f64[1])).await
-        } else {
-            watched(inner.earliest_toi_async(&f32[0], &f32[1])).await
-        };
-        toi.map_err(refused)
-    }
-
-    pub fn set_min_distance(&mut self, distance: f64) -> Result<(), JsError> {
-        self.inner.set_min_distance(distance).map_err(refused)
-    }
-
-    pub fn set_fixed(&mut self, body: u32, fixed: bool) -> Result<(), JsError> {
-        self.inner.set_fixed(body, fixed).map_err(refused)
-    }
-
-    pub fn set_sleeping(&mut self, body: u32, sleeping: bool) -> Result<(), JsError> {
-        self.inner.set_sleeping(body, sleeping).map_err(refused)
+        with_positions!(self, in_f64, session, x0, x1, {
+            watched(session.earliest_toi_async(x0, x1)).await.map_err(refused)
+        })
     }
 }
 
@@ -133,19 +103,13 @@ impl RawGpuSession {
         geometry: bool,
     ) -> Result<(), JsError> {
         self.columns.clear();
-        let Self { inner, f32, f64, columns } = self;
-        let report = if in_f64 {
-            inner.step_window_async(&f64[0], &f64[1], window).await
-        } else {
-            inner.step_window_async(&f32[0], &f32[1], window).await
-        };
-        let report = report.map_err(refused)?;
-        columns.fill(&report.contacts);
-        if geometry && in_f64 {
-            columns.fill_geometry(&report.contacts, report.mesh(), [&f64[0], &f64[1]]);
-        } else if geometry {
-            columns.fill_geometry(&report.contacts, report.mesh(), [&f32[0], &f32[1]]);
-        }
+        with_positions!(self, in_f64, session, x0, x1, {
+            let report = session.step_window_async(x0, x1, window).await.map_err(refused)?;
+            self.columns.fill(&report.contacts);
+            if geometry {
+                self.columns.fill_geometry(&report.contacts, report.mesh(), [x0, x1]);
+            }
+        });
         Ok(())
     }
 }

@@ -34,6 +34,51 @@ macro_rules! with_positions {
     }};
 }
 
+/// What sessions on a CPU and on a GPU do alike.
+macro_rules! shared {
+    ($session:ident) => {
+        #[wasm_bindgen]
+        impl $session {
+            /// Where positions of this precision go: those at the start, then those at the end,
+            /// three numbers a vertex of the mesh. The buffers stay where they are until the mesh
+            /// has more vertices.
+            pub fn positions(&mut self, in_f64: bool) -> Places {
+                let n = self.inner.mesh().n_vertices();
+                $crate::session::places(&mut self.f32, &mut self.f64, n, in_f64)
+            }
+
+            /// Columns of the contacts.
+            pub fn columns(&self) -> Places {
+                self.columns.places()
+            }
+
+            /// Numbers of the last report: the earliest time or NaN, undecided contacts, whether
+            /// trees were built anew, then per kind contacts, candidates and what filters left,
+            /// then times.
+            pub fn numbers(&self) -> Vec<f64> {
+                $crate::session::numbers(self.inner.report())
+            }
+
+            pub fn set_min_distance(&mut self, distance: f64) -> Result<(), JsError> {
+                self.inner.set_min_distance(distance).map_err(refused)
+            }
+
+            pub fn set_fixed(&mut self, body: u32, fixed: bool) -> Result<(), JsError> {
+                self.inner.set_fixed(body, fixed).map_err(refused)
+            }
+
+            pub fn set_sleeping(&mut self, body: u32, sleeping: bool) -> Result<(), JsError> {
+                self.inner.set_sleeping(body, sleeping).map_err(refused)
+            }
+        }
+    };
+}
+
+#[cfg(feature = "gpu")]
+pub(crate) use {shared, with_positions};
+
+shared!(RawSession);
+
 #[wasm_bindgen]
 impl RawSession {
     #[wasm_bindgen(constructor)]
@@ -41,14 +86,6 @@ impl RawSession {
         let inner = Session::new(mesh.0.clone(), options.0.clone()).map_err(refused)?;
         let (f32, f64, columns, pairs) = Default::default();
         Ok(Self { inner, f32, f64, columns, pairs })
-    }
-
-    /// Where positions of this precision go: those at the start, then those at the end, three
-    /// numbers a vertex of the mesh. The buffers stay where they are until the mesh has more
-    /// vertices.
-    pub fn positions(&mut self, in_f64: bool) -> Places {
-        let n = self.inner.mesh().n_vertices();
-        places(&mut self.f32, &mut self.f64, n, in_f64)
     }
 
     /// Finds the contacts in a window of time.
@@ -68,17 +105,6 @@ impl RawSession {
             }
         });
         Ok(())
-    }
-
-    /// Columns of the contacts.
-    pub fn columns(&self) -> Places {
-        self.columns.places()
-    }
-
-    /// Numbers of the last report: the earliest time or NaN, undecided contacts, whether trees
-    /// were built anew, then per kind contacts, candidates and what filters left, then times.
-    pub fn numbers(&self) -> Vec<f64> {
-        numbers(self.inner.report())
     }
 
     /// The earliest time of impact.
@@ -126,18 +152,6 @@ impl RawSession {
     pub fn has_intersections(&mut self, in_f64: bool) -> Result<bool, JsError> {
         with_positions!(self, in_f64, session, x0, _x1, session.has_intersections(x0))
             .map_err(refused)
-    }
-
-    pub fn set_min_distance(&mut self, distance: f64) -> Result<(), JsError> {
-        self.inner.set_min_distance(distance).map_err(refused)
-    }
-
-    pub fn set_fixed(&mut self, body: u32, fixed: bool) -> Result<(), JsError> {
-        self.inner.set_fixed(body, fixed).map_err(refused)
-    }
-
-    pub fn set_sleeping(&mut self, body: u32, sleeping: bool) -> Result<(), JsError> {
-        self.inner.set_sleeping(body, sleeping).map_err(refused)
     }
 }
 

@@ -1,5 +1,5 @@
 //! Boxes of 28 sizes by 12 shapes, by every method and every way to schedule it, against brute
-//! force: two calls on one broad phase, so that what it keeps meets other boxes.
+//! force: three calls on one broad phase, so that what it keeps meets other boxes.
 
 use super::{Counts, Place, fewest};
 use ccd::any::BroadPhase;

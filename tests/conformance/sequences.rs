@@ -1,7 +1,7 @@
 //! Sequences of frames by schedulers with fronts: on every frame the candidates of a session that
 //! begins where the step before ended are those of one that begins at the roots.
 
-use crate::rows::schedulings;
+use crate::rows::{is_whole, schedulings};
 use crate::scenes::Source;
 use ccd::method::{Front, FrontOptions};
 use ccd::scenes::{Sequence, cloth_on_ball, funnel, interpenetrating, n_body};
@@ -18,7 +18,7 @@ fn generated(scene: &Sequence, n: usize) -> Frames {
     Frames { mesh: scene.mesh.clone(), x: (0..n).map(|i| scene.frame(i)).collect() }
 }
 
-/// Debris that falls against a wall, every second frame.
+/// Debris that falls against a wall, every second frame, but for the later half by default.
 fn debris() -> Frames {
     let dir = data::data_dir().expect("the row is ignored without the data");
     let frame = |i: usize| {
@@ -26,7 +26,8 @@ fn debris() -> Frames {
         ccd::io::read_frame(&path).expect("a frame")
     };
     let mesh = frame(40).mesh().expect("a mesh");
-    Frames { mesh, x: (40..100).step_by(2).map(|i| frame(i).positions).collect() }
+    let end = if is_whole() { 100 } else { 70 };
+    Frames { mesh, x: (40..end).step_by(2).map(|i| frame(i).positions).collect() }
 }
 
 /// A name, whether it needs the data, and frames.

@@ -9,13 +9,12 @@ use ccd::method::{
     TriangleOptions,
 };
 use ccd::scenes::{Step, crumpled_sheet, triangle_soup};
-use ccd::{Bodies, BodyMotion, Digest, Mesh, Options, Posed, Strided};
+use ccd::{Bodies, BodyMotion, Digest, Mesh, Options};
 use ccd_core::backend::layout::Path;
 
 pub const TESTS: crate::Tests = &[
     ("changes_between_steps", check_changes),
     ("changes_that_are_refused", check_refused),
-    ("forms_of_positions", check_forms),
     ("paths_that_were_written", check_written),
     ("paths_written_in_flight", check_written_in_flight),
 ];
@@ -110,23 +109,6 @@ fn check_refused(device: &Device) {
     assert!(matches!(why, Error::Input(ccd::Error::Method { .. })), "{why}");
     assert_eq!((session.options(), &**session.mesh()), (&options, &small.mesh));
     assert_eq!(check("after", device, &mut session, &small), n);
-}
-
-/// Positions with a stride, and posed ones.
-fn check_forms(device: &Device) {
-    let step = crumpled_sheet(9, 3);
-    let still = [[1.0f32, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
-    let still = [still[0], still[1], still[2], [0.0, 0.0, 0.0, 1.0]];
-    let [x0, x1] = step.rounded();
-    let rows: Vec<[f32; 5]> = x1.iter().map(|p| [7.0, 8.0, p[0], p[1], p[2]]).collect();
-    let mut session = Session::new(device, &step.mesh, Options::default()).expect("a session");
-    let want = session.step(&x0, &x1).expect("a step").contacts.clone();
-    assert!(!want.is_empty());
-    let (posed, strided) = (Posed::one(&x0, &still), Strided::<f32>::of(&rows).offset(8));
-    assert!(session.step(&posed, &strided).expect("a step").contacts == want);
-    assert_ne!(session.step(&strided, &posed).expect("a step").contacts, want);
-    let why = session.step(&posed, &strided.offset(12)).expect_err("beyond the last row");
-    assert!(matches!(why, Error::Input(ccd::Error::Bytes { time: 1, .. })), "{why}");
 }
 
 /// Whoever has the buffer of paths may write it at any time, and record no frame: the next step has

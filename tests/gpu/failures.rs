@@ -131,11 +131,11 @@ fn check_capacities(device: &Device) {
     }
 }
 
+/// A coordinate that is none is found on the way to the device; what else is refused is refused
+/// before, as on a CPU.
 fn check_input(device: &Device) {
     let step = crumpled_sheet(8, 1);
     let mut session = Session::new(device, step.mesh.clone(), Options::default()).unwrap();
-    let error = session.step(&step.x0[1..], &step.x1).unwrap_err();
-    assert!(matches!(error, Error::Input(ccd::Error::VertexCount { time: 0, .. })), "{error}");
     let mut bad = step.x1.clone();
     bad[5][1] = f64::NAN;
     let error = session.step(&step.x0, &bad).unwrap_err();
@@ -145,11 +145,6 @@ fn check_input(device: &Device) {
     );
     let found = session.step(&step.x0, &step.x1).unwrap();
     assert!(!found.contacts.is_empty(), "the session does not go on");
-    let options = Options::default().with_min_distance(-1.0);
-    assert!(matches!(
-        Session::new(device, step.mesh, options),
-        Err(Error::Input(ccd::Error::MinDistance { .. }))
-    ));
 }
 
 /// More boxes than one binding of the device holds: refused with the sizes, and the next call

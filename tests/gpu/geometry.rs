@@ -2,7 +2,7 @@
 //! sessions against `Contact::geometry`.
 
 use crate::support::{TINY, bytes, paths, read, read_back, rounds_like_a_cpu, run, same, zeros};
-use ccd::gpu::bind::{ContactGeometry, ContactGeometryWide};
+use ccd::gpu::bind::{Bind, ContactGeometry, ContactGeometryWide};
 use ccd::gpu::{Device, Error, Session};
 use ccd::{Contact, Coordinate, Mesh, Options};
 use ccd_core::backend::layout::{
@@ -74,63 +74,59 @@ fn check_kernels(device: &Device) {
         let touches: Vec<Touch> = (0..wanted).map(&mut touch).collect();
         let mut contacts = bytes(&[wanted, 0, 0, 0]);
         contacts.extend(bytes(&touches[..capacity]));
-        let list: Vec<u32> = [wanted, 0, 0, 0]
-            .into_iter()
-            .chain(read::<u32>(&bytes(&touches[..capacity])))
-            .collect();
+        let list: Vec<u32> = read(&contacts);
         // In two parts, of which the second may take more than there is.
         let part = |(first, n)| Dispatch { n, first, capacity_in: 700, capacity_out: 0 };
         let dispatch = [(0, 300), (300, 700)].map(part);
         let n = mesh.n_vertices() as u32;
         let frame = Frame { count: [n, 0, 0], flags: Frame::FLAG_EXACT, ..Frame::default() };
+        let (edges, faces, touches) = (mesh.edges(), mesh.faces(), &touches[..capacity]);
         let args = Placing { origin: [0.5, -2.0, 0.0], unit: 0.25 };
         let p = dispatch.map(|dispatch| Params { frame, dispatch, args });
-        let mut kernel = ContactGeometry {
+        let kernel = ContactGeometry {
             paths: bytes(&paths),
-            edges: bytes(mesh.edges()),
-            faces: bytes(mesh.faces()),
+            edges: bytes(edges),
+            faces: bytes(faces),
             contacts: contacts.clone(),
             geometry: zeros::<TouchGeometry>(capacity + 64),
         };
-        kernel = run(device, kernel, &p[0], 5);
-        check_part(&kernel.geometry);
-        let got: Vec<TouchGeometry> = read(&run(device, kernel, &p[1], 5).geometry);
-        check_records(&got, &touches[..capacity], poison, rounds_like_a_cpu(device), |i| {
-            touch_geometry::narrow(i, &p[0], &paths, mesh.edges(), mesh.faces(), &list)
+        check_kernel(device, kernel, p, touches, poison, |i| {
+            touch_geometry::narrow(i, &p[0], &paths, edges, faces, &list)
         });
         if device.info().wide {
             let p = dispatch.map(|dispatch| Params { frame, dispatch, args: Plain::default() });
-            let mut kernel = ContactGeometryWide {
+            let kernel = ContactGeometryWide {
                 paths: bytes(&paths),
                 positions: bytes(&[[0.0f64; 3]]),
-                edges: bytes(mesh.edges()),
-                faces: bytes(mesh.faces()),
+                edges: bytes(edges),
+                faces: bytes(faces),
                 contacts,
                 geometry: zeros::<TouchGeometry>(capacity + 64),
             };
-            kernel = run(device, kernel, &p[0], 5);
-            check_part(&kernel.geometry);
-            let got: Vec<TouchGeometry> = read(&run(device, kernel, &p[1], 5).geometry);
-            check_records(&got, &touches[..capacity], poison, rounds_like_a_cpu(device), |i| {
-                touch_geometry::wide(i, &p[0], &paths, &[], mesh.edges(), mesh.faces(), &list)
+            check_kernel(device, kernel, p, touches, poison, |i| {
+                touch_geometry::wide(i, &p[0], &paths, &[], edges, faces, &list)
             });
         }
     }
 }
 
-/// Of the first part nothing is written beyond its last record.
-fn check_part(geometry: &[u8]) {
-    let (within, beyond) = geometry.split_at(300 * size_of::<TouchGeometry>());
-    assert!(within.iter().any(|&b| b != 0) && beyond.iter().all(|&b| b == 0));
-}
-
-fn check_records(
-    got: &[TouchGeometry],
+/// A kernel over both parts; `want`: its body here. Of the first part nothing is written beyond its
+/// last record.
+fn check_kernel<K: Bind<Vec<u8>>>(
+    device: &Device,
+    kernel: K,
+    p: [Params<K::Args>; 2],
     touches: &[Touch],
     poison: bool,
-    exact: bool,
     want: impl Fn(u32) -> TouchGeometry,
 ) {
+    let geometry = |kernel: &K| kernel.buffers().pop().expect("the last buffer").clone();
+    let kernel = run(device, kernel, &p[0], 5);
+    let first = geometry(&kernel);
+    let (within, beyond) = first.split_at(300 * size_of::<TouchGeometry>());
+    assert!(within.iter().any(|&b| b != 0) && beyond.iter().all(|&b| b == 0));
+    let got: Vec<TouchGeometry> = read(&geometry(&run(device, kernel, &p[1], 5)));
+    let exact = rounds_like_a_cpu(device);
     for (i, touch) in touches.iter().enumerate() {
         check_sound(&got[i], touch.kind == 0);
         if !poison {

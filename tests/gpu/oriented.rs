@@ -5,7 +5,7 @@ use crate::descent::Trees;
 use crate::emulated::is_thin;
 use crate::scenes::check_pairs;
 use crate::support::{bytes, capacity, entries, read, rounds_like_a_cpu, run, zeros};
-use crate::trees::{radix_tree, wide_tree};
+use crate::trees::{in_two_parts, radix_tree, wide_tree};
 use crate::twin::Twin;
 use ccd::gpu::Device;
 use ccd::gpu::bind::{
@@ -265,38 +265,23 @@ fn traverse_full(
     sorted: u32,
     n: u32,
 ) -> Vec<Pair> {
-    let mut found = Vec::new();
-    for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-        let dispatch = Dispatch { n, first, capacity_in: 0, capacity_out: CAPACITY };
-        let args = Queries { kind, sorted };
-        let p = Params { frame: tree.twin.frame, dispatch, args };
-        let kernel = TraverseFullOriented {
-            boxes: bytes(&tree.twin.boxes),
-            order: bytes(&tree.twin.order),
-            nodes: nodes.to_vec(),
-            oriented: tree.boxes.clone(),
-            pairs: capacity(CAPACITY),
-        };
-        found.extend(entries(&run(device, kernel, &p, n.div_ceil(128)).pairs));
-    }
-    found
+    in_two_parts(n, CAPACITY, |dispatch, pairs| {
+        let p = Params { frame: tree.twin.frame, dispatch, args: Queries { kind, sorted } };
+        let (boxes, order) = (bytes(&tree.twin.boxes), bytes(&tree.twin.order));
+        let (nodes, oriented) = (nodes.to_vec(), tree.boxes.clone());
+        let kernel = TraverseFullOriented { boxes, order, nodes, oriented, pairs };
+        run(device, kernel, &p, dispatch.n.div_ceil(128)).pairs
+    })
 }
 
 fn traverse_half(device: &Device, tree: &Oriented, nodes: &[u8], n: u32) -> Vec<Pair> {
-    let mut found = Vec::new();
-    for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-        let dispatch = Dispatch { n, first, capacity_in: 0, capacity_out: CAPACITY };
+    in_two_parts(n, CAPACITY, |dispatch, pairs| {
         let p = Params { frame: tree.twin.frame, dispatch, args: tree.twin.tree };
-        let kernel = TraverseHalfOriented {
-            leaves: bytes(&tree.twin.nodes),
-            order: bytes(&tree.twin.order),
-            nodes: nodes.to_vec(),
-            oriented: tree.boxes.clone(),
-            pairs: capacity(CAPACITY),
-        };
-        found.extend(entries(&run(device, kernel, &p, n.div_ceil(128)).pairs));
-    }
-    found
+        let (leaves, order) = (bytes(&tree.twin.nodes), bytes(&tree.twin.order));
+        let (nodes, oriented) = (nodes.to_vec(), tree.boxes.clone());
+        let kernel = TraverseHalfOriented { leaves, order, nodes, oriented, pairs };
+        run(device, kernel, &p, dispatch.n.div_ceil(128)).pairs
+    })
 }
 
 /// All pairs below those of two cuts, level by level; how many pairs of nodes there were.

@@ -240,7 +240,7 @@ fn survivors(
 
 fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
     use ccd::Kind;
-    use ccd_core::narrow_phase::decide;
+    use ccd_core::narrow_phase::pair_verdict;
     use ccd_core::narrow_phase::search::Search;
     let x = |end: fn(&Path) -> [f32; 4]| {
         paths
@@ -254,7 +254,7 @@ fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
     let (x0, x1) = (x(|p| p.t0), x(|p| p.t1));
     let kind = if kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
     let wanted = Search::whole(0.0);
-    decide::pair(kind, step.mesh.vertices_of(kind, pair), [&x0, &x1], &wanted).verdict
+    pair_verdict::pair(kind, step.mesh.vertices_of(kind, pair), [&x0, &x1], &wanted).verdict
 }
 
 /// Boxes that are points, and boxes as large as they may be; what are no boxes. All others are in

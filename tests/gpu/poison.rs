@@ -10,7 +10,7 @@ use crate::twin::Twin;
 use ccd::gpu::Device;
 use ccd::{EdgeEdge, Mesh, TOI_TOLERANCE, Verdict, VertexFace};
 use ccd_core::backend::layout::Path;
-use ccd_core::narrow_phase::decide;
+use ccd_core::narrow_phase::pair_verdict::{edge_edge_ids, vertex_face_ids};
 use ccd_core::narrow_phase::relative_motion::Patch;
 use ccd_testkit::generate::Random;
 use ccd_testkit::grazing::exact::{Contact, contact};
@@ -118,9 +118,9 @@ fn check_filters(device: &Device) {
         let (mut n_touching, mut n_dropped) = (0, 0);
         for pair in all {
             let ids = if kind == 0 {
-                decide::vertex_face_ids(pair, &faces)
+                vertex_face_ids(pair, &faces)
             } else {
-                decide::edge_edge_ids(pair, mesh.edges())
+                edge_edge_ids(pair, mesh.edges())
             };
             let at = |x: &[[f32; 3]]| ids.map(|v| x[v as usize].map(f64::from));
             let query = (at(&x0), at(&x1));

@@ -13,6 +13,7 @@ use ccd_core::backend::layout::{
 use ccd_core::backend::quantization::{Scan, Table};
 use ccd_core::narrow_phase::integer_search::Window;
 use ccd_core::narrow_phase::search::Search;
+use ccd_testkit::data::QUERY_SETS;
 use ccd_testkit::{compare, data};
 use std::path::{Path, PathBuf};
 
@@ -26,12 +27,20 @@ pub fn test_of_data(dir: &Result<PathBuf, String>) -> (String, Runnable) {
     ("queries".into(), test)
 }
 
+/// Queries of each of [`QUERY_SETS`] that integers alone leave open; a device without `f64` goes on
+/// in `f32` and leaves at most as many.
+const OPEN_BY_INTEGERS: [u64; QUERY_SETS.len()] = [252, 50, 0, 0, 0, 0, 18, 56, 2, 59, 58];
+
 /// All published queries through the kernels that decide, and what they leave open through the CPU.
 fn check_queries(device: &Device, dir: &Path) {
     let wide = device.info().wide;
     let (mut n, mut n_hits, mut n_undecided, mut n_open, mut n_misses) = (0, 0, 0, 0, 0);
+    // Queries of each set, and those that the device leaves undecided or open.
+    let mut sets = [[0u64; 2]; QUERY_SETS.len()];
     for (path, name) in data::query_files(dir) {
         let Queries { queries, .. } = read_queries(&path).unwrap();
+        let set = QUERY_SETS.iter().position(|(set, _)| name.starts_with(set));
+        let [n_of_set, n_left] = &mut sets[set.unwrap_or_else(|| panic!("{name} is of no set"))];
         let times = data::read_times(&dir.join("toi").join(&name));
         let is_vf = matches!(queries[0], Query::VertexFace(_));
         let ends = |q: &Query| match q {
@@ -42,6 +51,8 @@ fn check_queries(device: &Device, dir: &Path) {
         let verdicts = decide(device, is_vf, &ends);
         for (i, (verdict, time)) in verdicts.iter().zip(&times).enumerate() {
             let mut verdict = *verdict;
+            *n_of_set += 1;
+            *n_left += matches!(verdict, Verdict::Undecided { .. }) as u64;
             if !wide && matches!(verdict, Verdict::Undecided { .. }) {
                 n_open += 1;
                 verdict = match &queries[i] {
@@ -61,6 +72,14 @@ fn check_queries(device: &Device, dir: &Path) {
          {n_open} left open without f64"
     );
     assert_eq!(n, 7279);
+    // One in a hundred more than a CPU: products may be contracted, and roots be off by some units.
+    for (i, [n_of_set, n_left]) in sets.into_iter().enumerate() {
+        let (set, [of_cpu, _]) = QUERY_SETS[i];
+        let of_host = if wide { of_cpu } else { OPEN_BY_INTEGERS[i] };
+        let most = of_host + n_of_set / 100;
+        println!("{set}: {n_left} of {n_of_set} left, {most} at most");
+        assert!(n_left <= most, "{set}: {n_left} of {n_of_set} left, {most} at most");
+    }
 }
 
 /// Verdicts of the device for queries of four vertices each: vertex `4 i` and face `i`, or edges

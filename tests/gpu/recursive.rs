@@ -2,13 +2,13 @@
 
 use crate::oriented::{Oriented, slanted};
 use crate::scenes::check_pairs;
-use crate::support::{bytes, capacity, entries, run};
-use crate::trees::wide_tree;
+use crate::support::{bytes, run};
+use crate::trees::{in_two_parts, wide_tree};
 use crate::twin::Twin;
 use ccd::gpu::Device;
 use ccd::gpu::bind::{TraverseRecursive, TraverseRecursiveOriented};
 use ccd::{Aabb, Pair};
-use ccd_core::backend::layout::{Dispatch, Params, Queries};
+use ccd_core::backend::layout::{Params, Queries};
 use ccd_testkit::brute;
 use ccd_testkit::generate::uniform_boxes;
 
@@ -16,8 +16,7 @@ pub const TESTS: crate::Tests = &[("recursion", check_recursion)];
 
 const CAPACITY: u32 = 100_000;
 
-/// What queries of the first set of a kind find, in either order, in two parts as a dispatch of
-/// many is.
+/// What queries of the first set of a kind find, in either order.
 fn found(
     device: &Device,
     twin: &Twin,
@@ -27,13 +26,11 @@ fn found(
 ) -> [Vec<Pair>; 2] {
     let n = twin.frame.count[kind as usize];
     [0, 1].map(|sorted| {
-        let mut all = Vec::new();
-        for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-            let dispatch = Dispatch { n, first, capacity_in: 0, capacity_out: CAPACITY };
+        in_two_parts(n, CAPACITY, |dispatch, pairs| {
             let p = Params { frame: twin.frame, dispatch, args: Queries { kind, sorted } };
             let (boxes, order) = (bytes(&twin.boxes), bytes(&twin.order));
-            let (nodes, pairs, groups) = (nodes.to_vec(), capacity(CAPACITY), n.div_ceil(128));
-            all.extend(entries(&match oriented {
+            let (nodes, groups) = (nodes.to_vec(), dispatch.n.div_ceil(128));
+            match oriented {
                 None => {
                     let kernel = TraverseRecursive { boxes, order, nodes, pairs };
                     run(device, kernel, &p, groups).pairs
@@ -43,9 +40,8 @@ fn found(
                     let kernel = TraverseRecursiveOriented { boxes, order, nodes, oriented, pairs };
                     run(device, kernel, &p, groups).pairs
                 }
-            }));
-        }
-        all
+            }
+        })
     })
 }
 

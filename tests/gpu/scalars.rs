@@ -216,7 +216,6 @@ pub fn check_decorations() {
             }
             "BlockDescent" => &[0, 76],
             "IntegerDecision" => &[0, 8, 12, 16],
-            "Stealing" => &[0, 4, 8, 12, 16, 20],
             "Placing" => &[0, 12],
             "Building" => &[0, 4, 8, 12, 16],
             "Plain" | "Worlds" => &[0],

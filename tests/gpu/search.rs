@@ -15,8 +15,8 @@ use std::mem::take;
 
 /// Capacity of the lists of tasks and of results.
 pub const CAPACITY: u32 = 12_000;
-/// Log2 of the number of workers.
-pub const WORKERS: u32 = 3;
+/// Log2 of the number of workers, if a test says no other.
+const WORKERS: u32 = 3;
 
 /// What kernels of workers write.
 #[derive(Clone)]
@@ -42,7 +42,7 @@ pub trait Descends {
         dispatch: Dispatch,
         front: Vec<u8>,
     ) -> Buffers;
-    /// A round of `2^WORKERS` workers.
+    /// A round of `2^args.workers` workers.
     fn round(
         &self,
         device: &Device,
@@ -117,13 +117,15 @@ pub fn balance(device: &Device, p: &Params<NodeDescent>, buffers: &mut Buffers) 
 pub struct Search<'a> {
     device: &'a Device,
     trees: &'a dyn Descends,
+    /// Log2 of the number of workers.
+    workers: u32,
     pub buffers: Buffers,
 }
 
 impl<'a> Search<'a> {
     /// Without a front.
     pub fn new(device: &'a Device, trees: &'a dyn Descends, args: NodeDescent) -> Self {
-        Self { device, trees, buffers: trees.first(device, args) }
+        Self { device, trees, workers: args.workers, buffers: trees.first(device, args) }
     }
 
     /// The search after this one, of other trees: begins at the front that this one has written.
@@ -132,11 +134,11 @@ impl<'a> Search<'a> {
         assert!(n <= args.capacity_front, "{n} pairs of a front");
         let dispatch = Dispatch { n, capacity_out: CAPACITY, ..Dispatch::default() };
         let buffers = trees.resume(self.device, args, dispatch, self.buffers.front.clone());
-        Self { device: self.device, trees, buffers }
+        Self { device: self.device, trees, workers: args.workers, buffers }
     }
 
     pub fn word(&self, i: usize) -> u32 {
-        read::<u32>(&self.buffers.control)[i]
+        read::<u32>(&self.buffers.control[4 * i..][..4])[0]
     }
 
     /// Round after round until nothing is left; how many there were.
@@ -162,12 +164,12 @@ impl<'a> Search<'a> {
 
     /// Pairs that workers expanded, all together.
     pub fn expanded(&self) -> u64 {
-        (0..1 << WORKERS).map(|me| self.word(counts(me) + 1) as u64).sum()
+        (0..1 << self.workers).map(|me| self.word(counts(me) + 1) as u64).sum()
     }
 
     /// Batches that workers popped, and stole; pushes for which a deque had no room.
     pub fn batches(&self) -> [u32; 3] {
-        std::array::from_fn(|i| self.word(stolen(1 << WORKERS) + i))
+        std::array::from_fn(|i| self.word(stolen(1 << self.workers) + i))
     }
 
     /// The front that was written.

@@ -1,6 +1,6 @@
 //! Workers over two block trees, or one with itself.
 
-use crate::search::{Buffers, CAPACITY, Descends, WORKERS};
+use crate::search::{Buffers, CAPACITY, Descends};
 use crate::search_trees::written;
 use crate::support::{bytes, capacity, list, run, zeros};
 use crate::twin::Twin;
@@ -85,7 +85,8 @@ impl Descends for SearchBlocks {
         buffers: Buffers,
     ) -> Buffers {
         let Buffers { control, nodes, pairs, front } = buffers;
-        let (p, boxes, n) = (self.params(args, dispatch), bytes(&self.twin.nodes), 1 << WORKERS);
+        let (p, boxes) = (self.params(args, dispatch), bytes(&self.twin.nodes));
+        let n = 1 << args.workers;
         if args.batches > 0 {
             written!(device, &p, n, StealBlockPairs { boxes, control, nodes, pairs, front })
         } else {

@@ -1,7 +1,7 @@
 //! Workers over two binary trees, or one with itself.
 
 use crate::descent::Trees;
-use crate::search::{Buffers, CAPACITY, Descends, WORKERS};
+use crate::search::{Buffers, CAPACITY, Descends};
 use crate::support::{bytes, capacity, read, run, zeros};
 use ccd::gpu::Device;
 use ccd::gpu::bind::{
@@ -110,7 +110,7 @@ impl Descends for SearchTrees {
         let Buffers { control, nodes, pairs, front } = buffers;
         let (p, [a_nodes, b_nodes]) =
             (self.trees.params(self.trees.kind, args, dispatch), self.nodes.clone());
-        let n = 1 << WORKERS;
+        let n = 1 << args.workers;
         match (self.oriented.clone(), args.batches > 0) {
             (None, false) => {
                 let kernel = PairWorkers { a_nodes, b_nodes, control, nodes, pairs, front };

@@ -2,6 +2,7 @@
 //! candidates are those of the CPU's default.
 
 use crate::emulated::is_thin;
+use crate::support::not_run;
 use ccd::gpu::{Device, Path, Session, Timing};
 use ccd::method::{
     BroadPhaseMethod, Descent, Front, FrontOptions, Scheduler, Scheduling, Traversal, TreeOptions,
@@ -209,7 +210,7 @@ fn check_rounds(device: &Device) {
 /// stacks.
 fn check_stages(device: &Device) {
     if !device.info().timestamps {
-        return;
+        return not_run("no timestamps");
     }
     let scene = interpenetrating(64);
     let frames: Vec<_> = (0..4).map(|i| scene.frame(i)).collect();

@@ -15,6 +15,9 @@ use ccd_testkit::generate::uniform_boxes;
 
 pub const TESTS: crate::Tests = &[("radix_tree", check_radix_tree)];
 
+/// Capacity of lists of pairs.
+const CAPACITY: u32 = 200_000;
+
 /// A tree that is well formed, whose boxes are those of the leaves below.
 fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin, set: usize) {
     let (n_internal, start) = (branches.len(), twin.frame.start[set]);
@@ -151,24 +154,29 @@ pub fn wide_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> Vec<u8
     run(device, kernel, &p, 1).nodes
 }
 
+/// What `traverse` lists for the queries of a dispatch, in two parts as a dispatch of many is.
+pub fn in_two_parts(
+    n: u32,
+    capacity_out: u32,
+    traverse: impl Fn(Dispatch, Vec<u8>) -> Vec<u8>,
+) -> Vec<Pair> {
+    let of_part = |(first, n)| {
+        let dispatch = Dispatch { n, first, capacity_in: 0, capacity_out };
+        entries(&traverse(dispatch, capacity(capacity_out)))
+    };
+    [(0, n / 3), (n / 3, n - n / 3)].into_iter().flat_map(of_part).collect()
+}
+
 /// What queries of the first set of a kind find, in the order of input and in that of leaves, which
 /// is the same.
 fn traverse_full(device: &Device, twin: &Twin, kind: u32, nodes: &[u8], n: u32) -> Vec<Pair> {
     let [mut by_input, mut by_leaves] = [0, 1].map(|sorted| {
-        let mut found = Vec::new();
-        // In two parts, as a dispatch of many queries is.
-        for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-            let dispatch = Dispatch { n, first, capacity_in: 0, capacity_out: 200_000 };
+        in_two_parts(n, CAPACITY, |dispatch, pairs| {
             let p = Params { frame: twin.frame, dispatch, args: Queries { kind, sorted } };
-            let kernel = TraverseFull {
-                boxes: bytes(&twin.boxes),
-                order: bytes(&twin.order),
-                nodes: nodes.to_vec(),
-                pairs: capacity(200_000),
-            };
-            found.extend(entries(&run(device, kernel, &p, n.div_ceil(128)).pairs));
-        }
-        found
+            let (boxes, order) = (bytes(&twin.boxes), bytes(&twin.order));
+            let kernel = TraverseFull { boxes, order, nodes: nodes.to_vec(), pairs };
+            run(device, kernel, &p, dispatch.n.div_ceil(128)).pairs
+        })
     });
     by_input.sort_unstable();
     by_leaves.sort_unstable();
@@ -176,10 +184,9 @@ fn traverse_full(device: &Device, twin: &Twin, kind: u32, nodes: &[u8], n: u32) 
     by_leaves
 }
 
-/// Overlaps of the boxes of a tree, in two parts, as a dispatch of many queries is; and a count
-/// that runs over.
+/// Overlaps of the boxes of a tree; and a count that runs over.
 fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8]) {
-    let (n, capacity_out) = (boxes.len() as u32, 200_000);
+    let n = boxes.len() as u32;
     let all = brute::self_pairs(boxes);
     let traverse = |dispatch: Dispatch, pairs: Vec<u8>| {
         let (leaves, order) = (bytes(&twin.nodes), bytes(&twin.order));
@@ -187,12 +194,7 @@ fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8]) {
         let p = Params { frame: twin.frame, dispatch, args: twin.tree };
         run(device, kernel, &p, dispatch.n.div_ceil(128)).pairs
     };
-    let mut found = Vec::new();
-    for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-        let dispatch = Dispatch { n, first, capacity_in: 0, capacity_out };
-        found.extend(entries(&traverse(dispatch, capacity(capacity_out))));
-    }
-    check_pairs("overlaps by a tree", all.clone(), found);
+    check_pairs("overlaps by a tree", all.clone(), in_two_parts(n, CAPACITY, traverse));
     let found = traverse_full(device, twin, 1, nodes, n);
     check_pairs("overlaps by queries of all", all.clone(), found);
     let pairs = traverse(Dispatch { n, ..Dispatch::default() }, bytes(&[u32::MAX, 0, 0, 0]));

@@ -11,7 +11,7 @@ use ccd::gpu::{Candidates, Device, Error, Session};
 use ccd::method::{Pipeline, TriangleOptions};
 use ccd::{Aabb, Bodies, Mesh, Options, Pair};
 use ccd_core::backend::layout::{Dispatch, Expansion, Params, Triangle};
-use ccd_core::backend::triangle_pairs::expansion::{COUNT_STRIDE, N_COUNTS};
+use ccd_core::backend::triangle_pairs::feature_pairs::{COUNT_STRIDE, N_COUNTS};
 use ccd_core::backend::triangle_pairs::near_tests;
 use ccd_core::backend::triangle_pairs::orphans::OrphanSets;
 use ccd_core::backend::triangle_pairs::representatives::Triangles;

@@ -3,7 +3,7 @@
 //! that move.
 
 use crate::scenes::check_pairs;
-use crate::search::{CAPACITY, Descends, Search, WORKERS, rules};
+use crate::search::{CAPACITY, Descends, Search, rules};
 use crate::search_blocks::SearchBlocks;
 use crate::search_trees::SearchTrees;
 use crate::support::{entries, read};
@@ -37,7 +37,7 @@ fn check_tree_workers(device: &Device) {
     for all in [&some[..], &some[..2], &some[..1], &crowd] {
         for kind in [0, 1] {
             let trees = SearchTrees::new(device, kind, of_kind(kind, &some[..150], all), false);
-            check_workers(device, &trees, &mut batches);
+            check_workers(device, &trees, &rules(device, trees.width()), &mut batches);
         }
     }
     let again = SearchTrees::new(device, 1, [&[], &some, &[]], false);
@@ -52,34 +52,39 @@ fn check_block_workers(device: &Device) {
     for all in [&some[..], &some[..1100], &some[..33], &some[..1], &crowd] {
         for (kind, top) in [(0, 2), (1, 2), (0, 1), (1, 3), (1, 4)] {
             let trees = SearchBlocks::new(kind, of_kind(kind, &some[..5000], all), top);
-            check_workers(device, &trees, &mut batches);
+            check_workers(device, &trees, &rules(device, trees.width()), &mut batches);
         }
     }
     // So many pairs below one task that a deque is full.
     let many = boxes(12_000, 0.002);
     let again = SearchBlocks::new(1, [&[], &many, &[]], 3);
-    check_workers(device, &again, &mut batches);
+    check_workers(device, &again, &rules(device, again.width()), &mut batches);
     check_batches(device, &again, batches);
 }
 
 /// Batches were popped and stolen, and found no room, where workers steal. Whether an owner or a
 /// thief comes first is up to the device: a search is repeated until both did.
-fn check_batches(device: &Device, again: &dyn Descends, mut batches: [u32; 3]) {
+fn check_batches(device: &Device, again: &dyn Descends, mut batches: [u64; 3]) {
     let native = device.check_native().is_ok();
     for _ in 0..40 {
         if !native || batches.iter().all(|&n| n > 0) {
             break;
         }
-        check_workers(device, again, &mut batches);
+        check_workers(device, again, &rules(device, again.width()), &mut batches);
     }
     assert!(batches.iter().all(|&n| (n > 0) == native), "popped, stolen, no room: {batches:?}");
 }
 
-/// Every way to share out tasks finds the pairs of brute force, and expands each pair of nodes
-/// once.
-fn check_workers(device: &Device, trees: &dyn Descends, batches: &mut [u32; 3]) {
+/// These ways to share out tasks find the pairs of brute force, and expand each pair of nodes once.
+/// Adds the batches that workers popped, and stole, and pushes without room.
+pub fn check_workers(
+    device: &Device,
+    trees: &dyn Descends,
+    rules: &[(&str, NodeDescent)],
+    batches: &mut [u64; 3],
+) {
     let (want, width) = (trees.want(), trees.width());
-    for (name, args) in rules(device, width) {
+    for &(name, args) in rules {
         let larger = (name.len() % 2) as u32;
         let args = NodeDescent { larger, nodes: 5, ..args };
         let mut search = Search::new(device, trees, args);
@@ -96,10 +101,12 @@ fn check_workers(device: &Device, trees: &dyn Descends, batches: &mut [u32; 3]) 
         check_pairs(name, want.clone(), entries(&search.buffers.pairs));
         assert_eq!(search.expanded(), n, "{name}: pairs expanded");
         if args.batches > 0 {
-            *batches = std::array::from_fn(|i| batches[i] + search.batches()[i]);
+            *batches = std::array::from_fn(|i| batches[i] + search.batches()[i] as u64);
         }
-        let short = args.turns == 1 && n > (width as u64) << WORKERS;
-        let spills = args.stack == 0 && n > n_tasks || args.stack == 9 && n > 2 * STACK as u64;
+        let short = args.turns == 1 && n > (width as u64) << args.workers;
+        // So much for each worker that a stack of nine pairs is too small.
+        let much = n > 256 << args.workers;
+        let spills = args.stack == 0 && n > n_tasks || args.stack == 9 && much;
         assert!(!(short || spills) || n_rounds > 1, "{name}: {n_rounds} rounds");
         if args.idle == 0 && args.stack == STACK && args.turns > 9 {
             assert!(n_rounds <= 1, "{name}: {n_rounds} rounds, and all have room");

@@ -81,7 +81,7 @@ fn contacts_at_the_start_are_left_where_they_separate() {
 }
 
 /// What a window or a tolerance makes of a query is in the core's tests, that sessions find what
-/// queries do in `any_order.rs`.
+/// queries do in `units.rs` and in `tests/attack`.
 #[test]
 fn windows_and_tolerances_are_checked() {
     let step = triangle_soup(300, 0.2, 7);

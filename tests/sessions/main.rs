@@ -2,7 +2,6 @@
 //! between steps, what searches may ask for, what there is as data, and what may go to other
 //! threads.
 
-mod any_order;
 mod candidate_sets;
 mod data;
 mod ends_early;
@@ -18,3 +17,4 @@ mod oriented_triangles;
 mod rules;
 mod send_sync;
 mod triangles;
+mod units;

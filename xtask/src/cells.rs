@@ -1,6 +1,8 @@
 //! Cells of a report, each measured once and kept in a folder as a line of JSON: a report that ran
 //! out of time goes on where it was, and a method that stands in several tables has one figure.
 
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::io::Write;
@@ -45,19 +47,23 @@ impl Cells {
     }
 
     /// A cell as it was kept, or as it is measured now; `None` if there is no more time.
-    pub fn get(
+    pub fn get<T: Serialize + DeserializeOwned>(
         &mut self,
         name: &str,
-        measure: impl FnOnce() -> Result<Value, String>,
-    ) -> Result<Option<Value>, String> {
+        measure: impl FnOnce() -> Result<T, String>,
+    ) -> Result<Option<T>, String> {
+        let of_value = |value: Value| {
+            let cell = serde_json::from_value(value).map(Some);
+            cell.map_err(|e| format!("{name}: not a cell of this report: {e}"))
+        };
         if let Some(value) = self.kept.get(name) {
-            return Ok(Some(value.clone()));
+            return of_value(value.clone());
         }
         if self.until.is_some_and(|until| Instant::now() >= until) {
             self.n_left += 1;
             return Ok(None);
         }
-        let value = measure()?;
+        let value = serde_json::to_value(measure()?).map_err(|e| format!("{name}: {e}"))?;
         if let Some(path) = &self.path {
             let failed = |e: std::io::Error| format!("{}: {e}", path.display());
             let file = std::fs::OpenOptions::new().append(true).open(path);
@@ -65,7 +71,7 @@ impl Cells {
             file.and_then(|mut file| file.write_all(line.as_bytes())).map_err(failed)?;
         }
         self.kept.insert(name.into(), value.clone());
-        Ok(Some(value))
+        of_value(value)
     }
 
     /// Whether all cells are there that were asked for; says how many are not.
@@ -88,7 +94,7 @@ mod tests {
         let open = |minutes| Cells::open(Some(folder.path()), "a", minutes).unwrap();
         let mut cells = open(None);
         assert_eq!(cells.get("x", || Ok(json!([1.5, null]))), Ok(Some(json!([1.5, null]))));
-        assert!(cells.get("y", || Err("no".into())).is_err() && cells.are_complete());
+        assert!(cells.get::<Value>("y", || Err("no".into())).is_err() && cells.are_complete());
         // A run that was ended in the middle of a line.
         let path = folder.path().join("a.jsonl");
         let text = std::fs::read_to_string(&path).unwrap();

@@ -97,6 +97,8 @@ fn long(root: &Path) -> Result<(), String> {
     let benches = ["--release", "-p", "ccd-benches", "--features", "criterion"];
     let clippy = [&["cargo", "clippy", "--all-targets"][..], &benches, &["--", "-D", "warnings"]];
     command(root, &clippy.concat())?;
+    // It includes files of the command, and only runs with a nightly.
+    command(root, &["cargo", "check", "--manifest-path", "fuzz/Cargo.toml", "--locked"])?;
     // Each benchmark once: its answer.
     let bench = ["cargo", "bench", "-p", "ccd-benches", "--features", "criterion", "--", "--test"];
     command(root, &bench)?;

@@ -2,7 +2,7 @@
 //! how far that is from the bytes that must move.
 
 use crate::Part;
-use crate::measure::{Place, median, this_run, timed, warm};
+use crate::measure::{Place, median, median_of, this_run, warm};
 use crate::peers::PEERS;
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
 use ccd::method::BroadPhaseMethod;
@@ -114,10 +114,7 @@ pub struct Measured {
 /// returns the stages.
 fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> Result<Measured, E> {
     run(Timing::Off)?;
-    let wall = warm(runs, || {
-        let (ms, done) = timed(|| run(Timing::Off));
-        done.map(|_| ms)
-    })?;
+    let (wall, _) = median_of(runs, || run(Timing::Off))?;
     let device =
         warm(runs, || -> Result<f64, E> { Ok(run(Timing::Whole)?.iter().map(|s| s.1).sum()) })?;
     let mut stages_of = warm(runs, || run(Timing::Stages))?;
@@ -133,7 +130,7 @@ fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> R
         let name = if again == 0 { name.to_string() } else { format!("{name} {}", again + 1) };
         stages.push((name, median(stages_of.iter().map(|s| s[i].1))));
     }
-    Ok(Measured { device: median(device), wall: median(wall), stages })
+    Ok(Measured { device: median(device), wall, stages })
 }
 
 /// [`sample`] of a call of a session.

@@ -1,9 +1,10 @@
 //! The part `group` of `cargo xtask report --gpu`: steps of one mesh on all GPUs of this host,
 //! beside the first of them alone, in turn. Contacts must be the same.
 
-use crate::measure::{median, timed, warm};
+use crate::measure::{median, median_of, timed, warm};
 use ccd::gpu::{Device, DeviceOptions, Error, Group, Session};
 use ccd::{Mesh, Options, Report, scenes};
+use ccd_core::model::session::Engine;
 use ccd_testkit::data::{SCENES, data_dir};
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -77,26 +78,16 @@ pub fn measure(runs: usize, text: &mut String) -> Result<(), Error> {
             let (ms, report) = timed(|| all.step(&x0, &x1));
             report.map(|report| until(report, ms))
         })?;
-        let earliest = warm(runs, || {
-            let (ms, found) = timed(|| one.earliest_toi(&x0, &x1));
-            found.map(|found| (ms, found))
-        })?;
-        let earliest_of_all = warm(runs, || {
-            let (ms, found) = timed(|| all.earliest_toi(&x0, &x1));
-            found.map(|found| (ms, found))
-        })?;
-        assert_eq!(earliest[0].1, earliest_of_all[0].1, "earliest of {name}");
+        let (toi, earliest) = median_of(runs, || one.earliest_toi(&x0, &x1))?;
+        let (toi_all, earliest_of_all) = median_of(runs, || all.earliest_toi(&x0, &x1))?;
+        assert_eq!(earliest, earliest_of_all, "earliest of {name}");
         let of = |steps: &[(f64, f64)]| {
             (median(steps.iter().map(|of| of.0)), median(steps.iter().map(|of| of.1)))
         };
         let ((sent, one_ms), (sent_all, all_ms)) = (of(&steps), of(&steps_of_all));
-        let [toi, toi_all] =
-            [earliest, earliest_of_all].map(|found| median(found.iter().map(|of| of.0)));
-        let parts: Vec<String> = all
-            .members()
-            .take(all.n_used())
-            .map(|member| member_faces(member).to_string())
-            .collect();
+        let members = all.members().take(all.n_used());
+        let parts: Vec<String> =
+            members.map(|of| Engine::state(of).mesh.faces().len().to_string()).collect();
         let _ = writeln!(
             text,
             "| {name} | {n_faces} | {} | {sent:.2} | {one_ms:.2} | {sent_all:.2} | {all_ms:.2} | \
@@ -108,8 +99,4 @@ pub fn measure(runs: usize, text: &mut String) -> Result<(), Error> {
         );
     }
     Ok(())
-}
-
-fn member_faces(member: &ccd::gpu::Engine) -> usize {
-    ccd_core::model::session::Engine::state(member).mesh.faces().len()
 }

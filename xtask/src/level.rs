@@ -6,7 +6,7 @@
 //! they touch, and the two times must agree.
 
 use crate::markdown::{Table, digits};
-use crate::measure::{Place, median, timed, warm};
+use crate::measure::{Place, median_of};
 use ccd::any::Session;
 use ccd::scenes::grid;
 use ccd::{Bodies, BodyMotion, Mesh, Options};
@@ -68,23 +68,19 @@ pub fn run() -> Result<(), String> {
         };
         session.set_positions(&rest).map_err(|e| e.to_string())?;
         let motion = [BodyMotion::new(1, &body, &fallen)];
-        let mut found = (f64::NAN, 0);
-        let first = of(|| {
-            let hit = session.first_contact_of_bodies(&motion)?;
-            found.0 = hit.map_or(f64::NAN, |hit| hit.toi);
-            Ok::<_, ccd::any::Error>(())
-        });
-        let all = of(|| {
-            found.1 = session.step_bodies(&motion)?.contacts.len();
-            Ok::<_, ccd::any::Error>(())
-        });
-        let [first, all] = [first, all].map(|ms| ms.map_err(|e| format!("{name}: {e}")));
-        let differs = (found.0 - f64::from(toi)).abs();
-        if differs.is_nan() || differs > TOLERANCE || found.1 == 0 {
-            return Err(format!("{name}: {found:?}, parry3d finds {toi}"));
+        let failed = |e: ccd::any::Error| format!("{name}: {e}");
+        let (first, hit) =
+            median_of(RUNS, || session.first_contact_of_bodies(&motion)).map_err(failed)?;
+        let (all, n) =
+            median_of(RUNS, || session.step_bodies(&motion).map(|report| report.contacts.len()))
+                .map_err(failed)?;
+        let found = hit.map_or(f64::NAN, |hit| hit.toi);
+        let differs = (found - f64::from(toi)).abs();
+        if differs.is_nan() || differs > TOLERANCE || n == 0 {
+            return Err(format!("{name}: {found}, {n} contacts, parry3d finds {toi}"));
         }
-        table.row([format!("first contact, {name}"), digits(first?), found.0.to_string()]);
-        table.row([format!("all {} contacts, {name}", found.1), digits(all?), String::new()]);
+        table.row([format!("first contact, {name}"), digits(first), found.to_string()]);
+        table.row([format!("all {n} contacts, {name}"), digits(all), String::new()]);
     }
     println!("{table}");
     Ok(())
@@ -99,21 +95,9 @@ fn parry(level: &[[f32; 3]], faces: &[[u32; 3]], body: &[[f32; 3]]) -> Result<(f
     let body = ConvexPolyhedron::from_convex_hull(&points).ok_or("no hull")?;
     let fall = Vector::new(0.0, -FALL, 0.0);
     let options = ShapeCastOptions::with_max_time_of_impact(1.0);
-    let mut toi = None;
-    let ms = of(|| {
-        let (here, rest) = (Pose::IDENTITY, Vector::ZERO);
-        let hit = cast_shapes(&here, rest, &mesh, &here, fall, &body, options);
-        toi = hit.map_err(|e| e.to_string())?.map(|hit| hit.time_of_impact);
-        Ok::<_, String>(())
-    });
-    Ok((ms?, toi.ok_or("parry3d finds no contact")?))
-}
-
-/// The median of milliseconds of a call.
-fn of<E>(mut call: impl FnMut() -> Result<(), E>) -> Result<f64, E> {
-    let times = warm(RUNS, || {
-        let (ms, done) = timed(&mut call);
-        done.map(|()| ms)
-    });
-    Ok(median(times?))
+    let (here, rest) = (Pose::IDENTITY, Vector::ZERO);
+    let (ms, hit) = median_of(RUNS, || {
+        cast_shapes(&here, rest, &mesh, &here, fall, &body, options).map_err(|e| e.to_string())
+    })?;
+    Ok((ms, hit.ok_or("parry3d finds no contact")?.time_of_impact))
 }

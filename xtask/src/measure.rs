@@ -94,6 +94,19 @@ pub fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     (start.elapsed().as_secs_f64() * 1e3, done)
 }
 
+/// The median of the milliseconds of `runs` calls after a warm-up, and what the last one returned.
+pub fn median_of<T, E>(runs: usize, mut call: impl FnMut() -> Result<T, E>) -> Result<(f64, T), E> {
+    let mut last = None;
+    let times = warm(runs, || {
+        let (ms, done) = timed(&mut call);
+        done.map(|done| {
+            last = Some(done);
+            ms
+        })
+    })?;
+    Ok((median(times), last.expect("a warm-up calls at least once")))
+}
+
 /// Works before a measurement: a device that was idle needs about this long to reach its clock
 /// again.
 const WARM_UP: Duration = Duration::from_millis(300);

@@ -226,6 +226,8 @@ mod tests {
         let all = mutants().unwrap_or_else(|e| panic!("{e}"));
         assert!(all.len() > 50, "{} mutants", all.len());
         for (i, m) in all.iter().enumerate() {
+            // What is copied; all else is not there when the command runs.
+            assert!(m.file.starts_with("ccd-core/"), "{}: {}", m.name, m.file);
             assert_ne!(mutated(root, m), read(&root.join(m.file)), "{} changes nothing", m.name);
             mutated(root, m).unwrap_or_else(|e| panic!("{e}"));
             assert!(!m.why.is_empty() && all[..i].iter().all(|n| n.name != m.name), "{}", m.name);

@@ -22,9 +22,15 @@ struct Scene {
 }
 
 impl Scene {
-    fn new(name: &'static str, sequence: scenes::Sequence, with_bodies: bool) -> Self {
+    /// Three steps from a frame on.
+    fn new(
+        name: &'static str,
+        sequence: scenes::Sequence,
+        first: usize,
+        with_bodies: bool,
+    ) -> Self {
         let bodies = with_bodies.then(|| Bodies::new(&sequence.body).with_self_contacts(false));
-        let frames = (0..4).map(|i| sequence.frame(i)).collect();
+        let frames = (first..first + 4).map(|i| sequence.frame(i)).collect();
         Self { name, mesh: sequence.mesh.into(), bodies, min_distance: 0.0, frames }
     }
 
@@ -36,13 +42,14 @@ impl Scene {
     fn all() -> Vec<Self> {
         let (copies, bodies) = scenes::copies(&scenes::crumpled_sheet(12, 3), 4);
         vec![
-            Self::new("two meshes", scenes::interpenetrating(1024), false),
+            Self::new("two meshes", scenes::interpenetrating(1024), 0, false),
             Self::of_step("particles and rods", scenes::particles_and_rods(50, 1), 0.0),
-            Self::new("funnel", scenes::funnel(24), true),
+            // The cloth comes near the wall of the funnel, but does not touch it.
+            Self { min_distance: 0.05, ..Self::new("funnel", scenes::funnel(24), 200, true) },
             Self { bodies: Some(bodies), ..Self::of_step("copies", copies, 0.0) },
-            Self::new("cloth on a ball", scenes::cloth_on_ball(40), false),
+            Self::new("cloth on a ball", scenes::cloth_on_ball(40), 0, false),
             Self::of_step("soup", scenes::triangle_soup(400, 0.1, 5), 0.01),
-            Self::new("spheres in a box", scenes::n_body(16, 10), true),
+            Self::new("spheres in a box", scenes::n_body(16, 10), 0, true),
         ]
     }
 }
@@ -72,10 +79,15 @@ pub fn run(minutes: f64, backend: &str) -> Result<(), String> {
                     .with_min_distance(scene.min_distance)
                     .with_broad_phase(method);
                 session.set_options(options).map_err(what)?;
+                let mut n_contacts = 0;
                 for frames in scene.frames.windows(2) {
                     let report = session.step(&frames[0], &frames[1]).map_err(what)?;
                     found.push(digest(report));
+                    n_contacts += report.contacts.len();
                     steps += 1;
+                }
+                if n_contacts == 0 {
+                    return Err(format!("soak: {}, {method}: no contacts", scene.name));
                 }
             }
             // By no other method is anything else found.

@@ -1,7 +1,7 @@
 //! The part `worlds` of `cargo xtask report --gpu`: many independent cloths in one call, with the
 //! earliest time of each, beside calls of 16 of them and of one.
 
-use crate::measure::{Place, median, timed, warm};
+use crate::measure::{Place, median_of};
 use ccd::any::{Error, Session};
 use ccd::scenes::{copies, crumpled_sheet};
 use ccd::{Bodies, Mesh, Options};
@@ -31,18 +31,15 @@ pub fn measure(places: &[Place], runs: usize, text: &mut String) -> Result<(), E
         {
             let (step, bodies) = copies(&one, n_worlds);
             let mut session = open(place, &step.mesh, bodies.clone())?;
-            let all = warm(runs, || {
-                let (ms, done) = timed(|| -> Result<(), Error> {
-                    for _ in 0..calls {
-                        let tois = session.step(&step.x0, &step.x1)?.toi_of_worlds(&bodies);
-                        let right = tois.len() == n_worlds && tois.iter().all(|t| *t == tois[0]);
-                        assert!(right && tois[0].is_some(), "times of worlds: {tois:?}");
-                    }
-                    Ok(())
-                });
-                done.map(|()| ms)
+            let (ms, ()) = median_of(runs, || -> Result<(), Error> {
+                for _ in 0..calls {
+                    let tois = session.step(&step.x0, &step.x1)?.toi_of_worlds(&bodies);
+                    let right = tois.len() == n_worlds && tois.iter().all(|t| *t == tois[0]);
+                    assert!(right && tois[0].is_some(), "times of worlds: {tois:?}");
+                }
+                Ok(())
             })?;
-            times[i] = median(all);
+            times[i] = ms;
         }
         let [one, some, calls, all] = times;
         let name = place.name();

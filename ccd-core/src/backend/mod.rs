@@ -13,8 +13,10 @@
 //! | [`layout`] | records that cross between CPU and GPU |
 //! | [`quantization`] | coordinates in `f32`, and what rounding to it costs |
 //! | [`rules`] | which features may touch: bodies, groups, worlds, exclusions as words |
+//! | `clock` | the text of a clock, which the backends have and the core has not |
 
 pub mod broad_phase;
+mod clock;
 pub mod kernel;
 pub mod layout;
 pub mod quantization;

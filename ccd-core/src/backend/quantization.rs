@@ -253,8 +253,8 @@ pub fn margin<T: Real>(min_distance: f64) -> T {
 }
 
 /// Boxes of coordinates up to `greatest` that were rounded to `f32` and overlap by at most this may
-/// not overlap in truth: twice the spacing of `f32` there, since outward rounding moves two bounds
-/// by less than that together.
+/// not overlap in truth: 4 to 8 times the spacing of `f32` there, of which outward rounding makes
+/// boxes that are apart overlap by one at most.
 pub fn slack_at(greatest: f32) -> f32 {
     greatest * (8.0 * f32::UNIT) + f32::MIN_NORMAL
 }

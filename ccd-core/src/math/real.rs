@@ -261,6 +261,16 @@ mod tests {
         assert!(got >= want && got <= want * (1.0 + slack), "sqrt_up({x:?}) = {got}, root {want}");
     }
 
+    /// Of squares the iteration ends in the root, so that what is added to it is seen. It must be
+    /// `2.5 u` for a quotient that is off by `5 u`, and `u` each for a sum and a product.
+    fn check_added<R: Real>() {
+        for root in [0.5, 1.0, 2.0, 4.0f32] {
+            let got = R::splat(root * root).sqrt_up().to_f64();
+            let least = f64::from(root) * (1.0 + 4.5 * R::UNIT.to_f64());
+            assert!(got >= least, "{got} for {root}");
+        }
+    }
+
     #[test]
     fn neighbours_are_those_of_the_standard_library() {
         let mut random = Random::new(1);
@@ -313,6 +323,8 @@ mod tests {
                 check_sqrt(m as f64 * 2f64.powi(4 * e), 2e-15);
             }
         }
+        check_added::<f32>();
+        check_added::<f64>();
         assert_eq!(0f64.sqrt_up(), 0.0);
         assert_eq!((-1f32).sqrt_up(), 0.0);
     }

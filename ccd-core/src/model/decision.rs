@@ -10,8 +10,8 @@ use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::codimensional::{
     VertexEdge, VertexVertex, search_vertex_edge, search_vertex_vertex,
 };
-use crate::narrow_phase::decide::{self, gather};
 use crate::narrow_phase::exact::{self, Exact, shares_a_point};
+use crate::narrow_phase::pair_verdict::{self, gather};
 use crate::narrow_phase::relative_motion::Patch;
 use crate::narrow_phase::search::{Answer, Search, Verdict};
 
@@ -89,7 +89,7 @@ impl Decider {
         {
             return self.exact(Exact::Contact([0.0; 2]));
         }
-        let answer = decide::pair(kind, ids, x, &self.search);
+        let answer = pair_verdict::pair(kind, ids, x, &self.search);
         if exactly && answer.is_open() { self.of_open(patch, ids, x, answer) } else { answer }
     }
 

@@ -4,8 +4,8 @@ use crate::Real;
 use crate::layout::Pair;
 use crate::model::contact::Kind;
 use crate::model::error::Error;
-use crate::narrow_phase::decide::{edge_edge_ids, vertex_face_ids};
 use crate::narrow_phase::distance::Distance;
+use crate::narrow_phase::pair_verdict::{edge_edge_ids, vertex_face_ids};
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 

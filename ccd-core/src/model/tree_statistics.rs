@@ -10,6 +10,7 @@
 /// assert_eq!(tree.nodes, 2 * 2 - 1);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TreeStatistics {
     /// Nodes, leaves included.
     pub nodes: usize,

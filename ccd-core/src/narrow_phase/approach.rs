@@ -212,3 +212,39 @@ impl<R: Real> Separation<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::narrow_phase::conservative_advancement::greatest_distance;
+
+    /// A corner rises from a height of 1, which is the distance, and one from 1.5 comes down as
+    /// fast. Vectors are known up to a thousandth, so that roundings count for nothing: it is safe
+    /// until the second one may be down, along a direction that is off by all that it may be.
+    fn check<R: Real>() {
+        let v = |x: [f32; 3]| x.map(R::splat);
+        let m = Motion {
+            a: [v([0.0, 1.0, 0.0]), v([0.0, 2.0, 0.0])],
+            b: [v([0.0, -0.5, 0.0]), v([0.0, 1.5, 0.0])],
+            c: [v([1.0, -1.0, 0.0]); 2],
+            error: R::splat(1e-3),
+        };
+        let (zero, one) = (R::splat(0.0), R::splat(1.0));
+        let found = Departure::new(&m, Patch::Triangle, zero, one, zero);
+        assert_eq!(found.approach, Approach::Separating, "{found:?}");
+        let error = m.corner_error().to_f64();
+        let along = Field::new(&m, Patch::Triangle, zero).along(v([0.0, 1.0, 0.0]));
+        let least = (0..4).map(|j| along.excess(j, zero).to_f64()).fold(f64::INFINITY, f64::min);
+        let most = greatest_distance(&m, Patch::Triangle, zero).to_f64();
+        let turn = (2.0 * (1.0 - least / most)).sqrt();
+        let until = (1.5 - error - turn * 1.5 - most) / (1.0 + 2.0 * error + turn);
+        let safe = found.safe.to_f64();
+        assert!(safe <= until && safe > 0.94 * until, "{safe} of {until}: {found:?}");
+    }
+
+    #[test]
+    fn a_departure_is_safe_for_no_longer_than_derived() {
+        check::<f64>();
+        check::<f32>();
+    }
+}

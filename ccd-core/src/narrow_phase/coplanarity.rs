@@ -25,8 +25,9 @@
 //!
 //! - *Flushing.* A component is off by at most 5 times the smallest normal number (two operands,
 //!   their difference, the sum and the half of a middle), so 18 products lose `90 (A B + B C + C
-//!   A)` times that, `18 (A + B + C)` for products of two factors, `36` for products of three and
-//!   sums: below `256 MIN_NORMAL (1 + A)(1 + B)(1 + C)`.
+//!   A)` times that, products of two factors `18 A`, sums inside of vector products `12 A`, and
+//!   products of three and the other sums `36`: `30 A + 36` besides, and all of it below
+//!   `256 MIN_NORMAL (1 + A)(1 + B)(1 + C)`.
 //! - *Overflow.* No intermediate result is above `18 A B C`, or `8 B C` before it is multiplied by
 //!   `a`. Where one overflows so does `8 B C` or `64 A B C` (or the latter is NaN), which is part
 //!   of the bound, and the filter answers "unknown".

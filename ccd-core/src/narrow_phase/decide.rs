@@ -6,8 +6,6 @@ use crate::kernel::memory::{Stored, at};
 use crate::layout::VERTEX_FACE;
 use crate::layout::{Frame, IntegerDecision, Pair, Path, join, split};
 use crate::math::q62::Q62;
-use crate::math::real::Real;
-use crate::model::contact::Kind;
 use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::integer_search::{self, Ends, Found, NO_UNIT, Window};
 use crate::narrow_phase::query::{Verdict, search};
@@ -264,31 +262,6 @@ fn all_widened(x: [[f32; 3]; 4]) -> [[f64; 3]; 4] {
     [wide(x[0]), wide(x[1]), wide(x[2]), wide(x[3])]
 }
 
-/// Positions of four vertices at one time, in the precision `R` of the arithmetic.
-#[inline]
-pub fn gather<T: Copy + Into<R>, R: Real>(ids: [u32; 4], x: &[[T; 3]]) -> [[R; 3]; 4] {
-    let mut out = [[R::splat(0.0); 3]; 4];
-    for i in 0..4 {
-        let p = at(x, ids[i] as usize);
-        out[i] = [p[0].into(), p[1].into(), p[2].into()];
-    }
-    out
-}
-
-/// The vertex ids `v f0 f1 f2` of a vertex-face pair.
-#[inline(always)]
-pub fn vertex_face_ids(pair: Pair, faces: &[[u32; 3]]) -> [u32; 4] {
-    let [f0, f1, f2] = at(faces, pair.b as usize);
-    [pair.a, f0, f1, f2]
-}
-
-/// The vertex ids `ea0 ea1 eb0 eb1` of an edge-edge pair.
-#[inline(always)]
-pub fn edge_edge_ids(pair: Pair, edges: &[[u32; 2]]) -> [u32; 4] {
-    let ([a0, a1], [b0, b1]) = (at(edges, pair.a as usize), at(edges, pair.b as usize));
-    [a0, a1, b0, b1]
-}
-
 /// What a pair of a kind is: over which patch, and its vertex ids, `v f0 f1 f2` or
 /// `ea0 ea1 eb0 eb1`. `elements`: the words of all faces where the kind is 0, else of all edges.
 #[inline(always)]
@@ -304,22 +277,10 @@ pub fn words_of_pair(kind: u32, pair: Pair, elements: &[u32]) -> (Patch, [u32; 4
     }
 }
 
-/// The answer for a pair of features with these vertices, in the precision `R`, from exact
-/// positions at both times.
-pub fn pair<T: Copy + Into<R>, R: Real>(
-    kind: Kind,
-    ids: [u32; 4],
-    x: [&[[T; 3]]; 2],
-    wanted: &Search<R>,
-) -> Answer<R> {
-    let patch = kind.patch();
-    let motion = Motion::new(patch, &gather(ids, x[0]), &gather(ids, x[1]), R::splat(0.0));
-    search(&motion, patch, wanted)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::real::Real;
     use crate::random::Random;
 
     /// Times of a window and the tolerance are rounded so that nothing is lost, and contacts are

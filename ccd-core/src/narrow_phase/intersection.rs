@@ -77,6 +77,16 @@ pub fn segment_meets_triangle(segment: [Point; 2], triangle: [Point; 3]) -> Opti
 
 /// On which side of the plane of the triangle the ends of the segment are, where rounded numbers
 /// tell.
+///
+/// Coordinates may be so small here that products vanish. If both ends seem to be on one side, no
+/// point of the segment is in the triangle all the same. In addition to what [`certain_sign`]
+/// covers, the normal `n` is off by a vector `y` with components up to 2^-1074, which is the same
+/// for both ends. Let `V W` bound the components of `v w`, and `|x|` be the greatest component of
+/// `x`. The ends less `a`, and so all points `x` of the segment less `a`, are further along `n + y`
+/// than `60 u |x| V W` and 255 smallest normal numbers together. A point of the triangle is at 0
+/// along `n`, and along `y` at `3 |x| 2^-1074` at most. For that to be as far, `V W` must be below
+/// 2^-1025 and `|x|` above 2^58. As `|x|` is at most the greater one of `V` and `W`, the other one
+/// is below 2^-1083, which is 0; and without a normal nothing is certain.
 fn certain_sides(segment: [Point; 2], [a, b, c]: [Point; 3]) -> [Option<Ordering>; 2] {
     let (v, w) = (sub(b, a), sub(c, a));
     let (normal, size) = (cross(w, v), max_abs(v) * max_abs(w));
@@ -289,6 +299,15 @@ mod tests {
             }
         }
         assert!(outside > 10_000, "{outside}");
+    }
+
+    /// Where nothing has a size, operands and results that are flushed are all that counts.
+    #[test]
+    fn slabs_hold_what_is_flushed() {
+        let narrow = slabs(&[[0.0f32; 3]; 3], 0.0, 0.0)[0];
+        let wide = slabs(&[[0.0f64; 3]; 3], 0.0, 0.0)[0];
+        assert!(narrow.high.min(-narrow.low) >= 16.0 * f32::MIN_POSITIVE, "{narrow:?}");
+        assert!(wide.high.min(-wide.low) >= 16.0 * f64::MIN_POSITIVE, "{wide:?}");
     }
 
     #[test]

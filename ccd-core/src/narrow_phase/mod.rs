@@ -20,6 +20,7 @@ mod exact_distance;
 pub mod integer_search;
 #[cfg(any(feature = "alloc", test))]
 pub mod intersection;
+pub mod pair_verdict;
 pub mod query;
 pub mod relative_motion;
 pub mod search;

@@ -2,7 +2,8 @@
 
 use super::cascade::ends;
 use super::contact_geometry::{ContactGeometry, contact_geometry};
-use super::decide::{earliest_key, edge_edge_ids, until, vertex_face_ids, wide_ends};
+use super::decide::{earliest_key, until, wide_ends};
+use super::pair_verdict::{edge_edge_ids, vertex_face_ids};
 use crate::kernel::memory::at;
 use crate::layout::VERTEX_FACE;
 use crate::layout::{

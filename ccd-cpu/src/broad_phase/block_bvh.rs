@@ -249,6 +249,7 @@ mod tests {
     use super::*;
     use crate::broad_phase::block_pairs::BlockSource;
     use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
+    use crate::broad_phase::tests::random;
 
     fn check_well_formed(bvh: &BlockBvh, leaves: &LeafBoxes, boxes: &[Aabb<f32>]) {
         let mut seen: Vec<u32> = leaves.order().to_vec();
@@ -279,11 +280,7 @@ mod tests {
         let mut source = BlockSource::default();
         let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
         for n in [0usize, 1, 7, 8, 9, 64, 65, 1000, 20_000] {
-            let mut x = n as u32;
-            let mut unit = || {
-                x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-                (x >> 8) as f32 / 16_777_216.0
-            };
+            let mut unit = random(n as u32);
             let mut boxes: Vec<_> =
                 (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
             leaves.build(&threads, &mut source, &boxes, Marks::default());

@@ -15,9 +15,9 @@
 //! Sessions, the broad phase and the tests of all methods then have it.
 
 mod block_bvh;
-#[cfg(feature = "catalogue")]
-mod block_descent;
 mod block_pairs;
+#[cfg(feature = "catalogue")]
+mod block_workers;
 #[cfg(feature = "catalogue")]
 mod brute_force;
 #[cfg(feature = "catalogue")]

@@ -94,7 +94,11 @@ impl SweepInStrips {
     /// How many leaves these boxes have; fills in how many come before each chunk.
     fn count(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) -> u64 {
         let grid = &self.strips;
-        let n = |b: &Aabb<f32>| strips::n_strips(grid.cell(b.min), grid.cell(b.max)) as u64;
+        // From the strip of its lower to that of its upper corner.
+        let n = |b: &Aabb<f32>| {
+            let [first, last] = [b.min, b.max].map(|corner| grid.cell(corner));
+            ((last[0] - first[0] + 1) * (last[1] - first[1] + 1)) as u64
+        };
         self.offsets.resize(boxes.len().div_ceil(CHUNK), 0);
         threads.each(&mut self.offsets, &|i, offset| {
             *offset = chunk(boxes, i).iter().map(n).sum();

@@ -24,6 +24,14 @@ const BOUNDS: [f32; 13] = [
     f32::INFINITY,
 ];
 
+/// Random numbers in [0, 1), the same on every machine.
+pub(super) fn random(mut state: u32) -> impl FnMut() -> f32 {
+    move || {
+        state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+        (state >> 8) as f32 / 16_777_216.0
+    }
+}
+
 /// The methods that the table says are here.
 fn methods() -> impl Iterator<Item = BroadPhaseMethod> {
     every("cpu")
@@ -145,11 +153,7 @@ fn trees_of_any_depth_are_searched() {
 
 #[test]
 fn fewer_visits_find_the_same() {
-    let mut x = 5u32;
-    let mut unit = || {
-        x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        (x >> 8) as f32 / 16_777_216.0
-    };
+    let mut unit = random(5);
     let mut one = || {
         let min = [unit(), unit(), unit()];
         Aabb { min, max: min.map(|c| c + 0.1) }

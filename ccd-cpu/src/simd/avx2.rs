@@ -1,9 +1,8 @@
 //! AVX2: eight `f32` in one register.
 
-use super::{F32x8, Mask, RowSimd, Simd, WIDTH, Work};
+use super::{F32x8, RowSimd, Simd, WIDTH, Work};
 use ccd_core::backend::layout::Pair;
 use std::arch::x86_64::*;
-use std::ops::{BitAnd, BitOr};
 
 /// Proof that the processor has AVX2 and the bit instructions that came with it; only [`Avx2::new`]
 /// makes one.
@@ -45,38 +44,12 @@ super::num!(
     _mm256_cmp_ps::<_CMP_GT_OQ>
 );
 
-impl From<__m256> for M8 {
-    #[inline(always)]
-    fn from(x: __m256) -> Self {
-        Self(x)
-    }
-}
+super::num!(@mask M8(__m256), _mm256_and_ps, _mm256_or_ps, bits);
 
-impl BitAnd for M8 {
-    type Output = Self;
-    #[inline(always)]
-    fn bitand(self, other: Self) -> Self {
-        // SAFETY: there are such masks only where the processor has AVX2.
-        Self(unsafe { _mm256_and_ps(self.0, other.0) })
-    }
-}
-
-impl BitOr for M8 {
-    type Output = Self;
-    #[inline(always)]
-    fn bitor(self, other: Self) -> Self {
-        // SAFETY: as above.
-        Self(unsafe { _mm256_or_ps(self.0, other.0) })
-    }
-}
-
-impl Mask for M8 {
-    const ALL: u32 = 0xff;
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        // SAFETY: as above.
-        unsafe { _mm256_movemask_ps(self.0) as u32 }
-    }
+#[inline]
+#[target_feature(enable = "avx2")]
+fn bits(x: __m256) -> u32 {
+    _mm256_movemask_ps(x) as u32
 }
 
 #[inline]

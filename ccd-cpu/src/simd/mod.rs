@@ -190,7 +190,8 @@ pub fn instruction_set() -> &'static str {
 }
 
 /// `Num` for a vector type from functions of its instruction set: the two that take one vector,
-/// those that take two, the comparison, and all lanes alike.
+/// those that take two, the comparison, and all lanes alike. With `@mask`: `Mask` for eight answers
+/// as vectors, from those that take two, and the one that makes bits of them.
 #[cfg(any(
     target_arch = "x86_64",
     target_arch = "aarch64",
@@ -250,6 +251,26 @@ macro_rules! num {
             fn min(self, other: Self) -> Self {
                 // SAFETY: as above.
                 Self(unsafe { $min(self.0, other.0) })
+            }
+        }
+    };
+    (@mask $mask:ident($vector:ty), $and:path, $or:path, $bits:path) => {
+        $crate::simd::num!(@operator $mask, BitAnd, bitand, $and);
+        $crate::simd::num!(@operator $mask, BitOr, bitor, $or);
+
+        impl From<$vector> for $mask {
+            #[inline(always)]
+            fn from(x: $vector) -> Self {
+                Self(x)
+            }
+        }
+
+        impl $crate::simd::Mask for $mask {
+            const ALL: u32 = 0xff;
+            #[inline(always)]
+            fn bits(self) -> u32 {
+                // SAFETY: there are such masks only where the processor has the set.
+                unsafe { $bits(self.0) }
             }
         }
     };

@@ -1,9 +1,8 @@
 //! NEON: eight `f32` in two registers. Every AArch64 processor has it.
 
-use super::{F32x8, Mask, Portable, RowSimd, Simd, WIDTH, Work};
+use super::{F32x8, Portable, RowSimd, Simd, WIDTH, Work};
 use ccd_core::backend::layout::Pair;
 use std::arch::aarch64::*;
-use std::ops::{BitAnd, BitOr};
 
 /// The instruction set.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +27,7 @@ pub struct V8([float32x4_t; 2]);
 pub struct M8([uint32x4_t; 2]);
 
 super::num!(V8(WIDTH), M8, neg, abs, add, sub, mul, max, min, gt);
+super::num!(@mask M8([uint32x4_t; 2]), and, or, bits);
 
 /// A function of two vectors from one of their halves.
 macro_rules! halves {
@@ -71,40 +71,6 @@ fn bits(x: [uint32x4_t; 2]) -> u32 {
     // SAFETY: four words are readable in each.
     let (low, high) = unsafe { (vld1q_u32(LOW.as_ptr()), vld1q_u32(HIGH.as_ptr())) };
     vaddvq_u32(vorrq_u32(vandq_u32(x[0], low), vandq_u32(x[1], high)))
-}
-
-impl From<[uint32x4_t; 2]> for M8 {
-    #[inline(always)]
-    fn from(x: [uint32x4_t; 2]) -> Self {
-        Self(x)
-    }
-}
-
-impl BitAnd for M8 {
-    type Output = Self;
-    #[inline(always)]
-    fn bitand(self, other: Self) -> Self {
-        // SAFETY: every AArch64 processor has NEON.
-        Self(unsafe { and(self.0, other.0) })
-    }
-}
-
-impl BitOr for M8 {
-    type Output = Self;
-    #[inline(always)]
-    fn bitor(self, other: Self) -> Self {
-        // SAFETY: as above.
-        Self(unsafe { or(self.0, other.0) })
-    }
-}
-
-impl Mask for M8 {
-    const ALL: u32 = 0xff;
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        // SAFETY: as above.
-        unsafe { bits(self.0) }
-    }
 }
 
 #[inline]

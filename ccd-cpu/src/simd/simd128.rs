@@ -1,10 +1,9 @@
 //! SIMD of WebAssembly: eight `f32` in two vectors, in modules built with `simd128`.
 #![allow(unused_unsafe, reason = "other sets need it in the macro `num`; calls here are safe")]
 
-use super::{F32x8, Mask, Portable, RowSimd, Simd, WIDTH, Work};
+use super::{F32x8, Portable, RowSimd, Simd, WIDTH, Work};
 use ccd_core::backend::layout::Pair;
 use std::arch::wasm32::*;
-use std::ops::{BitAnd, BitOr};
 
 /// The instruction set: a module that has it is refused as a whole where there is none.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +20,7 @@ pub struct V8([v128; 2]);
 pub struct M8([v128; 2]);
 
 super::num!(V8(WIDTH), M8, neg, abs, add, sub, mul, max, min, gt);
+super::num!(@mask M8([v128; 2]), and, or, bits);
 
 /// A function of two vectors from one of their halves.
 macro_rules! halves {
@@ -56,37 +56,6 @@ fn abs(x: [v128; 2]) -> [v128; 2] {
 #[inline(always)]
 fn bits(x: [v128; 2]) -> u32 {
     u32::from(i32x4_bitmask(x[0]) | i32x4_bitmask(x[1]) << 4)
-}
-
-impl From<[v128; 2]> for M8 {
-    #[inline(always)]
-    fn from(x: [v128; 2]) -> Self {
-        Self(x)
-    }
-}
-
-impl BitAnd for M8 {
-    type Output = Self;
-    #[inline(always)]
-    fn bitand(self, other: Self) -> Self {
-        Self(and(self.0, other.0))
-    }
-}
-
-impl BitOr for M8 {
-    type Output = Self;
-    #[inline(always)]
-    fn bitor(self, other: Self) -> Self {
-        Self(or(self.0, other.0))
-    }
-}
-
-impl Mask for M8 {
-    const ALL: u32 = 0xff;
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        bits(self.0)
-    }
 }
 
 /// Two vectors from eight words.

@@ -1,7 +1,7 @@
 //! Block trees over boxes on the device: sort, fit, descent to pairs of blocks.
 
-use super::block_descent;
 use super::block_levels::Levels;
+use super::block_workers;
 use super::pair_source::boxes;
 use super::scheduled::Scheduled;
 use super::scheduler;
@@ -107,7 +107,7 @@ impl Tree {
     ) -> Result<Self, Error> {
         let mut tree = Self::sorted_only(device, count, of_paths, old)?;
         if !scheduler::is_by_levels(scheduling) {
-            tree.descent = Some(block_descent::scheduled(device, scheduling, count)?);
+            tree.descent = Some(block_workers::scheduled(device, scheduling, count)?);
         }
         let (levels, by_levels) = (&tree.levels, tree.descent.is_none());
         let pairs = |kind: u32| -> Result<Vec<List>, Error> {
@@ -302,7 +302,7 @@ impl Tree {
             for &kind in kinds {
                 let (first, pairs) = (&self.start[kind as usize], self.block_pairs(kind as usize));
                 let (what, nodes) = ((frame, kind, keeps_order), (&self.levels, &self.nodes));
-                block_descent::run(descent, recorder, what, nodes, first, pairs);
+                block_workers::run(descent, recorder, what, nodes, first, pairs);
             }
             return;
         }

@@ -1,7 +1,7 @@
 //! Pairs of nodes of two trees, as schedulers and fronts descend them, whichever trees they are:
 //! kernels and their parameters.
 //!
-//! Twin: on a CPU `descend.rs`, and for blocks `block_descent.rs`.
+//! Twin: on a CPU `descend.rs`, and for blocks `block_workers.rs`.
 
 use crate::bind::{BlockWorkers, PairWorkers, ResumeBlockFront, ResumeFront};
 use crate::growable_list::List;

@@ -2,9 +2,9 @@
 
 mod binary_tree;
 pub mod block_bvh;
-mod block_descent;
 mod block_levels;
 mod block_pairs;
+mod block_workers;
 mod box_check;
 mod builder;
 mod descended;

@@ -19,7 +19,7 @@ use crate::threads;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::layout::{Dispatch, Expansion, Frame, Pair, Params, Plain, Triangle};
 use ccd_core::backend::rules::Rules;
-use ccd_core::backend::triangle_pairs::expansion::{COUNT_STRIDE, N_COUNTS};
+use ccd_core::backend::triangle_pairs::feature_pairs::{COUNT_STRIDE, N_COUNTS};
 use ccd_core::backend::triangle_pairs::free_regions::{FreeRegions, NONE};
 use ccd_core::backend::triangle_pairs::near_tests::NearTests;
 use ccd_core::backend::triangle_pairs::orphans::OrphanSets;

@@ -8,7 +8,7 @@ use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::{at, put};
 use ccd_core::backend::layout::{NearTest, Pair, Triangle};
-use ccd_core::backend::triangle_pairs::expansion::{
+use ccd_core::backend::triangle_pairs::feature_pairs::{
     COUNT_STRIDE, Expanded, N_COUNTS, N_VERTEX_FACE, expand, features, near,
 };
 use ccd_core::narrow_phase::decide;

@@ -5,10 +5,10 @@ use crate::cells::Cells;
 use crate::measure::{Place, median, warm};
 use ccd::method::{BroadPhaseMethod, TreeStatistics};
 use ccd::{BroadPhase, Error};
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 
 /// Medians in milliseconds, of a GPU by its timestamps.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub struct Measured {
     pub build: f64,
     pub search: f64,
@@ -30,48 +30,15 @@ pub fn kept(
     case: &Case,
 ) -> Result<Option<Cell>, String> {
     let name = format!("{}|{}|{method:?}|{RUNS}", case.name, place.name());
-    let value = cells.get(&name, || {
-        Ok(match measure(place, method, case)? {
-            Ok(m) => {
-                let tree = m.tree.map(|t| (t.nodes, t.depth, t.sah_cost, t.visited_per_query));
-                json!([m.build, m.search, m.visits, tree])
-            }
-            Err(why) => json!(why),
-        })
-    })?;
-    let Some(value) = value else { return Ok(None) };
-    if let Some(why) = value.as_str() {
-        return Ok(Some(Err(why.into())));
-    }
-    let measured = of_json(&value).ok_or_else(|| format!("{name}: not a cell of this report"))?;
-    Ok(Some(Ok(measured)))
+    cells.get(&name, || measure(place, method, case))
 }
 
-fn of_json(value: &Value) -> Option<Measured> {
-    let [build, search, visits, tree] = &value.as_array()?[..] else { return None };
-    let tree = match &tree.as_array().map(Vec::as_slice) {
-        Some([nodes, depth, cost, visited]) => Some(TreeStatistics {
-            nodes: nodes.as_u64()? as usize,
-            depth: depth.as_u64()? as usize,
-            sah_cost: cost.as_f64()?,
-            visited_per_query: visited.as_f64()?,
-        }),
-        _ => None,
-    };
-    let (build, search) = (build.as_f64()?, search.as_f64()?);
-    Some(Measured { build, search, visits: visits.as_u64()?, tree })
-}
-
-fn measure(
-    place: &Place,
-    method: BroadPhaseMethod,
-    case: &Case,
-) -> Result<Result<Measured, &'static str>, String> {
+fn measure(place: &Place, method: BroadPhaseMethod, case: &Case) -> Result<Cell, String> {
     match place {
         Place::Cpu { threads, .. } => match on_cpu(*threads, method, case) {
             Ok(measured) => Ok(Ok(measured)),
-            Err(Failure::Refused(Error::Method { .. })) => Ok(Err("")),
-            Err(Failure::Refused(_)) => Ok(Err("refused")),
+            Err(Failure::Refused(Error::Method { .. })) => Ok(Err(String::new())),
+            Err(Failure::Refused(_)) => Ok(Err("refused".into())),
             Err(Failure::Wrong(why)) => Err(why),
         },
         Place::Gpu { device, .. } => on_gpu(device, method, case),
@@ -103,11 +70,11 @@ fn on_gpu(
     device: &ccd::gpu::Device,
     method: BroadPhaseMethod,
     case: &Case,
-) -> Result<Result<Measured, &'static str>, String> {
+) -> Result<Cell, String> {
     use ccd::gpu::Timing;
     let mut broad = match ccd::gpu::BroadPhase::new(device, method) {
         Ok(broad) => broad,
-        Err(ccd::gpu::Error::Input(Error::Method { .. })) => return Ok(Err("")),
+        Err(ccd::gpu::Error::Input(Error::Method { .. })) => return Ok(Err(String::new())),
         Err(e) => return Err(e.to_string()),
     };
     let found = match &case.against {
@@ -116,7 +83,7 @@ fn on_gpu(
     };
     match found {
         Ok(pairs) => check(case, method, pairs.len())?,
-        Err(ccd::gpu::Error::Input(_)) => return Ok(Err("refused")),
+        Err(ccd::gpu::Error::Input(_)) => return Ok(Err("refused".into())),
         Err(e) => return Err(e.to_string()),
     }
     broad.set_timing(Timing::Stages).map_err(|e| e.to_string())?;

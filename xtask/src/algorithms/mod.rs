@@ -11,13 +11,12 @@ mod scenes;
 
 use crate::cells::Cells;
 use crate::markdown::{Table, digits, rewrite, rewrite_alone};
-use crate::measure::{Place, median, timed};
+use crate::measure::{Place, median_of};
 use crate::plot::Bars;
 use ccd::method::{BroadPhaseMethod, Builder, Catalogued, Descent, Traversal, TreeOptions, Volume};
 use ccd::{BroadPhase, Pair};
 use measure::{Measured, RUNS, kept};
 use scenes::{Case, Draped};
-use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -44,8 +43,7 @@ pub fn run(root: &Path, mut cells: Cells) -> Result<(), String> {
     let places: Vec<Place> = cpus.chain(Place::gpu()).collect();
     let names: Vec<String> = places.iter().map(Place::name).collect();
     let machine = format!("Places: {}. Medians of {RUNS} runs.\n", names.join("; "));
-    let pipelines = cells.get("pipelines", || Ok(pipelines::table(&places, RUNS)?.into()))?;
-    let pipelines = pipelines.and_then(|text| text.as_str().map(String::from)).unwrap_or_default();
+    let pipelines = cells.get("pipelines", || pipelines::table(&places, RUNS))?.unwrap_or_default();
     let mut report = Report { places, cells, plots };
     let (cases, cloths) = (scenes::all()?, scenes::cloths_on_spheres(root)?);
     // The parallel searches of [Tian and Wan] are small: two threads as well.
@@ -189,14 +187,11 @@ impl Report {
             for place in places {
                 let name = format!("{}|{}|exact tests", draped.cases[0].name, place.name());
                 let cell = self.cells.get(&name, || tests(draped, place.threads()))?;
-                let Some([n, ms]) = cell.as_ref().and_then(|cell| cell.as_array()).map(|c| &c[..])
-                else {
-                    continue;
-                };
-                if n_meeting.get_or_insert_with(|| n.clone()) != n {
+                let Some((ms, n)) = cell else { continue };
+                if *n_meeting.get_or_insert(n) != n {
                     return Err(format!("{name}: {n} meet, elsewhere {n_meeting:?}"));
                 }
-                times.push(ms.as_f64().map_or(String::new(), digits));
+                times.push(digits(ms));
             }
             let n = n_meeting.map_or(String::new(), |n| n.to_string());
             table.row(["all pairs".into(), n].into_iter().chain(times));
@@ -240,8 +235,8 @@ impl Report {
     }
 }
 
-/// How many triangles meet, and the median of milliseconds of their tests on so many threads.
-fn tests(draped: &Draped, threads: usize) -> Result<Value, String> {
+/// The median of milliseconds of the tests on so many threads, and how many triangles meet.
+fn tests(draped: &Draped, threads: usize) -> Result<(f64, usize), String> {
     let (boxes, against) = (&draped.cases[0].boxes, draped.cases[0].against.as_ref());
     let mut broad =
         BroadPhase::new(threads, BroadPhaseMethod::default()).map_err(|e| e.to_string())?;
@@ -249,12 +244,7 @@ fn tests(draped: &Draped, threads: usize) -> Result<Value, String> {
     let pairs: Vec<Pair> = pairs.iter().collect();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|e| e.to_string())?;
-    let (mut n, mut times) = (0, Vec::new());
-    for _ in 0..=RUNS {
-        let (ms, found) = timed(|| pool.install(|| draped.n_meeting(&pairs)));
-        (n, times) = (found, [times, vec![ms]].concat());
-    }
-    Ok(json!([n, median(times.drain(1..))]))
+    median_of(RUNS, || Ok(pool.install(|| draped.n_meeting(&pairs))))
 }
 
 /// Cells of figures: visits, or those of the tree.

@@ -7,7 +7,7 @@ use ccd::gpu::{Timing, wgpu};
 use ccd::method::BroadPhaseMethod;
 use ccd::{Aabb, Digest, Mesh, Options};
 use ccd_testkit::compare::contact_digest;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Runs of each measurement: as many as take so many milliseconds, within bounds.
@@ -17,7 +17,7 @@ const RUNS: std::ops::RangeInclusive<usize> = 3..=9;
 const LONG: f64 = 1000.0;
 
 /// Medians in milliseconds, and bytes.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Measured {
     /// By the clock, from the input on the host to the answer there.
     pub wall: f64,
@@ -32,7 +32,7 @@ pub struct Measured {
 }
 
 /// What was found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub enum Answer {
     /// How many pairs, and their digest.
     Pairs(u64, String),
@@ -55,28 +55,6 @@ impl Answer {
 
 /// Measurements, or why there are none: what a place does not take.
 pub type Cell = Result<Measured, String>;
-
-impl Measured {
-    pub fn json(&self) -> Value {
-        let answer = match &self.answer {
-            Answer::Pairs(n, digest) => json!([n, digest]),
-            Answer::Toi(toi) => json!(toi),
-        };
-        json!([self.wall, self.device, self.on_device, self.on_host, answer])
-    }
-
-    pub fn of_json(value: &Value) -> Option<Self> {
-        let [wall, device, on_device, on_host, answer] = &value.as_array()?[..] else {
-            return None;
-        };
-        let answer = match answer.as_array().map(Vec::as_slice) {
-            Some([n, digest]) => Answer::Pairs(n.as_u64()?, digest.as_str()?.into()),
-            _ => Answer::Toi(answer.as_f64()),
-        };
-        let (device, on_device) = (device.as_f64(), on_device.as_u64());
-        Some(Self { wall: wall.as_f64()?, device, on_device, on_host: on_host.as_u64()?, answer })
-    }
-}
 
 /// Runs of a call that takes so many milliseconds.
 fn runs(ms: f64) -> usize {

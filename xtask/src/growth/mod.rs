@@ -43,8 +43,7 @@ pub fn run(root: &Path, options: &ChoiceOptions, mut cells: Cells) -> Result<(),
         let named = options.scenes.iter().any(|part| name.contains(part.as_str()));
         if options.scenes.is_empty() { !quick || name == "cloth-funnel" } else { named }
     };
-    let load = cells.get("load", || Ok(load().into()))?;
-    let load = load.and_then(|load| load.as_str().map(String::from)).unwrap_or_default();
+    let load = cells.get("load", || Ok(load()))?.unwrap_or_default();
     let runs = if quick { 3 } else { scenes::RUNS };
     let of_scenes = scenes::all(&places, &wanted, &data_dir()?, runs, &mut cells)?;
     println!("scenes: {:.0} s", start.elapsed().as_secs_f64());

@@ -5,7 +5,7 @@ use super::ties::{self, Ties};
 use crate::cells::Cells;
 use crate::gpu::{Measured, of_session};
 use crate::markdown::{Table, digits, thousands};
-use crate::measure::{Place, median, timed, warm};
+use crate::measure::{Place, median, median_of, timed, warm};
 use crate::peers::PEERS;
 use ccd::gpu::{self, Device, DeviceOptions};
 use ccd::{Digest, Mesh, Mode, Options, Session};
@@ -75,12 +75,10 @@ pub fn all(
             *(if place.threads() == 0 { &mut gpu } else { &mut cpu }) = cell;
         }
         let threads = places.iter().map(Place::threads).max().unwrap_or(1);
-        let of_ties = cells.get(&format!("{name}|ties"), || {
-            let found = ties::measure(&input.mesh, [&input.x[0], &input.x[1]], threads, runs)?;
-            Ok(found.json())
+        let ties = cells.get(&format!("{name}|ties"), || {
+            ties::measure(&input.mesh, [&input.x[0], &input.x[1]], threads, runs)
         })?;
-        let (Some(cpu), Some(of_ties)) = (cpu, of_ties) else { continue };
-        let ties = Ties::of_json(&of_ties).ok_or_else(|| format!("{name}: not a cell of ties"))?;
+        let (Some(cpu), Some(ties)) = (cpu, ties) else { continue };
         if let Some(on_gpu) = &gpu {
             for what in ["candidates", "contacts"] {
                 if on_gpu[what] != cpu[what] {
@@ -130,7 +128,7 @@ fn on_gpu(device: &Device, input: &Input, runs: usize) -> Result<Value, gpu::Err
         in_turn(runs, || session.step(x0, x1).map(|_| ()), || exact.step(x0, x1).map(|_| ()))?;
     let narrow = DeviceOptions { narrow: true, ..DeviceOptions::default() };
     let mut narrow = gpu::Session::new(&Device::open(&narrow)?, mesh.clone(), options())?;
-    let without = of_call(runs, || narrow.step(x0, x1).map(|_| ()))?;
+    let (without, ()) = median_of(runs, || narrow.step(x0, x1).map(|_| ()))?;
     let stage = |m: &Measured, word: &str| {
         m.stages.iter().filter(|s| s.0.starts_with(word)).fold(0.0, |sum, s| sum + s.1)
     };
@@ -151,15 +149,14 @@ fn on_cpu(threads: usize, input: &Input, runs: usize) -> Result<Value, ccd::Erro
     let mut session = Session::new(mesh.clone(), options.clone())?;
     let found = session.candidates(x0, x1)?;
     let candidates = digest_of(found.vf.iter(), found.ee.iter());
-    let all = of_call(runs, || session.candidates(x0, x1).map(|_| ()))?;
+    let (all, ()) = median_of(runs, || session.candidates(x0, x1).map(|_| ()))?;
     let contacts = contact_digest(&session.step(x0, x1)?.contacts).to_string();
     let steps = warm(runs, || {
         let (ms, done) = timed(|| session.step(x0, x1).map(|_| ()));
         done.map(|()| (ms, session.order_ms()))
     })?;
     let [step, order] = [median(steps.iter().map(|s| s.0)), median(steps.iter().map(|s| s.1))];
-    let earliest = of_call(runs, || session.earliest_toi(x0, x1).map(|_| ()))?;
-    let toi = session.report().toi;
+    let (earliest, toi) = median_of(runs, || session.earliest_toi(x0, x1))?;
     let mut exact = Session::new(mesh.clone(), options.with_mode(Mode::Exact))?;
     let [usual, exact] =
         in_turn(runs, || session.step(x0, x1).map(|_| ()), || exact.step(x0, x1).map(|_| ()))?;
@@ -175,14 +172,6 @@ fn digest_of(vf: impl Iterator<Item = ccd::Pair>, ee: impl Iterator<Item = ccd::
     let mut digest = Digest::of(0, vf);
     ee.for_each(|pair| digest.add(1, pair));
     digest.to_string()
-}
-
-fn of_call<E>(runs: usize, mut call: impl FnMut() -> Result<(), E>) -> Result<f64, E> {
-    let times = warm(runs, || {
-        let (ms, done) = timed(&mut call);
-        done.map(|()| ms)
-    });
-    times.map(median)
 }
 
 /// Medians of two calls in turn, so that a machine that is busy for a while is so for both.

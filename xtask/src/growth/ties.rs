@@ -1,19 +1,19 @@
 //! Ties of a step: pairs that arithmetic in `f64` leaves open, and integers decide. What it would
 //! take to leave them open, and what it takes to decide them.
 
-use crate::measure::{median, timed, warm};
+use crate::measure::median_of;
 use ccd::{Kind, Mesh, Options, Pair, Session};
 use ccd_core::model::decision::Decider;
-use ccd_core::narrow_phase::decide;
+use ccd_core::narrow_phase::pair_verdict;
 use rayon::prelude::*;
-use serde_json::{Value, json};
-use std::convert::Infallible;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// All times of a step.
 const WHOLE: [f64; 2] = [0.0, 1.0];
 
 /// Figures of the ties of a step.
+#[derive(Deserialize, Serialize)]
 pub struct Ties {
     pub n: u64,
     /// Those of them that are contacts.
@@ -22,18 +22,6 @@ pub struct Ties {
     pub open_ms: f64,
     /// The same with integers, which decide them.
     pub decided_ms: f64,
-}
-
-impl Ties {
-    pub fn json(&self) -> Value {
-        json!([self.n, self.contacts, self.open_ms, self.decided_ms])
-    }
-
-    pub fn of_json(value: &Value) -> Option<Self> {
-        let [n, contacts, open_ms, decided_ms] = &value.as_array()?[..] else { return None };
-        let (n, contacts) = (n.as_u64()?, contacts.as_u64()?);
-        Some(Self { n, contacts, open_ms: open_ms.as_f64()?, decided_ms: decided_ms.as_f64()? })
-    }
 }
 
 /// Finds the ties among all candidates on so many threads, and times them on one.
@@ -52,7 +40,7 @@ pub fn measure(
     let all: Vec<(Kind, Pair)> = vf.chain(found.ee.iter().map(of_kind(Kind::EdgeEdge))).collect();
     let search = options.search(WHOLE);
     let is_open = |&(kind, pair): &(Kind, Pair)| {
-        decide::pair(kind, mesh.vertices_of(kind, pair), x, &search).is_open()
+        pair_verdict::pair(kind, mesh.vertices_of(kind, pair), x, &search).is_open()
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|e| e.to_string())?;
@@ -60,8 +48,10 @@ pub fn measure(
         pool.install(|| all.into_par_iter().filter(|pair| is_open(pair)).collect());
     let decider = Decider::new(&options, WHOLE);
     let contact = |&(kind, pair): &(Kind, Pair)| decider.contact(mesh, kind, pair, x);
-    let (n_open, open_ms) = of(runs, || ties.iter().filter(|pair| is_open(pair)).count());
-    let (n_contacts, decided_ms) = of(runs, || ties.iter().filter_map(contact).count());
+    let open = || Ok::<_, String>(ties.iter().filter(|pair| is_open(pair)).count());
+    let (open_ms, n_open) = median_of(runs, open)?;
+    let decided = || Ok::<_, String>(ties.iter().filter_map(contact).count());
+    let (decided_ms, n_contacts) = median_of(runs, decided)?;
     if n_open != ties.len() {
         return Err(format!("{n_open} of {} ties are open", ties.len()));
     }
@@ -70,11 +60,4 @@ pub fn measure(
         0 => Ok(Ties { n: n_open as u64, contacts: n_contacts as u64, open_ms, decided_ms }),
         n => Err(format!("{n} ties are not decided")),
     }
-}
-
-/// A number, and the median of milliseconds in which it is found.
-fn of(runs: usize, mut work: impl FnMut() -> usize) -> (usize, f64) {
-    let done: Result<Vec<(f64, usize)>, Infallible> = warm(runs, || Ok(timed(&mut work)));
-    let Ok(done) = done;
-    (done[0].1, median(done.iter().map(|done| done.0)))
 }

@@ -10,7 +10,7 @@ use ccd::method::{
     BroadPhaseMethod, FrontCounts, Pipeline, Scheduling, Traversal, TreeOptions, Volume,
 };
 use ccd::{Error, Options, gpu};
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 use std::fmt::Display;
 use std::time::{Duration, Instant};
 
@@ -41,7 +41,7 @@ pub const WARM: usize = 2;
 pub const WATCHED: usize = 2;
 
 /// Measurements of one scheduler.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub struct Measured {
     /// Milliseconds of every step that was timed; on a GPU by its timestamps.
     pub steps: Vec<f64>,
@@ -54,7 +54,7 @@ pub struct Measured {
 }
 
 /// Milliseconds of a step, and how busy workers were.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
 pub struct Shares {
     /// By [`PARTS`](crate::stages::PARTS).
     pub parts: [f64; 5],
@@ -78,35 +78,6 @@ impl Shares {
 }
 
 impl Measured {
-    fn json(&self) -> Value {
-        let fronts: Vec<_> = self.fronts.iter().map(|f| [f.pairs, f.begun, f.bytes]).collect();
-        let Shares { parts, utilisation } = self.shares;
-        json!([self.steps, fronts, self.n_rebuilt, parts, utilisation])
-    }
-
-    /// `None` of null, where a place does not have a scheduler.
-    fn of_json(value: &Value) -> Option<Self> {
-        let numbers = |value: &Value| -> Option<Vec<f64>> {
-            value.as_array()?.iter().map(Value::as_f64).collect()
-        };
-        let [steps, fronts, n_rebuilt, parts, utilisation] = &value.as_array()?[..] else {
-            return None;
-        };
-        let front = |value: &Value| {
-            let [pairs, begun, bytes] = [0, 1, 2].map(|k| value[k].as_u64());
-            Some(FrontCounts::new(pairs?, begun?, bytes?))
-        };
-        Some(Self {
-            steps: numbers(steps)?,
-            fronts: fronts.as_array()?.iter().map(front).collect::<Option<_>>()?,
-            n_rebuilt: n_rebuilt.as_u64()? as usize,
-            shares: Shares {
-                parts: numbers(parts)?.try_into().ok()?,
-                utilisation: utilisation.as_f64(),
-            },
-        })
-    }
-
     /// The middle one of all steps.
     pub fn ms(&self) -> f64 {
         median(self.steps.iter().copied())
@@ -115,16 +86,6 @@ impl Measured {
     /// Pairs of a front, on average; 0 if there was none.
     pub fn front_pairs(&self) -> f64 {
         self.fronts.iter().map(|f| f.pairs as f64).sum::<f64>() / self.fronts.len().max(1) as f64
-    }
-
-    /// Steps that began at a front.
-    pub fn n_begun(&self) -> usize {
-        self.fronts.iter().filter(|front| front.begun > 0).count()
-    }
-
-    /// Most memory that fronts took, in MiB.
-    pub fn front_mib(&self) -> f64 {
-        self.fronts.iter().map(|f| f.bytes).max().unwrap_or(0) as f64 / (1 << 20) as f64
     }
 }
 
@@ -240,19 +201,13 @@ pub fn kept(
 ) -> Result<Vec<Option<Measured>>, String> {
     let (name, pipeline) = (&scene.name, scene.pipeline);
     let name = format!("{name}|{pipeline:?}|{}|{structure:?}|{all:?}|{effort:?}", place.name());
-    let group = cells.get(&name, || {
-        let measured = measure(place, scene, structure, all, effort)?;
-        Ok(measured.iter().map(|cell| cell.as_ref().map_or(Value::Null, Measured::json)).collect())
-    })?;
-    let Some(group) = group else { return Ok(vec![None; all.len()]) };
-    let group = group.as_array().filter(|group| group.len() == all.len());
-    let group = group.ok_or_else(|| format!("{name}: not a cell of this report"))?;
-    Ok(group.iter().map(Measured::of_json).collect())
+    let group = cells.get(&name, || measure(place, scene, structure, all, effort))?;
+    Ok(group.unwrap_or_else(|| vec![None; all.len()]))
 }
 
 /// Steps a scene by all of these in turn; `None`: the place does not have it. Every step has the
 /// pairs of the default, or this fails.
-pub fn measure(
+fn measure(
     place: &Place,
     scene: &Scene,
     structure: Structure,

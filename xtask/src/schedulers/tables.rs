@@ -104,8 +104,10 @@ pub fn fronts(all: &[Results]) -> String {
         let pairs = |s| cell(s).map(Measured::front_pairs).map_or(String::new(), thousands);
         let published = results.scene.published.map_or("-".into(), |p| thousands(p.front));
         let of_tree = cell(TREE).map(|m| {
-            let begun = format!("{} of {}", m.n_begun(), m.steps.len());
-            [digits(m.front_mib()), begun, m.n_rebuilt.to_string()]
+            let begun = m.fronts.iter().filter(|front| front.begun > 0).count();
+            let most = m.fronts.iter().map(|front| front.bytes).max().unwrap_or(0);
+            let begun = format!("{begun} of {}", m.steps.len());
+            [digits(most as f64 / (1 << 20) as f64), begun, m.n_rebuilt.to_string()]
         });
         let name = [results.scene.name.clone()];
         let fronts = Structure::ALL.map(pairs);

@@ -100,12 +100,6 @@ pub fn begins(first: [u32; 2], cell: [u32; 2]) -> u32 {
     (first[0] == cell[0]) as u32 | ((first[1] == cell[1]) as u32) << 1
 }
 
-/// How many strips a box is in, from that of its lower to that of its upper corner.
-#[inline(always)]
-pub fn n_strips(first: [u32; 2], last: [u32; 2]) -> u32 {
-    (last[0] - first[0] + 1) * (last[1] - first[1] + 1)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -92,9 +92,6 @@ impl Id {
     /// Whether it runs on the native path alone: workgroups pass data to each other inside a
     /// dispatch, by acquire and release at the scope of the device, which WGSL does not have.
     pub const fn native(self) -> bool {
-        matches!(
-            self,
-            Id::StealStress | Id::StealPairs | Id::StealPairsOriented | Id::StealBlockPairs
-        )
+        matches!(self, Id::StealPairs | Id::StealPairsOriented | Id::StealBlockPairs)
     }
 }

@@ -312,9 +312,6 @@ macro_rules! kernels {
                 { boxes: Read, points: Read, pairs: Write }
         }
         tests {
-            /// Items that are counted whenever a worker takes them.
-            StealStress = steal_stress(64 threads, 12 barriers, f32, Params<Stealing>)
-                { words: Write, stacks: Write, counts: Write, status: Write }
             /// Fields of records.
             ProbeLayout = probe_layout(64 threads, 0 barriers, f32, Params<Blocks>)
                 { paths: Read, leaves: Read, touches: Read, pairs: Read, words: Write }

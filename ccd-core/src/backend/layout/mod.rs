@@ -9,7 +9,7 @@ pub use crate::math::f64_bits::{join, split};
 pub use decision::{Decision, IntegerDecision};
 pub use params::{
     BlockDescent, Blocks, Building, Dispatch, Expansion, Frame, Intervals, NodeDescent, Params,
-    Placing, Plain, Queries, SortPass, Stealing, Worlds,
+    Placing, Plain, Queries, SortPass, Worlds,
 };
 pub use touch::{PackedTouch, TOUCH_WORDS, Touch, TouchGeometry};
 

@@ -295,25 +295,6 @@ pub struct Building {
     pub made: u32,
 }
 
-/// Parameters of the stress test of stealing; see
-/// [`Workers`](crate::scheduling::stealing::Workers).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Stealing {
-    /// Workers, each a workgroup.
-    pub workers: u32,
-    /// Batches that fit in a deque.
-    pub batches: u32,
-    /// Items that fit in a batch.
-    pub batch: u32,
-    /// Batches that are stolen from one deque at once, at most; 0: tasks are stolen, one at a time.
-    pub most: u32,
-    /// Times that a worker looks for work in one dispatch.
-    pub rounds: u32,
-    /// Times that it may find none before it retires.
-    pub patience: u32,
-}
-
 /// Parameters of one pass of the radix sort.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
@@ -325,7 +306,7 @@ pub struct SortPass {
 }
 
 /// Parameters of the kernels that expand pairs of triangles; see
-/// [`expansion`](crate::backend::triangle_pairs::expansion).
+/// [`feature_pairs`](crate::backend::triangle_pairs::feature_pairs).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Expansion {
@@ -368,7 +349,6 @@ const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144)
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 12);
 const _: () = assert!(size_of::<NodeDescent>() == 76 && size_of::<Building>() == 20);
-const _: () = assert!(size_of::<Expansion>() == 24 && size_of::<Stealing>() == 24);
-const _: () = assert!(size_of::<Worlds>() == 4);
+const _: () = assert!(size_of::<Expansion>() == 24 && size_of::<Worlds>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 132 + 16 + 144);
 const _: () = assert!(size_of::<Params>() == 132 + 16 + 4);

@@ -136,3 +136,18 @@ fn exact_positions_are_kept_where_filters_neither_overflow_nor_flush() {
         assert_eq!((1.0 / table.scale) as f32 >= f32::MIN_POSITIVE, e <= 142, "2^-{e}");
     }
 }
+
+/// A place may be off by as much as it says in each of three coordinates: along a diagonal.
+#[test]
+fn contacts_reach_along_a_diagonal() {
+    // Half of the extent just above a power of two: rounding is worst there.
+    let half = 1.0 + 0.999 * f64::from(f32::UNIT);
+    let mut scan = Scan::NONE;
+    [[-half; 3], [half; 3]].into_iter().for_each(|p| scan.take(p));
+    let table = scan.table(true);
+    let off = table.place([half; 3]).map(|x| f64::from(x) - half);
+    let off = off.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let reach = f64::from(table.contact_reach(0.0));
+    assert!(reach >= off && reach < 1.02 * off, "{reach:e}, but {off:e}");
+    assert!(reach >= 3f64.sqrt() * f64::from(table.error), "{reach:e}: {table:?}");
+}

@@ -24,14 +24,14 @@
 //! Edges that no face has, and vertices in nothing, are triangles with a corner twice or thrice.
 //!
 //! Both backends make the same tests and count them alike: on a CPU eight pairs side by side, on a
-//! GPU one a thread ([`expansion`]).
+//! GPU one a thread ([`feature_pairs`]).
 //!
 //! Cost: a face has half a vertex and one edge and a half on average, so a pair of triangles is
 //! `2 / 2 + 9 / 4` instead of 15 tests. Choose it to compare with literature that works on
 //! triangles, or where a hierarchy of triangles is there anyway; features of their own
 //! ([`Features`](crate::model::pipeline::Pipeline::Features)) make smaller boxes.
 
-pub mod expansion;
+pub mod feature_pairs;
 #[cfg(feature = "alloc")]
 pub mod free_regions;
 #[cfg(feature = "alloc")]

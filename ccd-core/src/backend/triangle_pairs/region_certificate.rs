@@ -235,3 +235,38 @@ fn area(u: [f64; 2], v: [f64; 2]) -> f64 {
 fn difference(a: Point, b: Point) -> Point {
     [0, 1].map(|end| [a[end][0] - b[end][0], a[end][1] - b[end][1]])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn still(p: [f64; 2]) -> Point {
+        [p; 2]
+    }
+
+    /// Two edges on a line, of which one begins where the other ends, but for what a point may be
+    /// off by along the line, twice.
+    #[test]
+    fn sides_are_told_apart_beyond_their_rounding() {
+        let reach = 1.0;
+        let apart_by = |units: f64| {
+            let x = units * UNIT * reach;
+            let ahead = [still([x, 0.0]), still([x + 1.0, 0.5])];
+            separates([1.0, 0.0], ahead, [still([0.0, 0.0]), still([-1.0, 0.5])], reach)
+        };
+        assert!(!apart_by(22.0) && apart_by(40.0));
+    }
+
+    /// Of vectors in one direction the area is exactly 0, and what is left is the bound.
+    #[test]
+    fn areas_are_bounded_as_derived() {
+        for (length, reach) in [(1.0, 1.0), (0.0625, 1.0), (1.0, 0.25)] {
+            let along = still([length, 0.0]);
+            let bound = -least_area(along, along, reach);
+            let least = 8.0 * length * (5.0 * UNIT * reach) + 12.0 * UNIT * length * length;
+            assert!(bound >= least, "{bound:e} of {least:e} for {length} and {reach}");
+        }
+        // Far above it there is an area.
+        assert!(least_area(still([1.0, 0.0]), still([0.0, 1e-13]), 1.0) > 0.0);
+    }
+}

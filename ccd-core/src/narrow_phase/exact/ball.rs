@@ -92,3 +92,40 @@ impl Number for Ball {
 pub fn at(t0: &[f64; 3], t1: &[f64; 3], time: &Ball) -> Vector<Ball> {
     [0, 1, 2].map(|k| Ball::sum(t0[k], 0.0).plus(&Ball::sum(t1[k], -t0[k]).times(time)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_rational::BigRational;
+    use num_traits::{Signed, ToPrimitive};
+
+    fn exact(x: Double) -> BigRational {
+        let of = |x: f64| BigRational::from_float(x).expect("a finite number");
+        of(x.high) + of(x.low)
+    }
+
+    /// A pair, the second of which is a multiple of a power of two.
+    fn pair(high: f64, low: f64, places: i32) -> Ball {
+        Ball::sum(high, low * 2f64.powi(-places))
+    }
+
+    /// Operands whose sum is off by 2.25 u^2 of itself, and whose product is off by 4.99 u^2: the
+    /// greatest errors known [Joldes 2017].
+    #[test]
+    fn the_greatest_errors_known_are_within_their_bounds() {
+        let check = |got: Ball, want: BigRational, known: f64| {
+            let unit = got.rounded().abs() * f64::UNIT * f64::UNIT;
+            let off = (exact(got.value) - want).abs().to_f64().expect("a number");
+            let (off, bound) = (off / unit, got.error / unit);
+            assert!(off > known && off <= bound, "off by {off} u^2, bound {bound} u^2");
+        };
+        let x = pair(9_007_199_254_740_991.0, -9_007_199_254_740_991.0, 54);
+        let y = pair(-4_503_599_627_370_493.5, -9_007_199_254_740_991.0, 56);
+        check(x.plus(&y), exact(x.value) + exact(y.value), 2.24);
+        let minus_y = Ball { value: Double::of((-y.value.high, -y.value.low)), error: 0.0 };
+        check(x.minus(&minus_y), exact(x.value) + exact(y.value), 2.24);
+        let x = pair(4_508_231_565_242_345.0, -9_007_199_254_524_053.0, 54);
+        let y = pair(4_504_969_740_576_150.0, -4_503_599_627_273_753.0, 53);
+        check(x.times(&y), exact(x.value) * exact(y.value), 4.98);
+    }
+}

@@ -3,7 +3,7 @@
 //! With `a = s b + r c` and `n = b x c`, the weights are quotients of quartic forms: `s` is
 //! `(a x c) . n / n . n`, `r` is `(b x a) . n / n . n`, and the rest to 1 is a form too. Which of
 //! them are exactly 0 or 1 is a sign at the time of contact. The others come of an interval of time
-//! that is halved until forms over it differ by `2^-60` of themselves, which ends, because they are
+//! that is halved until forms over it differ by `2^-62` of themselves, which ends, because they are
 //! not 0 there.
 //!
 //! The side of the normal is that from which `a` comes: the sign of coplanarity just before the
@@ -193,7 +193,7 @@ fn quotients<const N: usize, const K: usize>(
 }
 
 /// Values of forms of one degree at a time at which none is 0, all times one positive number, each
-/// off by at most `2^-60` of itself.
+/// off by at most `2^-62` of itself.
 fn values<const N: usize, const K: usize>(
     time: &mut Time<N>,
     forms: [&Form<N>; K],

@@ -185,3 +185,30 @@ pub fn zero(vectors: [[[[f64; 3]; 2]; 2]; 3], [lo, hi]: [f64; 2]) -> Option<Zero
 
 /// Sizes of vectors are between this, 2^100, and its inverse.
 const LARGE: f64 = 1.267_650_600_228_229_4e30;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of `f = a . (b x c)` with `A = B = C = 1`, which goes straight from `-way / 2` to `way / 2`:
+    /// what is found of its zero at 1/2 by a contact in `[1/2, 1/2 + width]`.
+    fn zero_of(way: f64, width: f64) -> Option<Zero> {
+        let still = |x: [f64; 3]| [[x; 2], [[0.0; 3]; 2]];
+        let a = [[[1.0, 0.0, -0.5 * way], [1.0, 0.0, 0.5 * way]], [[0.0; 3]; 2]];
+        zero([a, still([1.0, 0.0, 0.0]), still([0.0, 1.0, 0.0])], [0.5, 0.5 + width])
+    }
+
+    /// Every bound is at least what its derivation needs.
+    #[test]
+    fn bounds_are_at_least_as_derived() {
+        let u = f64::UNIT;
+        // A derivative off by 792 u may be 0.
+        assert!(zero_of(792.0 * u, 0.0).is_none() && zero_of(1100.0 * u, 0.0).is_some());
+        // One of 2 may be 0 within 2 / 144.
+        assert!(zero_of(2.0, 1.0 / 72.0).is_none() && zero_of(2.0, 1.0 / 80.0).is_some());
+        let found = zero_of(2.0, 0.0).expect("a derivative of 2");
+        assert_eq!((found.t, found.correction), (0.5, 0.0));
+        let least = 546.0 * u * u / 2.0;
+        assert!(found.off >= least && found.off < 2.0 * least, "{:e}, {least:e}", found.off);
+    }
+}

@@ -298,7 +298,7 @@ impl<const N: usize> Time<N> {
             }
             if between.next_up() >= hi {
                 // One number in between: the zero is there, or on one side of it.
-                let value = form.at(dyadic(between)?);
+                let value = form.at(Window::new([between; 2])?.begin());
                 let sign = value.is_exact().then(|| value.sign())?;
                 return Some(match sign {
                     0 => [between; 2],
@@ -369,11 +369,6 @@ impl<const N: usize> Window<N> {
         };
         Some([value, if more { value.next_up() } else { value }])
     }
-}
-
-/// A time of `[0, 1]` as a dyadic one.
-fn dyadic<const N: usize>(time: f64) -> Option<Dyadic<N>> {
-    Some(Window::new([time; 2])?.begin())
 }
 
 /// The power of two of the last bit of a denormal.

@@ -224,42 +224,85 @@ fn control_values_are_within_their_bound() {
                 * if random.below(2) == 0 { -0.5 } else { 0.5 }
         };
         let query: Query = [(); 2].map(|()| [(); 4].map(|()| [(); 3].map(|()| coordinate(i))));
-        let patch = PATCHES[i % 2];
-        let point = |i: usize| query.map(|x| x[i].map(|c| of(c, 0)));
-        let found = coplanarity(&vectors(patch, &[point(0), point(1), point(2), point(3)]));
-        let want = control_values(patch, &query);
-        for (found, want) in found.iter().zip(&want) {
-            let error = (BigRational::from_integer(found.units().into()) - want)
-                .abs()
-                .to_f64()
-                .expect("a number");
-            first = first.max(error);
-        }
-        // The way of a search, to a part of the step.
-        let (mut c, mut k, k_end) = (found, 0u32, random.bits() >> 1);
-        for depth in 1..=DEPTH {
-            let (p, q, r) = (c[0].mean(c[1]), c[1].mean(c[2]), c[2].mean(c[3]));
-            let (s, t) = (p.mean(q), q.mean(r));
-            let middle = s.mean(t);
-            let is_second = (k_end >> (DEPTH - depth)) & 1;
-            k = 2 * k + is_second;
-            c = if is_second == 1 { [middle, t, r, c[3]] } else { [c[0], p, s, middle] };
-        }
-        let over = over(found, k, k + 1);
-        let time = |k: u32| rational(k as f64 / (1u64 << DEPTH) as f64);
-        let want: Vec<BigRational> = (0..4)
-            .map(|i| blossom(&want, [0, 1, 2].map(|j| time(k + (i + j >= 3) as u32))))
-            .collect();
-        for (found, want) in c.iter().chain(&over).zip(want.iter().chain(&want)) {
-            let error = (BigRational::from_integer(found.units().into()) - want)
-                .abs()
-                .to_f64()
-                .expect("a number");
-            later = later.max(error);
-        }
+        let [at_first, at_last] = errors(PATCHES[i % 2], &query, random.bits() >> 1);
+        (first, later) = (first.max(at_first), later.max(at_last));
     }
     println!("control values: off by {first} u at first, {later} u after halvings");
     assert!(first > 4.0 && first < 75.0 && later > 10.0 && later < BAND as f64);
+}
+
+/// The points and the part of the step at which control values are furthest off that a climb over
+/// digits, and then over ways of a search, has found: by more than half of the band.
+#[test]
+fn the_band_is_needed() {
+    // Multiples of 2^-54, and the number of the part.
+    let points = [
+        [
+            [-8_389_126_751_518_463, -9_004_991_641_550_847, -9_007_164_894_920_703],
+            [-9_006_993_096_047_871, -9_007_199_254_740_991, -9_007_199_187_598_335],
+        ],
+        [
+            [8_533_204_516_454_271, 5_792_158_669_863_935, 6_323_363_110_715_391],
+            [7_806_355_725_352_927, 8_936_828_363_077_375, 5_695_898_654_867_455],
+        ],
+        [
+            [8_250_833_703_530_495, -8_484_582_101_414_717, 6_893_997_966_169_583],
+            [7_049_273_652_805_628, 6_171_354_151_780_351, 9_002_663_769_268_159],
+        ],
+        [
+            [6_524_421_837_683_199, 9_007_199_254_740_959, 7_098_311_585_846_076],
+            [-9_007_197_107_257_323, 8_936_830_510_555_071, 9_007_198_986_305_535],
+        ],
+    ];
+    let coordinate = |x: i64| x as f64 / (1u64 << 54) as f64;
+    let query: Query = [0, 1].map(|t| points.map(|p| p[t].map(coordinate)));
+    let [first, later] = errors(Patch::Triangle, &query, 0x7aba_994c);
+    println!("control values: off by {first} u at first, {later} u after halvings");
+    assert!(first > 55.0 && first < 75.0 && later > 75.0 && later < BAND as f64);
+    // At first, 31 halvings of three means, and another interval.
+    let derived = 75.0 + 31.0 * 1.5 + 3.0;
+    assert!(f64::from(BAND) >= derived, "{BAND} u, but {derived} are needed");
+}
+
+/// How far control values over the step, and over part `k` of 2^31 by the way of a search and at
+/// once, are from those of rational arithmetic, in `u`.
+fn errors(patch: Patch, query: &Query, k: u32) -> [f64; 2] {
+    let point = |i: usize| query.map(|x| x[i].map(|c| of(c, 0)));
+    let found = coplanarity(&vectors(patch, &[point(0), point(1), point(2), point(3)]));
+    let want = control_values(patch, query);
+    let mut c = found;
+    for depth in 1..=DEPTH {
+        let (p, q, r) = (c[0].mean(c[1]), c[1].mean(c[2]), c[2].mean(c[3]));
+        let (s, t) = (p.mean(q), q.mean(r));
+        let middle = s.mean(t);
+        let is_second = (k >> (DEPTH - depth)) & 1 == 1;
+        c = if is_second { [middle, t, r, c[3]] } else { [c[0], p, s, middle] };
+    }
+    let time = |k: u32| rational(k as f64 / (1u64 << DEPTH) as f64);
+    let over_part: Vec<BigRational> =
+        (0..4).map(|i| blossom(&want, [0, 1, 2].map(|j| time(k + (i + j >= 3) as u32)))).collect();
+    let off = |found: &[Q62; 4], want: &[BigRational]| {
+        let error = |(x, want): (&Q62, &BigRational)| {
+            (BigRational::from_integer(x.units().into()) - want).abs().to_f64().expect("a number")
+        };
+        found.iter().zip(want).map(error).fold(0.0, f64::max)
+    };
+    let later = off(&c, &over_part).max(off(&over(found, k, k + 1), &over_part));
+    [off(&found, &want), later]
+}
+
+/// What stands still has components that are exact here, so of a determinant all of the error is
+/// that of its bound: `16 u` for products and factors, and `4 u` for what travels may be off by.
+#[test]
+fn a_determinant_is_uncertain_within_its_bound() {
+    let still = |x: [f64; 3]| [x.map(|c| of(c, -2)); 2];
+    let (b, c) = (still([0.25, 0.0, 0.0]), still([0.0, 0.25, 0.0]));
+    // A quarter of this component is so many `u`.
+    let outside_by = |units: i32| {
+        let a = still([-(4 * units) as f64 * 2f64.powi(-62), 0.125, 0.0]);
+        place(&[a, b, c], Patch::Triangle, 0, DEPTH)
+    };
+    assert!(outside_by(16 + 4) == Place::Unknown && outside_by(100) == Place::Outside);
 }
 
 /// Three times the control values in multiples of `u`, in a unit of 4.

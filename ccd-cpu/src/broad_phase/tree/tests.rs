@@ -5,20 +5,13 @@ use super::binary_tree::BinaryTree;
 use super::builder::bottom_up::{Joins, Subtree};
 use super::*;
 use crate::broad_phase::leaf_boxes::Set;
+use crate::broad_phase::tests::random;
 use ccd_core::backend::broad_phase::ploc;
 use ccd_core::backend::broad_phase::radix_tree::MAX_DEPTH;
 use ccd_core::backend::broad_phase::stack_traversal::NONE;
 use ccd_core::math::obb::Obb;
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::{BroadPhaseMethod, Builder, TreeOptions, Volume};
-
-/// Random numbers in [0, 1), the same on every machine.
-fn random(mut state: u32) -> impl FnMut() -> f32 {
-    move || {
-        state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        (state >> 8) as f32 / 16_777_216.0
-    }
-}
 
 /// Sets of `n` boxes that are hard for some builder.
 fn sets(n: usize) -> Vec<(&'static str, Vec<Aabb<f32>>)> {

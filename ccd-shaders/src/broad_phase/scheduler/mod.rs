@@ -8,7 +8,6 @@ mod block_pair_tree;
 mod left_over;
 mod places;
 mod shared;
-pub mod steal_stress;
 mod stealing;
 mod stolen_batches;
 mod worker;

@@ -103,15 +103,12 @@ fn nearest_of<S: RowSimd>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::broad_phase::tests::random;
     use ccd_core::backend::broad_phase::ploc::nearest;
 
     #[test]
     fn lanes_find_the_neighbours_that_a_kernel_finds() {
-        let mut x = 5u32;
-        let mut unit = || {
-            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (x >> 8) as f32 / 16_777_216.0
-        };
+        let mut unit = random(5);
         let threads = Threads::new(1).unwrap();
         for n in [1usize, 2, 7, 8, 9, 100, 777] {
             let mut point = |p: f32| Aabb::of_point([p * unit(), p * unit(), unit()]);
