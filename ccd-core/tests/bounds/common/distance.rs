@@ -52,7 +52,7 @@ fn nearest<T: Number>([u, v, w]: [&V<T>; 3], apart: impl Fn(&T, &T, &T) -> bool)
 }
 
 /// Of a point and a triangle: over its sides, and over its plane where the foot is inside. See
-/// [`nearest`].
+/// `nearest`.
 pub fn point_triangle_squared<T: Number>(
     [p, a, b, c]: &[V<T>; 4],
     apart: impl Fn(&T, &T, &T) -> bool,
@@ -69,7 +69,7 @@ pub fn point_triangle_squared<T: Number>(
 }
 
 /// Of two segments: from their ends, and between their lines where the feet are inside. See
-/// [`nearest`].
+/// `nearest`.
 pub fn segment_segment_squared<T: Number>(
     [a, b, c, d]: &[V<T>; 4],
     apart: impl Fn(&T, &T, &T) -> bool,
