@@ -521,9 +521,10 @@ CcdStatus ccd_session_first_contact(struct CcdSession *session,
                                     struct CcdPositions x1,
                                     const struct CcdHit **hit);
 
-/// Point, normal and weights of every contact of the session's last report, in its order: after
-/// ccd_session_first_contact those of that search, after ccd_session_earliest_toi none. `x0`, `x1`:
-/// the positions of that step, which are not checked again. Does not end the life of the report.
+/// Point, normal and weights of every contact of the session's last report, in its order: those of
+/// a step. After ccd_session_earliest_toi there are none, after ccd_session_first_contact none or
+/// some. `x0`, `x1`: the positions of that step, which are not checked again. Does not end the life
+/// of the report.
 ///
 /// `geometry` belongs to the session, until its next call; `count`: number of contacts.
 CcdStatus ccd_session_contact_geometry(struct CcdSession *session,

@@ -24,7 +24,7 @@ use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Options;
 use ccd_core::model::report::Report;
 use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, Kept, Moved, State};
-use passes::{collect, detect, drop_repeated, least_toi, prepare, swept_until};
+use passes::{collect, detect, drop_repeated, first_contact, prepare, swept_until};
 use std::sync::Arc;
 
 mod candidate_set;
@@ -296,8 +296,8 @@ impl Engine {
             let stop = &*threads.stop;
             prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
             if earliest {
-                // A part of the tasks first; what it finds bounds the time that matters. Smaller
-                // boxes for that time are worth it if there are many candidates.
+                // A part of the tasks first; what it finds bounds the time that matters, and there
+                // is less to find in that, if it is worth to prepare it.
                 detect(
                     threads,
                     method,
@@ -308,13 +308,13 @@ impl Engine {
                     report,
                 );
                 stop.check()?;
-                let n_features = mesh.n_vertices() + mesh.edges().len() + mesh.faces().len();
-                if let Some(bound) = least_toi(workers)
-                    && report.candidates.total() * SAMPLE as u64
-                        > CANDIDATES_PER_FEATURE * n_features as u64
+                let work = report.candidates.total() + PER_DECISION * report.filtered.total();
+                if let Some(first) = first_contact(workers)
+                    && work * SAMPLE as u64 > PER_BOX * prepared.n_swept() as u64
                 {
-                    (x.until, x.again) = (swept_until(bound, options), true);
+                    (x.until, x.again) = (swept_until(first.toi, options), true);
                     prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
+                    prepared.hand_on_ends(threads, method, options);
                 }
             }
             detect(
@@ -363,6 +363,8 @@ impl Engine {
 const WHOLE: [f64; 2] = [0.0, 1.0];
 /// Of how many tasks one is sampled to bound the earliest time of impact.
 const SAMPLE: usize = 64;
-/// From this many candidates per feature on, sweeping all boxes again for a shorter time costs less
-/// than it saves: both take some 25 ns each.
-const CANDIDATES_PER_FEATURE: u64 = 2;
+/// What a candidate that filters leave costs, and what a box costs that is swept again, refitted
+/// and compared, in what a candidate costs, some 25 ns.
+const PER_DECISION: u64 = 16;
+/// See [`PER_DECISION`].
+const PER_BOX: u64 = 2;

@@ -1,23 +1,25 @@
-//! `cargo xtask report --level`: an octahedron that falls on a level of a million vertices, beside
-//! the shape cast of parry3d, in one run.
+//! `cargo xtask report --level`: an octahedron and a ball of 1,024 vertices that fall on a level of
+//! a million, beside the shape cast of parry3d, in one run.
 //!
-//! Ours is told the positions of the octahedron alone and finds its first contact, or all contacts
-//! of the step; theirs casts a convex polyhedron against a `TriMesh` built before. Both say when
-//! they touch, and the two times must agree.
+//! Ours is told the positions of the body alone and finds its first contact, or all contacts of the
+//! step; theirs casts a convex polyhedron, or a `TriMesh`, against a `TriMesh` built before. All
+//! say when they touch, and the times must agree.
 
 use crate::markdown::{Table, digits};
 use crate::measure::{Place, median_of};
 use ccd::any::Session;
-use ccd::scenes::grid;
+use ccd::scenes::{grid, sphere};
 use ccd::{Bodies, BodyMotion, Mesh, Options};
 use parry3d::math::{Pose, Vector};
 use parry3d::query::{ShapeCastOptions, cast_shapes};
-use parry3d::shape::{ConvexPolyhedron, TriMesh};
+use parry3d::shape::{ConvexPolyhedron, Shape, TriMesh};
 use std::sync::Arc;
 
 /// Vertices along a side of the level.
 const N: usize = 1000;
-/// Fall of the octahedron within the step.
+/// Vertices along a side of the grid that the ball is.
+const BALL: usize = 32;
+/// Fall of the body within the step.
 const FALL: f32 = 2.0;
 /// Every row is the median of so many steps.
 const RUNS: usize = 200;
@@ -27,7 +29,7 @@ const TOLERANCE: f64 = 1e-4;
 const OCTAHEDRON: [[u32; 3]; 8] =
     [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
 
-/// Measures and prints the table.
+/// Measures and prints a table for each body.
 pub fn run() -> Result<(), String> {
     let at = |k: usize| k as f32 * 0.1;
     let height = |x: f32, z: f32| 0.3 * (0.7 * x).sin() * (0.9 * z).cos();
@@ -36,22 +38,62 @@ pub fn run() -> Result<(), String> {
     let mut faces = Vec::new();
     grid(&mut faces, N, 0);
     let middle = [49.73, 1.5, 50.31];
-    let corner = |i: usize| {
-        let mut p = middle;
-        p[i / 2] += [0.5, -0.5][i % 2];
+    let octahedron = (0..6).map(|i| {
+        let mut p = [0.0; 3];
+        p[i / 2] = [1.0, -1.0][i % 2];
         p
-    };
-    let body: Vec<[f32; 3]> = (0..6).map(corner).collect();
-    let fallen: Vec<[f32; 3]> = body.iter().map(|&[x, y, z]| [x, y - FALL, z]).collect();
+    });
+    let mut of_ball = Vec::new();
+    grid(&mut of_ball, BALL, 0);
+    let ball = sphere(BALL).into_iter().map(|p| p.map(|c| c as f32));
+    let placed = |p: [f32; 3]| [0, 1, 2].map(|k| middle[k] + 0.5 * p[k]);
+    falls(
+        "an octahedron",
+        (&level, &faces),
+        &octahedron.map(placed).collect::<Vec<_>>(),
+        &OCTAHEDRON,
+    )?;
+    falls(
+        "a ball of 1,024 vertices",
+        (&level, &faces),
+        &ball.map(placed).collect::<Vec<_>>(),
+        &of_ball,
+    )
+}
 
-    let mut table = Table::new(["a level of 1,000,000 vertices", "ms", "time of impact"]);
-    let (theirs, toi) = parry(&level, &faces, &body)?;
-    let name = "first contact, parry3d `cast_shapes`, 1 thread";
-    table.row([name, &digits(theirs), &toi.to_string()]);
-    let shifted = OCTAHEDRON.map(|face| face.map(|v| v + level.len() as u32));
-    faces.extend(shifted);
-    let rest = [&level[..], &body].concat();
-    let mesh = Arc::new(Mesh::new(rest.len(), &faces).map_err(|e| e.to_string())?);
+/// One body, by its vertices and faces, that falls on the level.
+fn falls(
+    name: &str,
+    (level, faces): (&[[f32; 3]], &[[u32; 3]]),
+    body: &[[f32; 3]],
+    of_body: &[[u32; 3]],
+) -> Result<(), String> {
+    let fallen: Vec<[f32; 3]> = body.iter().map(|&[x, y, z]| [x, y - FALL, z]).collect();
+    let mut table = Table::new([
+        format!("{name} on a level of 1,000,000 vertices"),
+        "ms".into(),
+        "time of impact".into(),
+    ]);
+    let points: Vec<Vector> = body.iter().map(|p| Vector::from(*p)).collect();
+    let hull = ConvexPolyhedron::from_convex_hull(&points).ok_or("no hull")?;
+    let mesh = TriMesh::new(points, of_body.to_vec()).map_err(|e| e.to_string())?;
+    let target = TriMesh::new(level.iter().map(|p| Vector::from(*p)).collect(), faces.to_vec());
+    let target = target.map_err(|e| e.to_string())?;
+    let theirs: [(&str, &dyn Shape); 2] = [("a convex polyhedron", &hull), ("a `TriMesh`", &mesh)];
+    let mut toi = 0.0;
+    for (shape, body) in theirs {
+        let (ms, hit) = cast(&target, body)?;
+        toi = hit;
+        let name = format!("first contact, parry3d `cast_shapes` of {shape}, 1 thread");
+        table.row([name, digits(ms), toi.to_string()]);
+    }
+    let all_faces: Vec<[u32; 3]> = faces
+        .iter()
+        .copied()
+        .chain(of_body.iter().map(|face| face.map(|v| v + level.len() as u32)))
+        .collect();
+    let rest = [level, body].concat();
+    let mesh = Arc::new(Mesh::new(rest.len(), &all_faces).map_err(|e| e.to_string())?);
     let bodies: Vec<u32> = (0..rest.len()).map(|v| (v >= level.len()) as u32).collect();
     let bodies = Bodies::new(&bodies).with_fixed(0, true).with_self_contacts(false);
     let threads = std::thread::available_parallelism().map_or(1, |n| n.get()).min(2);
@@ -67,7 +109,7 @@ pub fn run() -> Result<(), String> {
             session => session.map_err(|e| e.to_string())?,
         };
         session.set_positions(&rest).map_err(|e| e.to_string())?;
-        let motion = [BodyMotion::new(1, &body, &fallen)];
+        let motion = [BodyMotion::new(1, body, &fallen)];
         let failed = |e: ccd::any::Error| format!("{name}: {e}");
         let (first, hit) =
             median_of(RUNS, || session.first_contact_of_bodies(&motion)).map_err(failed)?;
@@ -87,17 +129,12 @@ pub fn run() -> Result<(), String> {
 }
 
 /// Milliseconds of a cast, and its time.
-fn parry(level: &[[f32; 3]], faces: &[[u32; 3]], body: &[[f32; 3]]) -> Result<(f64, f32), String> {
-    let vector = |p: &[f32; 3]| Vector::from(*p);
-    let mesh = TriMesh::new(level.iter().map(vector).collect(), faces.to_vec());
-    let mesh = mesh.map_err(|e| e.to_string())?;
-    let points: Vec<Vector> = body.iter().map(vector).collect();
-    let body = ConvexPolyhedron::from_convex_hull(&points).ok_or("no hull")?;
+fn cast(level: &TriMesh, body: &dyn Shape) -> Result<(f64, f32), String> {
     let fall = Vector::new(0.0, -FALL, 0.0);
     let options = ShapeCastOptions::with_max_time_of_impact(1.0);
     let (here, rest) = (Pose::IDENTITY, Vector::ZERO);
     let (ms, hit) = median_of(RUNS, || {
-        cast_shapes(&here, rest, &mesh, &here, fall, &body, options).map_err(|e| e.to_string())
+        cast_shapes(&here, rest, level, &here, fall, body, options).map_err(|e| e.to_string())
     })?;
     Ok((ms, hit.ok_or("parry3d finds no contact")?.time_of_impact))
 }

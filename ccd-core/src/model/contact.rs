@@ -6,6 +6,7 @@ pub use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::query::Verdict;
 use crate::narrow_phase::relative_motion::Patch;
 use crate::narrow_phase::search::Answer;
+use core::cmp::Ordering;
 
 /// Which features touch.
 ///
@@ -116,6 +117,13 @@ impl Contact {
     pub const fn with_approach(mut self, approach: Approach) -> Self {
         self.approach = approach;
         self
+    }
+
+    /// The order in which contacts come to pass: by time, then by kind and ids.
+    #[doc(hidden)]
+    pub fn by_time(&self, other: &Self) -> Ordering {
+        let ids = |of: &Self| (of.kind, of.a, of.b);
+        self.toi.total_cmp(&other.toi).then_with(|| ids(self).cmp(&ids(other)))
     }
 
     /// The contact that an answer for a pair means; `None` for a miss.

@@ -166,6 +166,8 @@ pub struct Report {
     /// Where the time went.
     pub times: Times,
     #[cfg_attr(feature = "serde", serde(skip))]
+    first: Option<Contact>,
+    #[cfg_attr(feature = "serde", serde(skip))]
     mesh: Option<Arc<Mesh>>,
 }
 
@@ -175,11 +177,28 @@ static NO_MESH: Mesh = Mesh::EMPTY;
 impl Report {
     /// Takes a contact that comes after all others in their order; keeps it, or only its time.
     pub fn add(&mut self, contact: Contact, keep: bool) {
+        // Beside a time whose contact is not known, nobody knows which is the first.
+        let known = self.first.is_some() || self.toi.is_none();
+        let first = self.first.into_iter().chain([contact]).min_by(Contact::by_time);
+        self.first = first.filter(|_| known);
         self.toi = Some(self.toi.map_or(contact.toi, |toi| toi.min(contact.toi)));
         if keep {
             self.undecided += (contact.state == State::Undecided) as u64;
             self.contacts.push(contact);
         }
+    }
+
+    /// Takes the first contact by time, kind and ids, and its time.
+    #[doc(hidden)]
+    pub fn begin_with(&mut self, first: Option<Contact>) {
+        (self.first, self.toi) = (first, first.map(|first| first.toi));
+    }
+
+    /// The contact whose time is [`Report::toi`], the first by kind and ids, if the backend says
+    /// which it is.
+    #[doc(hidden)]
+    pub fn first(&self) -> Option<&Contact> {
+        self.first.as_ref()
     }
 
     /// The mesh of the step, to which the ids of [`Report::contacts`] refer. One without vertices

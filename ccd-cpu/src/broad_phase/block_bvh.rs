@@ -22,6 +22,9 @@ pub struct BlockBvh {
     any_fixed: bool,
     /// Per level above the leaves.
     mixed: Vec<Mixed>,
+    /// Per level above the leaves: boxes at the first and at the last time that matters.
+    ends: Vec<Vec<[Block; 2]>>,
+    gap: Option<f32>,
     worlds: Worlds,
     looseness_at_build: Option<f64>,
     sums: Vec<f64>,
@@ -74,6 +77,18 @@ impl BlockBvh {
         (mixed.node / WIDTH == i).then_some((mixed.node % WIDTH, &mixed.moving))
     }
 
+    /// How far apart boxes at both ends must be on an axis for what is in them to be apart at all
+    /// times that matter; `None`: such boxes are not there.
+    pub fn gap(&self) -> Option<f32> {
+        self.gap
+    }
+
+    /// Boxes at both ends in block `i` of a level from 1 on, if it is not one that was added.
+    #[inline(always)]
+    pub fn ends(&self, level: usize, i: usize) -> Option<&[Block; 2]> {
+        self.ends.get(level - 1)?.get(i)
+    }
+
     /// Whether any box is fixed.
     pub fn any_fixed(&self) -> bool {
         self.any_fixed
@@ -121,10 +136,47 @@ impl BlockBvh {
     /// looser blocks of boxes that move have become since the first time after
     /// [`BlockBvh::begin`].
     pub fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
+        self.gap = None;
         let moving = leaves.n_moving();
         let looseness = self.fit_blocks(threads, leaves.blocks(), [leaves.n_changed(), moving]);
         self.mix(leaves.blocks(), leaves.len() - leaves.n_still());
         looseness
+    }
+
+    /// Takes boxes of leaves at both ends, of which the first `changed` blocks are others than when
+    /// they were taken last, and those from `moving` on stand still; unless boxes during the step
+    /// are hardly longer, and nothing is won.
+    pub fn take_ends(
+        &mut self,
+        threads: &Threads,
+        leaves: &[[Block; 2]],
+        [mut changed, moving]: [usize; 2],
+        gap: f32,
+    ) -> bool {
+        let Some(swept) = self.upper.first().filter(|_| self.height > 1) else { return false };
+        let children = |i: usize| i * WIDTH..((i + 1) * WIDTH).min(leaves.len());
+        let [mut during, mut at_start] = [0.0; 2];
+        for i in (0..moving.div_ceil(WIDTH)).step_by(SAMPLE) {
+            during += extent(&swept[i]);
+            let start = leaves[children(i)].iter().map(|ends| union_of_lanes(&ends[0]));
+            at_start += extent(&block_of(start));
+        }
+        if during <= LONG * at_start {
+            return false;
+        }
+        self.ends.resize_with(self.height - 1, Vec::new);
+        let mut below = leaves;
+        for here in &mut self.ends {
+            changed = changed.div_ceil(WIDTH);
+            here.resize(below.len().div_ceil(WIDTH), [EMPTY; 2]);
+            threads.fill(&mut here[..changed], |i| {
+                let children = &below[i * WIDTH..((i + 1) * WIDTH).min(below.len())];
+                [0, 1].map(|end| block_of(children.iter().map(|ends| union_of_lanes(&ends[end]))))
+            });
+            below = here;
+        }
+        self.gap = Some(gap);
+        true
     }
 
     /// Finds the lanes where the first `moving` leaves end.
@@ -207,22 +259,30 @@ impl BlockBvh {
     }
 }
 
+/// Boxes at both ends are compared where boxes during the step are so many times longer, by one
+/// block in [`SAMPLE`]: else they spare less than they cost.
+const LONG: f64 = 1.25;
+/// See [`LONG`].
+const SAMPLE: usize = 16;
+
 /// Sum of the side lengths of all boxes of a level; the order of additions does not depend on
 /// threads.
 fn extents(threads: &Threads, level: &[Block], sums: &mut Vec<f64>) -> f64 {
     sums.resize(level.len(), 0.0);
-    threads.fill(sums, |i| {
-        let block = &level[i];
-        let side = |k: usize, j: usize| {
-            if block.min[k].0[j] <= block.max[k].0[j] {
-                block.max[k].0[j] as f64 - block.min[k].0[j] as f64
-            } else {
-                0.0
-            }
-        };
-        (0..WIDTH).map(|j| side(0, j) + side(1, j) + side(2, j)).sum()
-    });
+    threads.fill(sums, |i| extent(&level[i]));
     sums.iter().sum()
+}
+
+/// Sum of the side lengths of the boxes of a block.
+fn extent(block: &Block) -> f64 {
+    let side = |k: usize, j: usize| {
+        if block.min[k].0[j] <= block.max[k].0[j] {
+            block.max[k].0[j] as f64 - block.min[k].0[j] as f64
+        } else {
+            0.0
+        }
+    };
+    (0..WIDTH).map(|j| side(0, j) + side(1, j) + side(2, j)).sum()
 }
 
 /// The items for which `f`, as bits; a lane past the last item counts as fixed.

@@ -68,6 +68,18 @@ impl Order for BlockSource {
     fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
         self.trees[leaves.set().index].fit(threads, leaves)
     }
+
+    fn take_ends(
+        &mut self,
+        threads: &Threads,
+        leaves: &LeafBoxes,
+        ends: &[[Block; 2]],
+        changed: usize,
+        gap: f32,
+    ) -> bool {
+        let tree = &mut self.trees[leaves.set().index];
+        tree.take_ends(threads, ends, [changed, leaves.n_moving()], gap)
+    }
 }
 
 impl PairSource for BlockSource {
@@ -100,6 +112,8 @@ pub struct BlockPairs<'a> {
     leaves_a: &'a [Block],
     leaves_b: &'a [Block],
     within: bool,
+    /// See [`BlockBvh::gap`].
+    gap: Option<f32>,
 }
 
 impl PairTree for BlockPairs<'_> {
@@ -117,6 +131,9 @@ impl PairTree for BlockPairs<'_> {
         }
         if self.a.worlds().are_known() && masks != 0 {
             masks &= self.in_one_world(pair);
+        }
+        if let Some(gap) = self.gap {
+            masks &= !self.apart_at_ends(simd, pair, masks, gap);
         }
         while masks != 0 {
             let bit = masks.trailing_zeros();
@@ -168,12 +185,14 @@ impl<'a> BlockPairs<'a> {
             trees[b.set().index].raise(height, b.blocks());
         }
         let (trees, second) = (&*trees, b.unwrap_or(a));
+        let [of_a, of_b] = [a, second].map(|leaves| &trees[leaves.set().index]);
         Self {
-            a: &trees[a.set().index],
-            b: &trees[second.set().index],
+            a: of_a,
+            b: of_b,
             leaves_a: a.blocks(),
             leaves_b: second.blocks(),
             within: b.is_none(),
+            gap: of_a.gap().zip(of_b.gap()).map(|(a, b)| a.max(b)),
         }
     }
 
@@ -233,6 +252,27 @@ impl BlockPairs<'_> {
             let rows = self.a.fixed(level, a) as u32 & !met;
             apart |=
                 (0..WIDTH).fold(0, |bits, i| bits | ((rows >> i & 1) as u64) << (8 * i + lane));
+        }
+        apart
+    }
+}
+
+impl BlockPairs<'_> {
+    /// Of a pair above the leaves, byte `i`, bit `j`, of those in `masks`: whether an axis keeps
+    /// child `i` and child `j` further than `gap` apart at both ends.
+    #[inline(always)]
+    fn apart_at_ends<S: RowSimd>(self, simd: S, pair: BlockPair, masks: u64, gap: f32) -> u64 {
+        let level = pair.level as usize;
+        let (Some(a), Some(b)) =
+            (self.a.ends(level, pair.a as usize), self.b.ends(level, pair.b as usize))
+        else {
+            return 0;
+        };
+        let mut apart = 0;
+        for i in 0..WIDTH {
+            if masks >> (8 * i) & 0xff != 0 {
+                apart |= (simd.axis_separated(a, i, b, gap) as u64) << (8 * i);
+            }
         }
         apart
     }

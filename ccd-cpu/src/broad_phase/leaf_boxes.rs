@@ -70,6 +70,21 @@ pub trait Order: Debug + Send + Sync {
         1.0
     }
 
+    /// Takes boxes of a set at both ends of the times that matter, in the order of its leaves:
+    /// until the next [`Order::fit`], pairs may be left out that an axis keeps further than `gap`
+    /// apart at both. `changed`: so many blocks from the first on are others than when it took them
+    /// last. Returns whether it took them.
+    fn take_ends(
+        &mut self,
+        _threads: &Threads,
+        _leaves: &LeafBoxes,
+        _ends: &[[Block; 2]],
+        _changed: usize,
+        _gap: f32,
+    ) -> bool {
+        false
+    }
+
     /// Figures of the binary tree over a set that is searched, if the source has one.
     fn tree_statistics(&self, _threads: &Threads, _leaves: &LeafBoxes) -> Option<TreeStatistics> {
         None

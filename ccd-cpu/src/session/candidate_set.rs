@@ -9,7 +9,7 @@
 //! those of the set. So are two features that come to the distance, and they are a pair.
 
 use super::{Engine, SAMPLE, WHOLE};
-use crate::session::passes::{least_toi, swept_until};
+use crate::session::passes::{first_contact, swept_until};
 use crate::step::candidates::{Given, Scene, Take};
 use crate::step::narrow_phase::Worker;
 use crate::step::positions::Positions;
@@ -20,7 +20,7 @@ use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::swept_box::swept;
 use ccd_core::backend::layout::Pair;
-use ccd_core::model::contact::Kind;
+use ccd_core::model::contact::{Contact, Kind};
 use ccd_core::model::error::check_min_distance;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
@@ -226,15 +226,15 @@ impl CandidateSet {
             decide(threads, &scene, prepared.feature_boxes(), (&parts, SAMPLE), workers);
             stop.check()?;
             if parts.len() > 1
-                && let Some(bound) = least_toi(workers)
+                && let Some(Contact { toi, .. }) = first_contact(workers)
             {
-                (x.until, x.again) = (swept_until(bound, options), true);
+                (x.until, x.again) = (swept_until(toi, options), true);
                 prepared.boxes(threads, mesh, options, &x)?;
             }
             let scene = prepared.scene((mesh, options), selection, &x, WHOLE, false, stop);
             decide(threads, &scene, prepared.feature_boxes(), (&parts, 1), workers);
             stop.check()?;
-            Ok(least_toi(workers))
+            Ok(first_contact(workers).map(|first| first.toi))
         })
     }
 }

@@ -11,15 +11,15 @@ use crate::step::selection::Selection;
 use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::Error;
-use ccd_core::model::contact::{PerKind, State};
+use ccd_core::model::contact::{Contact, PerKind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::{Mode, Options};
 use ccd_core::model::report::{Report, TriangleCounts};
 use std::time::Duration;
 
-/// The least time of impact that any worker found.
-pub fn least_toi(workers: &[Worker]) -> Option<f64> {
-    workers.iter().filter_map(|w| w.toi).reduce(f64::min)
+/// The first contact that any worker found.
+pub fn first_contact(workers: &[Worker]) -> Option<Contact> {
+    workers.iter().filter_map(|worker| worker.first).min_by(Contact::by_time)
 }
 
 /// Up to when boxes are swept for contacts whose time is at most `toi`. A time may be early by the
@@ -109,7 +109,7 @@ pub fn collect(workers: &mut [Worker], report: &mut Report, stop: &Stop) -> Resu
             worker.contacts.reserve(total + total / 8);
         }
     }
-    report.toi = least_toi(workers);
+    report.begin_with(first_contact(workers));
     report.undecided =
         report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
     report.times.narrow += milliseconds(start);

@@ -37,6 +37,7 @@ pub use simd128::Simd128;
 use ccd_core::backend::broad_phase::candidate::overlap_surely;
 use ccd_core::backend::layout::Pair;
 pub use ccd_core::math::real::Mask;
+use ccd_core::narrow_phase::separating_direction::axis_separated;
 use ccd_core::{Aabb, Num};
 
 /// Boxes side by side in a block, and lanes of a row.
@@ -105,11 +106,26 @@ pub trait RowSimd: Simd {
         !self.one(a, i).separated(&self.boxes(b)).bits() & 0xff
     }
 
+    /// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` at all times, of
+    /// boxes at the first and at the last one: see [`axis_separated`].
+    #[inline(always)]
+    fn axis_separated(self, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
+        let (a0, a1) = (bounds(self.one(&a[0], i)), bounds(self.one(&a[1], i)));
+        let (b0, b1) = (bounds(self.boxes(&b[0])), bounds(self.boxes(&b[1])));
+        axis_separated(&a0, &a1, &b0, &b1, Self::Lanes::splat(needed)).bits() & 0xff
+    }
+
     /// Lanes of `b` whose boxes overlap that of lane `i` of `a` by more than `slack`.
     #[inline(always)]
     fn overlaps_surely(self, a: &Block, i: usize, b: &Block, slack: f32) -> u32 {
         overlap_surely(&self.one(a, i), &self.boxes(b), Self::Lanes::splat(slack)).bits()
     }
+}
+
+/// `[min, max]`.
+#[inline(always)]
+fn bounds<N>(aabb: Aabb<N>) -> [[N; 3]; 2] {
+    [aabb.min, aabb.max]
 }
 
 /// Something to run with an instruction set. `call` must be `#[inline(always)]`, or the set is not

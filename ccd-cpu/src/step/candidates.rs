@@ -7,10 +7,11 @@ pub use ccd_core::model::precision::Given;
 use crate::broad_phase::keep;
 use crate::broad_phase::pair_list::Lister;
 use crate::broad_phase::pair_source::{Overlaps, PairSink};
-use crate::simd::{Block, Mask, RowSimd, WIDTH};
+use crate::simd::{RowSimd, WIDTH};
 use crate::step::leaves::{Leaves, Side};
 use crate::step::selection::Selection;
 use crate::stop::Stop;
+use ccd_core::Real;
 use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::layout::Pair;
 use ccd_core::backend::quantization::margin;
@@ -19,8 +20,6 @@ use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::precision::Precision;
 use ccd_core::model::report::TriangleCounts;
-use ccd_core::narrow_phase::separating_direction::axis_separated;
-use ccd_core::{Aabb, Num, Real};
 use std::marker::PhantomData;
 
 /// What all workers of a step read.
@@ -34,6 +33,8 @@ pub struct Scene<'a> {
     pub table_error: f32,
     /// The minimum distance in that unit, rounded up.
     pub table_distance: f32,
+    /// The gap in that unit that two features must keep along an axis to be apart.
+    pub needed_gap: f32,
     pub min_distance: f64,
     /// What decides pairs that filters leave.
     pub decider: Decider,
@@ -49,12 +50,6 @@ pub struct Scene<'a> {
 const CANDIDATES: &str = "candidates";
 
 impl Scene<'_> {
-    /// The gap that two features must keep along an axis to be apart: 1.0001 covers the rounding of
-    /// this line and of the gap.
-    pub fn needed_gap(&self) -> f32 {
-        (self.table_distance + 2.0 * self.table_error) * 1.0001
-    }
-
     /// Whether the swept boxes of two features overlap in the precision of the input.
     #[inline(never)]
     pub fn boxes_overlap<const A: usize, const B: usize>(&self, a: [u32; A], b: [u32; B]) -> bool {
@@ -105,7 +100,7 @@ impl Scene<'_> {
         }
         worker.count(kind, (mask & first).count_ones() as u64);
         if W::FILTERED && mask != 0 {
-            mask &= !apart & !separated(simd, a.ends(), lane, b.ends(), self.needed_gap());
+            mask &= !apart & !simd.axis_separated(a.ends(), lane, b.ends(), self.needed_gap);
         }
         if mask == 0 {
             return;
@@ -259,19 +254,4 @@ pub fn shared<S: RowSimd, const N: usize, const M: usize>(
         }
     }
     out
-}
-
-/// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole
-/// step.
-#[inline(always)]
-fn separated<S: RowSimd>(simd: S, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
-    let (a0, a1) = (bounds(simd.one(&a[0], i)), bounds(simd.one(&a[1], i)));
-    let (b0, b1) = (bounds(simd.boxes(&b[0])), bounds(simd.boxes(&b[1])));
-    axis_separated(&a0, &a1, &b0, &b1, S::Lanes::splat(needed)).bits()
-}
-
-/// `[min, max]`.
-#[inline(always)]
-fn bounds<N>(aabb: Aabb<N>) -> [[N; 3]; 2] {
-    [aabb.min, aabb.max]
 }

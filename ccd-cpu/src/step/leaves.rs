@@ -95,6 +95,8 @@ pub struct Leaves<const N: usize> {
     pub bodies: BlockBodies,
     /// Boxes of the features at the start and at the end, of the positions in the table.
     pub ends: Vec<[Block; 2]>,
+    /// Whether the method has taken those that stand still.
+    taken: bool,
 }
 
 impl<const N: usize> Leaves<N> {
@@ -105,6 +107,7 @@ impl<const N: usize> Leaves<N> {
             vertices: Vec::new(),
             bodies: BlockBodies::default(),
             ends: Vec::new(),
+            taken: false,
         }
     }
 
@@ -129,10 +132,20 @@ impl<const N: usize> Leaves<N> {
     pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]], still: bool) {
         let vertices = &self.vertices;
         self.ends.resize(vertices.len(), [EMPTY; 2]);
+        self.taken &= still;
         let n = if still { self.boxes.n_moving() } else { vertices.len() };
         threads.chunks(&mut self.ends[..n], &|first, out| {
             place(table, &vertices[first..first + out.len()], out);
         });
+    }
+}
+
+impl<const N: usize> Leaves<N> {
+    /// Has the method leave out pairs that an axis keeps further than `gap` apart at both ends.
+    pub fn hand_on_ends(&mut self, threads: &Threads, method: &mut Method, gap: f32) {
+        let Self { boxes, ends, taken, .. } = self;
+        let changed = if *taken { boxes.n_moving() } else { ends.len() };
+        *taken |= method.order().take_ends(threads, boxes, ends, changed, gap);
     }
 }
 

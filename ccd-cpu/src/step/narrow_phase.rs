@@ -29,7 +29,8 @@ pub const CONTACTS: &str = "contacts";
 pub struct Worker {
     queues: [Vec<Pair>; 2],
     pub contacts: Vec<Contact>,
-    pub toi: Option<f64>,
+    /// The first contact, see [`Contact::by_time`].
+    pub first: Option<Contact>,
     pub candidates: PerKind,
     pub filtered: PerKind,
     pub triangles: TriangleCounts,
@@ -44,7 +45,7 @@ impl Worker {
             queue.reserve(QUEUE + WIDTH);
         }
         self.contacts.clear();
-        self.toi = None;
+        self.first = None;
         self.restart_counts();
         self.narrow = Duration::ZERO;
     }
@@ -79,7 +80,7 @@ impl Worker {
             Precision::F64(x) => scene.decider.contact(scene.mesh, kind, pair, x),
         };
         let Some(contact) = contact else { return };
-        self.toi = Some(self.toi.map_or(contact.toi, |t| t.min(contact.toi)));
+        self.first = self.first.into_iter().chain([contact]).min_by(Contact::by_time);
         if scene.keep_contacts && scene.stop.reserve(CONTACTS, &mut self.contacts, 1) {
             self.contacts.push(contact);
         }

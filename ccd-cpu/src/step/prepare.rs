@@ -191,6 +191,7 @@ impl Prepared {
             table: &self.table,
             table_error: self.units.error,
             table_distance: self.units.distance(options.min_distance),
+            needed_gap: self.needed_gap(options),
             min_distance: options.min_distance,
             decider: Decider::new(options, window),
             slack: rounded.then(|| self.scan.slack(options.min_distance)),
@@ -364,6 +365,30 @@ impl Prepared {
         leaves.place(threads, boxes, table);
         leaves.orient(threads, table, *contact_reach);
         Ok(loose)
+    }
+
+    /// The gap in the unit of the table that two features must keep along an axis to be apart:
+    /// 1.0001 covers the rounding of this line and of the gap.
+    fn needed_gap(&self, options: &Options) -> f32 {
+        (self.units.distance(options.min_distance) + 2.0 * self.units.error) * 1.0001
+    }
+
+    /// Has the method leave out, of this step, pairs of features that an axis keeps apart at all
+    /// times that matter; they are not counted as candidates then. Not of pairs of triangles.
+    pub fn hand_on_ends(&mut self, threads: &Threads, method: &mut Method, options: &Options) {
+        let gap = self.needed_gap(options);
+        if self.triangles.is_none() {
+            self.vertices.leaves.hand_on_ends(threads, method, gap);
+            self.edges.leaves.hand_on_ends(threads, method, gap);
+            self.faces.leaves.hand_on_ends(threads, method, gap);
+        }
+    }
+
+    /// How many boxes a shorter time would have to be swept for.
+    pub fn n_swept(&self) -> usize {
+        let Self { vertices, edges, faces, still, .. } = self;
+        let n = [vertices.boxes.len(), edges.boxes.len(), faces.boxes.len()];
+        n.into_iter().enumerate().map(|(set, n)| still.n_made(set, n)).sum()
     }
 
     /// Swept boxes of all features.

@@ -66,6 +66,11 @@ impl Still {
         self.holds
     }
 
+    /// Of `n` boxes of set `set`, how many are made anew.
+    pub fn n_made(&self, set: usize, n: usize) -> usize {
+        if self.holds { self.moving[set].iter().map(Range::len).sum() } else { n }
+    }
+
     /// Whether what was made of the table is, too.
     pub fn holds_table(&self) -> bool {
         self.holds_table

@@ -271,7 +271,7 @@ impl<W: Take> TrianglePairs<'_, W> {
         let axis_apart = || {
             let (a0, b0) = (bounds(table, a, 0), bounds(table, b, 0));
             let (a1, b1) = (bounds(table, a, 4), bounds(table, b, 4));
-            axis_separated(&a0, &a1, &b0, &b1, self.scene.needed_gap())
+            axis_separated(&a0, &a1, &b0, &b1, self.scene.needed_gap)
         };
         if !(W::FILTERED && (apart || axis_apart())) {
             worker.take_one(self.scene, kind, pair);

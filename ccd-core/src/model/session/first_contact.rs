@@ -1,7 +1,7 @@
 //! The first contact of a step with all that a response needs: what engines ask of a cast.
 
 use super::engine::{Ask, Engine};
-use super::moving::BodyMotion;
+use super::moving::{BodyMotion, Moved};
 use super::{Session, given};
 use crate::model::contact::{Contact, Kind, State};
 use crate::model::contact_on_mesh::geometry;
@@ -57,10 +57,11 @@ impl Hit {
 impl<E: Engine, P> Session<E, P> {
     /// The first contact of a step, with its geometry; `None`: the whole step is free.
     ///
-    /// Of contacts with the same time it is the first by kind and ids. [`Hit::toi`] is that of the
-    /// contact; it may differ from [`Session::earliest_toi`] by up to the tolerance, by more where
-    /// the pair is undecided, and neither is later than the contact. The report is that of the part
-    /// of the step up to the contact.
+    /// Of contacts with the same time it is the first by kind and ids. On a CPU it costs what
+    /// [`Session::earliest_toi`] does, and [`Hit::toi`] is that time. A GPU finds the time, then
+    /// the contacts up to it, and the two times may differ by up to the tolerance, by more where
+    /// the pair is undecided; neither is later than the contact. The report is that of the last
+    /// search.
     ///
     /// ```
     /// use ccd::{Bodies, Mesh, Options, Session};
@@ -87,14 +88,12 @@ impl<E: Engine, P> Session<E, P> {
     {
         let Self { engine, gathered, .. } = self;
         let given = given(&engine.state().mesh, gathered, ends(x0, x1));
-        let done = given.map_err(E::Error::from).and_then(|given| first(engine, given));
+        let done = given.map_err(E::Error::from).and_then(|given| first(engine, given, None));
         self.settled(done)
     }
 
-    /// The first contact of a step in which these bodies move: the first by time, kind and ids of
-    /// those of [`Session::step_bodies`], whose report this leaves. What does not move is not
-    /// looked at for a shorter step, so [`Hit::toi`] may differ from that of
-    /// [`Session::first_contact`] by up to twice the tolerance.
+    /// The first contact of a step in which these bodies move: what [`Session::first_contact`] is
+    /// to [`Session::step`].
     ///
     /// # Errors
     /// Those of [`Session::step_bodies`].
@@ -102,37 +101,34 @@ impl<E: Engine, P> Session<E, P> {
         &mut self,
         motions: &[BodyMotion],
     ) -> Result<Option<Hit>, E::Error> {
-        self.with_bodies_moved(motions, |engine, given, moved| {
-            engine.find(given, moved, Ask::Contacts { window: [0.0, 1.0] })?;
-            Ok(earliest(engine, given))
-        })
+        self.with_bodies_moved(motions, first)
     }
 }
 
-/// The earliest time, then the contacts up to it, of which the first is taken: in a part of a step
-/// that ends there are few.
-fn first<E: Engine>(engine: &mut E, given: Given) -> Result<Option<Hit>, E::Error> {
-    engine.find(given, None, Ask::Earliest)?;
-    let Some(toi) = engine.state().report.toi else { return Ok(None) };
+/// The contact of the earliest time. If the engine says only the time: the first of the contacts up
+/// to it, which are few.
+fn first<E: Engine>(
+    engine: &mut E,
+    given: Given,
+    moved: Option<Moved>,
+) -> Result<Option<Hit>, E::Error> {
+    engine.find(given, moved, Ask::Earliest)?;
+    let report = &engine.state().report;
+    let Some(toi) = report.toi else { return Ok(None) };
+    if let Some(contact) = report.first() {
+        return Ok(Some(hit(engine, contact, given)));
+    }
     // A time is early by up to the tolerance, and of a GPU by the rounding to an `f32`: the contact
     // whose time it is begins in this window, if it is one. What was only undecided may turn out to
     // be none in so short a step; then all of it is looked at.
     let soon = toi + 2.0 * engine.state().options.tolerance + f64::from(f32::EPSILON);
     for until in [soon.min(1.0), 1.0] {
-        engine.find(given, None, Ask::Contacts { window: [0.0, until] })?;
-        let hit = earliest(engine, given);
-        if hit.is_some() {
-            return Ok(hit);
+        engine.find(given, moved, Ask::Contacts { window: [0.0, until] })?;
+        if let Some(contact) = engine.state().report.contacts.iter().min_by(|a, b| a.by_time(b)) {
+            return Ok(Some(hit(engine, contact, given)));
         }
     }
     Ok(None)
-}
-
-/// The first of the contacts that were found last: of equals, which are sorted by kind and ids, the
-/// first one.
-fn earliest<E: Engine>(engine: &E, given: Given) -> Option<Hit> {
-    let contacts = engine.state().report.contacts.iter();
-    contacts.min_by(|a, b| a.toi.total_cmp(&b.toi)).map(|contact| hit(engine, contact, given))
 }
 
 fn hit<E: Engine>(engine: &E, contact: &Contact, given: Given) -> Hit {
