@@ -106,6 +106,7 @@ fn check_forms_and_changes() {
             session.set_min_distance(0.001).unwrap();
             session.step(&of.x0, &Strided::<f64>::of(&of.x1)).unwrap();
             session.set_min_distance(0.0).unwrap();
+            session.earliest_toi(&of.x0, &of.x1).unwrap();
         }
         CALLS.load(Ordering::Relaxed) - before
     };

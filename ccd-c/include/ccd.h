@@ -522,9 +522,9 @@ CcdStatus ccd_session_first_contact(struct CcdSession *session,
                                     const struct CcdHit **hit);
 
 /// Point, normal and weights of every contact of the session's last report, in its order: those of
-/// a step. After ccd_session_earliest_toi there are none, after ccd_session_first_contact none or
-/// some. `x0`, `x1`: the positions of that step, which are not checked again. Does not end the life
-/// of the report.
+/// a step. After ccd_session_earliest_toi there are none; after ccd_session_first_contact none on a
+/// CPU, those that it looked at on a GPU. `x0`, `x1`: the positions of that step, which are not
+/// checked again. Does not end the life of the report.
 ///
 /// `geometry` belongs to the session, until its next call; `count`: number of contacts.
 CcdStatus ccd_session_contact_geometry(struct CcdSession *session,

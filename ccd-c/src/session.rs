@@ -161,9 +161,9 @@ pub unsafe extern "C" fn ccd_session_first_contact(
 }
 
 /// Point, normal and weights of every contact of the session's last report, in its order: those of
-/// a step. After ccd_session_earliest_toi there are none, after ccd_session_first_contact none or
-/// some. `x0`, `x1`: the positions of that step, which are not checked again. Does not end the life
-/// of the report.
+/// a step. After ccd_session_earliest_toi there are none; after ccd_session_first_contact none on a
+/// CPU, those that it looked at on a GPU. `x0`, `x1`: the positions of that step, which are not
+/// checked again. Does not end the life of the report.
 ///
 /// `geometry` belongs to the session, until its next call; `count`: number of contacts.
 #[unsafe(no_mangle)]

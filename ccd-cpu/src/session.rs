@@ -162,7 +162,8 @@ impl session::Engine for Engine {
     fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
         self.clear();
         self.threads.stop.begin()?;
-        self.run(Positions { moved, ..Positions::new(given, ask.window()) }, ask == Ask::Earliest)
+        let earliest = !matches!(ask, Ask::Contacts { .. });
+        self.run(Positions { moved, ..Positions::new(given, ask.window()) }, earliest)
     }
 
     fn candidates(&mut self, given: Given) -> Result<Candidates<'_>, Error> {
@@ -296,8 +297,8 @@ impl Engine {
             let stop = &*threads.stop;
             prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
             if earliest {
-                // A part of the tasks first; what it finds bounds the time that matters, and there
-                // is less to find in that, if it is worth to prepare it.
+                // A part of the tasks first; what it finds bounds the time that matters. Boxes and
+                // trees of that time are made if they cost less than the pairs that they spare.
                 detect(
                     threads,
                     method,
@@ -363,8 +364,7 @@ impl Engine {
 const WHOLE: [f64; 2] = [0.0, 1.0];
 /// Of how many tasks one is sampled to bound the earliest time of impact.
 const SAMPLE: usize = 64;
-/// What a candidate that filters leave costs, and what a box costs that is swept again, refitted
-/// and compared, in what a candidate costs, some 25 ns.
+/// What a candidate costs that filters leave, in what any candidate costs, some 25 ns.
 const PER_DECISION: u64 = 16;
-/// See [`PER_DECISION`].
+/// What a box costs that is swept again, refitted and compared, in the same.
 const PER_BOX: u64 = 2;

@@ -83,6 +83,9 @@ fn falls(
     let mut toi = 0.0;
     for (shape, body) in theirs {
         let (ms, hit) = cast(&target, body)?;
+        if toi > 0.0 && f64::from(hit - toi).abs() > TOLERANCE {
+            return Err(format!("parry3d finds {toi} and {hit}"));
+        }
         toi = hit;
         let name = format!("first contact, parry3d `cast_shapes` of {shape}, 1 thread");
         table.row([name, digits(ms), toi.to_string()]);

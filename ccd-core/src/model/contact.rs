@@ -119,7 +119,7 @@ impl Contact {
         self
     }
 
-    /// The order in which contacts come to pass: by time, then by kind and ids.
+    /// The order in time; of contacts with the same time that by kind and ids.
     #[doc(hidden)]
     pub fn by_time(&self, other: &Self) -> Ordering {
         let ids = |of: &Self| (of.kind, of.a, of.b);

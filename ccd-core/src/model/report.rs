@@ -151,7 +151,8 @@ pub struct Report {
     pub contacts: Vec<Contact>,
     /// Least time of impact; `None` without contact.
     pub toi: Option<f64>,
-    /// Pairs of features whose swept boxes overlap.
+    /// Pairs of features whose swept boxes overlap. After a search for the earliest time on a CPU:
+    /// those that its last pass looked at, fewer.
     pub candidates: PerKind,
     /// Candidates that the filters in `f32` could not reject.
     pub filtered: PerKind,
@@ -175,7 +176,8 @@ pub struct Report {
 static NO_MESH: Mesh = Mesh::EMPTY;
 
 impl Report {
-    /// Takes a contact that comes after all others in their order; keeps it, or only its time.
+    /// Takes a contact that comes after all others in their order: keeps it, or only its time and
+    /// whether it is the first.
     pub fn add(&mut self, contact: Contact, keep: bool) {
         // Beside a time whose contact is not known, nobody knows which is the first.
         let known = self.first.is_some() || self.toi.is_none();
@@ -194,8 +196,8 @@ impl Report {
         (self.first, self.toi) = (first, first.map(|first| first.toi));
     }
 
-    /// The contact whose time is [`Report::toi`], the first by kind and ids, if the backend says
-    /// which it is.
+    /// The contact of the earliest time, the first by kind and ids, if the backend says which it
+    /// is. Its time is [`Report::toi`], or that before it was rounded to an `f32`.
     #[doc(hidden)]
     pub fn first(&self) -> Option<&Contact> {
         self.first.as_ref()

@@ -24,6 +24,8 @@ pub struct BlockBvh {
     mixed: Vec<Mixed>,
     /// Per level above the leaves: boxes at the first and at the last time that matters.
     ends: Vec<Vec<[Block; 2]>>,
+    /// So many levels have them; those above are kept for their memory.
+    n_ends: usize,
     gap: Option<f32>,
     worlds: Worlds,
     looseness_at_build: Option<f64>,
@@ -83,10 +85,11 @@ impl BlockBvh {
         self.gap
     }
 
-    /// Boxes at both ends in block `i` of a level from 1 on, if it is not one that was added.
+    /// Boxes at both ends in block `i` of a level from 1 on, but for those that
+    /// [`BlockBvh::raise`] adds.
     #[inline(always)]
     pub fn ends(&self, level: usize, i: usize) -> Option<&[Block; 2]> {
-        self.ends.get(level - 1)?.get(i)
+        if level <= self.n_ends { Some(&self.ends[level - 1][i]) } else { None }
     }
 
     /// Whether any box is fixed.
@@ -144,8 +147,8 @@ impl BlockBvh {
     }
 
     /// Takes boxes of leaves at both ends, of which the first `changed` blocks are others than when
-    /// they were taken last, and those from `moving` on stand still; unless boxes during the step
-    /// are hardly longer, and nothing is won.
+    /// they were taken last, and those from `moving` on stand still. Returns whether it took them:
+    /// not where boxes around both ends are hardly longer than those at one, which spares nothing.
     pub fn take_ends(
         &mut self,
         threads: &Threads,
@@ -153,29 +156,31 @@ impl BlockBvh {
         [mut changed, moving]: [usize; 2],
         gap: f32,
     ) -> bool {
-        let Some(swept) = self.upper.first().filter(|_| self.height > 1) else { return false };
-        let children = |i: usize| i * WIDTH..((i + 1) * WIDTH).min(leaves.len());
         let [mut during, mut at_start] = [0.0; 2];
-        for i in (0..moving.div_ceil(WIDTH)).step_by(SAMPLE) {
-            during += extent(&swept[i]);
-            let start = leaves[children(i)].iter().map(|ends| union_of_lanes(&ends[0]));
-            at_start += extent(&block_of(start));
+        let parts = leaves[..moving].chunks(WIDTH);
+        for part in parts.step_by((moving / WIDTH / SAMPLES).max(1)) {
+            let [start, end] = union_of_ends(part);
+            at_start += extent(&start);
+            let both = |j: usize| get_lane(&start, j).union(&get_lane(&end, j));
+            during += extent(&block_of((0..WIDTH).map(both)));
         }
         if during <= LONG * at_start {
             return false;
         }
-        self.ends.resize_with(self.height - 1, Vec::new);
+        let n_levels = self.height - 1;
+        if self.ends.len() < n_levels {
+            self.ends.resize_with(n_levels, Vec::new);
+        }
         let mut below = leaves;
-        for here in &mut self.ends {
+        for here in &mut self.ends[..n_levels] {
             changed = changed.div_ceil(WIDTH);
             here.resize(below.len().div_ceil(WIDTH), [EMPTY; 2]);
             threads.fill(&mut here[..changed], |i| {
-                let children = &below[i * WIDTH..((i + 1) * WIDTH).min(below.len())];
-                [0, 1].map(|end| block_of(children.iter().map(|ends| union_of_lanes(&ends[end]))))
+                union_of_ends(&below[i * WIDTH..((i + 1) * WIDTH).min(below.len())])
             });
             below = here;
         }
-        self.gap = Some(gap);
+        (self.gap, self.n_ends) = (Some(gap), n_levels);
         true
     }
 
@@ -259,11 +264,11 @@ impl BlockBvh {
     }
 }
 
-/// Boxes at both ends are compared where boxes during the step are so many times longer, by one
-/// block in [`SAMPLE`]: else they spare less than they cost.
+/// Boxes at both ends are compared where those around both are so many times longer: else they
+/// spare less than they cost.
 const LONG: f64 = 1.25;
-/// See [`LONG`].
-const SAMPLE: usize = 16;
+/// By about so many of their blocks.
+const SAMPLES: usize = 64;
 
 /// Sum of the side lengths of all boxes of a level; the order of additions does not depend on
 /// threads.
@@ -291,6 +296,11 @@ fn all_of<T>(items: &[T], f: impl Fn(&T) -> bool) -> u8 {
         .iter()
         .enumerate()
         .fold(0xff, |mask, (j, item)| if f(item) { mask } else { mask & !(1 << j) })
+}
+
+/// The boxes of up to eight blocks at both ends, each block one lane.
+fn union_of_ends(children: &[[Block; 2]]) -> [Block; 2] {
+    [0, 1].map(|end| block_of(children.iter().map(|ends| union_of_lanes(&ends[end]))))
 }
 
 fn union_of_lanes(block: &Block) -> Aabb<f32> {

@@ -293,3 +293,84 @@ fn overlaps<S: RowSimd>(simd: S, a: &Block, b: &Block) -> u64 {
 const UPPER_OR_DIAGONAL: u64 = 0x80c0_e0f0_f8fc_feff;
 /// Byte `i` has the bits `j > i`.
 const UPPER: u64 = 0x0080_c0e0_f0f8_fcfe;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::broad_phase::leaf_boxes::block_of;
+    use crate::broad_phase::tests::random;
+    use std::collections::BTreeSet;
+
+    /// Gathers pairs of ids.
+    struct Gather<'a>(&'a LeafBoxes);
+
+    impl PairSink for Gather<'_> {
+        type Worker = BTreeSet<[u32; 2]>;
+
+        #[inline(always)]
+        fn row<S: RowSimd>(&self, worker: &mut Self::Worker, _: S, row: Overlaps) {
+            let Overlaps { a, lane, b, mask } = row;
+            for j in (0..WIDTH).filter(|j| mask >> j & 1 == 1) {
+                let mut pair = [self.0.ids(a)[lane], self.0.ids(b)[j]];
+                pair.sort_unstable();
+                worker.insert(pair);
+            }
+        }
+    }
+
+    /// Boxes that fall past each other: those that an axis keeps apart at both ends may be left
+    /// out, no others are, and many of them are.
+    #[test]
+    fn what_is_left_out_is_apart_at_both_ends() {
+        const GAP: f32 = 0.002;
+        let (threads, mut unit) = (Threads::new(1).unwrap(), random(3));
+        let mut source = BlockSource::default();
+        let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
+        for n in [5usize, 40, 700, 3000] {
+            let ends: Vec<[Aabb<f32>; 2]> = (0..n)
+                .map(|i| {
+                    let [x, y, z] = [unit(), 0.3 * unit(), unit()];
+                    let side = 0.5 / (n as f32).cbrt();
+                    let fall = if i % 3 == 0 { 0.0 } else { 4.0 };
+                    [y, y + fall]
+                        .map(|y| Aabb { min: [x, y, z], max: [x + side, y + 0.1 * side, z + side] })
+                })
+                .collect();
+            let swept: Vec<_> = ends.iter().map(|[start, end]| start.union(end)).collect();
+            leaves.build(&threads, &mut source, &swept, Marks::default());
+            let find = |source: &mut BlockSource, leaves: &LeafBoxes| {
+                let mut found = [BTreeSet::new()];
+                source.find(&threads, (leaves, None), 1, &Gather(leaves), &mut found);
+                let [found] = found;
+                found
+            };
+            let all = find(&mut source, &leaves);
+            let block = |ids: &[u32]| {
+                [0, 1].map(|end| block_of(ids.iter().map(|&id| ends[id as usize][end])))
+            };
+            let blocks: Vec<_> = leaves.order().chunks(WIDTH).map(block).collect();
+            assert!(source.take_ends(&threads, &leaves, &blocks, blocks.len(), GAP), "{n}");
+            let near = find(&mut source, &leaves);
+            let apart = |[a, b]: [u32; 2]| {
+                let [a, b] = [a, b].map(|id| &ends[id as usize]);
+                (0..3).any(|k| {
+                    [(a, b), (b, a)].into_iter().any(|(low, high)| {
+                        (0..2).all(|end| high[end].min[k] - low[end].max[k] > GAP)
+                    })
+                })
+            };
+            assert!(near.is_subset(&all), "{n}");
+            let left_out: Vec<_> = all.difference(&near).copied().collect();
+            assert!(left_out.iter().all(|&pair| apart(pair)), "{n}: a pair is lost");
+            let n_apart = all.iter().filter(|&&pair| apart(pair)).count();
+            assert!(
+                n < 100 || 4 * left_out.len() > n_apart,
+                "{n}: {} of {n_apart}",
+                left_out.len()
+            );
+            // The next boxes bring all pairs back.
+            leaves.refit(&threads, &mut source, &swept, false);
+            assert_eq!(find(&mut source, &leaves), all, "{n}");
+        }
+    }
+}

@@ -13,7 +13,7 @@ use crate::threads::Threads;
 use ccd_core::Error;
 use ccd_core::model::contact::{Contact, PerKind, State};
 use ccd_core::model::mesh::Mesh;
-use ccd_core::model::options::{Mode, Options};
+use ccd_core::model::options::Options;
 use ccd_core::model::report::{Report, TriangleCounts};
 use std::time::Duration;
 
@@ -23,12 +23,10 @@ pub fn first_contact(workers: &[Worker]) -> Option<Contact> {
 }
 
 /// Up to when boxes are swept for contacts whose time is at most `toi`. A time may be early by the
-/// tolerance: by the end of it the features of such a pair touch.
+/// tolerance (in exact mode hardly, but for pairs that integers do not hold): by the end of it the
+/// features of such a pair touch.
 pub fn swept_until(toi: f64, options: &Options) -> f64 {
-    match options.mode {
-        Mode::Exact => toi,
-        _ => (toi + options.tolerance).next_up().min(1.0),
-    }
+    (toi + options.tolerance).next_up().min(1.0)
 }
 
 /// Boxes and trees of a step up to the time that matters.

@@ -40,7 +40,7 @@ pub struct Scene<'a> {
     pub decider: Decider,
     /// Where boxes were rounded: how far, see `slack_at`.
     pub slack: Option<f32>,
-    /// Keep contacts, or only the least time of impact.
+    /// Keep contacts, or only the first one.
     pub keep_contacts: bool,
     /// What ends the step early.
     pub stop: &'a Stop,

@@ -384,7 +384,7 @@ impl Prepared {
         }
     }
 
-    /// How many boxes a shorter time would have to be swept for.
+    /// How many boxes were swept: those that a shorter time has anew.
     pub fn n_swept(&self) -> usize {
         let Self { vertices, edges, faces, still, .. } = self;
         let n = [vertices.boxes.len(), edges.boxes.len(), faces.boxes.len()];

@@ -103,8 +103,11 @@ pub enum Ask {
         /// The first and the last time.
         window: [f64; 2],
     },
-    /// The earliest time of impact, and no list of contacts.
+    /// The earliest time of impact, and no list of contacts. A CPU says whose time it is.
     Earliest,
+    /// The contact of the earliest time by one search: as [`Ask::Earliest`], or with all contacts
+    /// if the backend does not say otherwise which it is.
+    First,
 }
 
 impl Ask {
@@ -112,7 +115,7 @@ impl Ask {
     pub fn window(self) -> [f64; 2] {
         match self {
             Self::Contacts { window } => window,
-            Self::Earliest => [0.0, 1.0],
+            Self::Earliest | Self::First => [0.0, 1.0],
         }
     }
 }

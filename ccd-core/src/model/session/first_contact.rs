@@ -58,10 +58,10 @@ impl<E: Engine, P> Session<E, P> {
     /// The first contact of a step, with its geometry; `None`: the whole step is free.
     ///
     /// Of contacts with the same time it is the first by kind and ids. On a CPU it costs what
-    /// [`Session::earliest_toi`] does, and [`Hit::toi`] is that time. A GPU finds the time, then
-    /// the contacts up to it, and the two times may differ by up to the tolerance, by more where
-    /// the pair is undecided; neither is later than the contact. The report is that of the last
-    /// search.
+    /// [`Session::earliest_toi`] does, [`Hit::toi`] is that time, and the report is that of such a
+    /// search. A GPU finds the time, then the contacts up to it, whose report it leaves, and the
+    /// two times may differ by up to the tolerance, by more where the pair is undecided; neither is
+    /// later than the contact.
     ///
     /// ```
     /// use ccd::{Bodies, Mesh, Options, Session};
@@ -93,7 +93,8 @@ impl<E: Engine, P> Session<E, P> {
     }
 
     /// The first contact of a step in which these bodies move: what [`Session::first_contact`] is
-    /// to [`Session::step`].
+    /// to [`Session::step`]. A GPU finds it among all contacts of the step, in one search, and
+    /// leaves their report.
     ///
     /// # Errors
     /// Those of [`Session::step_bodies`].
@@ -112,10 +113,12 @@ fn first<E: Engine>(
     given: Given,
     moved: Option<Moved>,
 ) -> Result<Option<Hit>, E::Error> {
-    engine.find(given, moved, Ask::Earliest)?;
+    // Where little of a mesh moves there are few contacts, and a second search costs more.
+    let ask = if moved.is_some() { Ask::First } else { Ask::Earliest };
+    engine.find(given, moved, ask)?;
     let report = &engine.state().report;
     let Some(toi) = report.toi else { return Ok(None) };
-    if let Some(contact) = report.first() {
+    if let Some(contact) = report.first().or(first_of(&report.contacts)) {
         return Ok(Some(hit(engine, contact, given)));
     }
     // A time is early by up to the tolerance, and of a GPU by the rounding to an `f32`: the contact
@@ -123,12 +126,16 @@ fn first<E: Engine>(
     // be none in so short a step; then all of it is looked at.
     let soon = toi + 2.0 * engine.state().options.tolerance + f64::from(f32::EPSILON);
     for until in [soon.min(1.0), 1.0] {
-        engine.find(given, moved, Ask::Contacts { window: [0.0, until] })?;
-        if let Some(contact) = engine.state().report.contacts.iter().min_by(|a, b| a.by_time(b)) {
+        engine.find(given, None, Ask::Contacts { window: [0.0, until] })?;
+        if let Some(contact) = first_of(&engine.state().report.contacts) {
             return Ok(Some(hit(engine, contact, given)));
         }
     }
     Ok(None)
+}
+
+fn first_of(contacts: &[Contact]) -> Option<&Contact> {
+    contacts.iter().min_by(|a, b| a.by_time(b))
 }
 
 fn hit<E: Engine>(engine: &E, contact: &Contact, given: Given) -> Hit {
