@@ -206,7 +206,7 @@ export class Session {
     try {
       gpu.place(given, wide);
       // The caller may write into what was given from here on.
-      copies = () => gpu.placed();
+      copies = () => gpu.placed().map((x) => x.slice());
       return await onGpu(gpu, wide);
     } catch (why) {
       if (!this.#free) throw why;
