@@ -1,11 +1,16 @@
 //! The checks that a change must pass, in the order of what fails fastest.
 
-use crate::programs::{TIMES, command, command_beside, has_target, skipped};
+use crate::programs::{TIMES, Words, beside, command, command_beside, has_target, skipped, text};
+use crate::wasm;
 use std::path::Path;
 use std::time::Instant;
 
 /// A target without a standard library or an operating system.
 const BARE_METAL: &str = "thumbv7em-none-eabihf";
+
+/// A program for it, a workspace of its own, and how it is built.
+const PROGRAM: &str = "examples/bare-metal/Cargo.toml";
+const PROGRAM_CONFIG: &str = "examples/bare-metal/.cargo/config.toml";
 
 /// Features of this crate, off by default and one a task, that clippy checks in the gate.
 const XTASK_FEATURES: [&str; 3] = ["report", "shaders", "soak"];
@@ -34,30 +39,38 @@ fn gate(root: &Path) -> Result<(), String> {
     let clippy =
         ["cargo", "clippy", "--release", "--workspace", "--all-targets", "--features", &features];
     command(root, &[&clippy[..], &["--", "-D", "warnings"]].concat())?;
-    bare_metal(root)?;
     let test = readme_test_command(root)?;
     let test: Vec<&str> = test.split_whitespace().collect();
-    command(root, &[&test[..], &["--no-run"]].concat())?;
+    // Compilers leave a core idle now and then, which takes what is built in other folders.
+    let beside = beside(root);
+    let beside = text(&beside)?;
+    let mut others = bare_metal(beside);
+    if has_target(wasm::TARGET) {
+        others.push((wasm::build(beside), vec![]));
+    }
+    command_beside(root, &[&test[..], &["--no-run"]].concat(), &others)?;
     // Takes answers from a file that a test writes, so not while the tests run.
-    crate::wasm::run(root, &[])?;
+    wasm::run(root, &[])?;
     // With an example the dependencies have the features of tests, and clippy has checked those.
     // Not the command, whose pages would lie over those of the library of the same name.
     let doc = ["cargo", "doc", "--release", "--workspace", "--no-deps", "--features", &features];
     let doc = [&doc[..], &["--lib", "--bin", "xtask", "--example", "static_world"]].concat();
     // Tests leave a core idle for long, and so do some of these, which need what was compiled. The
-    // first compiles nothing, so that the tests begin at once.
+    // first compiles nothing, so that the tests begin at once. Of attacks the tests run the first
+    // cases too, on the CPU alone.
+    let attack = |backend, minutes| {
+        let attack = ["cargo", "xtask", "attack", "--minutes", minutes, "--backend", backend];
+        (attack.to_vec(), vec![])
+    };
     let others = [
         (vec!["cargo", "xtask", "python"], vec![]),
         (vec!["cargo", "xtask", "c-api"], vec![]),
         (doc, vec![("RUSTDOCFLAGS", "-D warnings")]),
         (vec!["cargo", "xtask", "web"], vec![]),
+        attack("cpu", "0.1"),
+        attack("gpu", "0.3"),
     ];
-    command_beside(root, &test, &others)?;
-    // The tests have run the first cases already, on the CPU alone.
-    for (backend, minutes) in [("cpu", "0.1"), ("gpu", "0.3")] {
-        command(root, &["cargo", "xtask", "attack", "--minutes", minutes, "--backend", backend])?;
-    }
-    Ok(())
+    command_beside(root, &test, &others)
 }
 
 /// Checks that take too long for the gate.
@@ -65,7 +78,7 @@ fn long(root: &Path) -> Result<(), String> {
     // A test of the gate compares hashes of sources and kernels; here the kernels are compiled.
     command(root, &["cargo", "xtask", "shaders", "--check"])?;
     // The vectors that the npm package has, by every method.
-    crate::wasm::run(root, &crate::wasm::SIMD)?;
+    wasm::run(root, &wasm::SIMD)?;
     // The gate's own adapter; under `--whole` all other tests run on the system's.
     let newer = root.join("target/lavapipe/icd.json");
     if let Some(newer) = newer.to_str().filter(|_| newer.exists()) {
@@ -105,23 +118,24 @@ fn long(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "xtask", "mutants"])
 }
 
-/// Checks `ccd-core` where there is no standard library: a use of one would not compile.
-fn bare_metal(root: &Path) -> Result<(), String> {
+/// Checks of `ccd-core` where there is no standard library: a use of one would not compile.
+fn bare_metal(folder: &str) -> Vec<Words<'_>> {
     if !has_target(BARE_METAL) {
         skipped(&format!(
             "the target {BARE_METAL} cannot be installed here, so ccd-core was not shown to be \
              no_std"
         ));
-        return Ok(());
+        return Vec::new();
     }
-    for features in ["", "glam,serde"] {
-        command(
-            root,
-            &["cargo", "check", "-p", "ccd-core", "--target", BARE_METAL, "--features", features],
-        )?;
-    }
+    let check = |features| {
+        let check = ["cargo", "check", "-p", "ccd-core", "--target", BARE_METAL];
+        let check = [&check[..], &["--target-dir", folder, "--features", features]].concat();
+        (check, vec![])
+    };
     // A program that links there, with an allocator; its own configuration names the target.
-    command(&root.join("examples/bare-metal"), &["cargo", "build", "--release", "--locked"])
+    let program = ["cargo", "build", "--release", "--locked", "--manifest-path", PROGRAM];
+    let program = [&program[..], &["--config", PROGRAM_CONFIG]].concat();
+    vec![check(""), check("glam,serde"), (program, vec![])]
 }
 
 /// The line of the README that runs the tests: what CI runs is what it says.

@@ -22,7 +22,7 @@ pub fn command_with(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result
 }
 
 /// A command with its environment.
-type Words<'a> = (Vec<&'a str>, Vec<(&'a str, &'a str)>);
+pub type Words<'a> = (Vec<&'a str>, Vec<(&'a str, &'a str)>);
 
 /// Runs a command, and meanwhile others, one after another, up to one that fails. What the others
 /// print is shown afterwards.
@@ -86,6 +86,11 @@ pub fn test(root: &Path, name: &str, args: &[String], env: &[(&str, &str)]) -> R
 /// Cargo's target folder.
 pub fn target_folder(root: &Path) -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), |dir| root.join(dir))
+}
+
+/// A target folder besides cargo's, so that what is built there does not wait for other builds.
+pub fn beside(root: &Path) -> PathBuf {
+    target_folder(root).join("beside")
 }
 
 /// All files below a folder; a file itself.

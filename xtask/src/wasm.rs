@@ -2,11 +2,13 @@
 //! thread, gives under Node what it gives on this machine, bit for bit (tests/wasm). That the GPU's
 //! compiles for browsers, `web.rs` shows.
 
-use crate::programs::{command_with, has_target, output, skipped, target_folder, test};
+use crate::programs::{
+    beside, command_with, has_target, output, skipped, target_folder, test, text,
+};
 use std::path::Path;
 use std::process::Command;
 
-const TARGET: &str = "wasm32-unknown-unknown";
+pub const TARGET: &str = "wasm32-unknown-unknown";
 const PACKAGE: &str = "ccd-wasm-test";
 
 /// Vectors of WebAssembly, which all browsers have since 2023 (Safari 16.4 was the last). A warning
@@ -14,24 +16,29 @@ const PACKAGE: &str = "ccd-wasm-test";
 pub const SIMD: [(&str, &str); 1] =
     [("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", "-C target-feature=+simd128 -D warnings")];
 
+/// What builds the module, in the target folder `beside`.
+pub fn build(beside: &str) -> Vec<&str> {
+    let build = ["cargo", "build", "--release", "-p", PACKAGE, "--lib", "--target", TARGET];
+    [&build[..], &["--target-dir", beside]].concat()
+}
+
 /// Compares answers; `env` is for the build.
 pub fn run(root: &Path, env: &[(&str, &str)]) -> Result<(), String> {
     if !has_target(TARGET) {
         skipped(&format!("nothing was built for WebAssembly: no target {TARGET} here"));
         return Ok(());
     }
-    let build = ["cargo", "build", "--release", "-p", PACKAGE];
-    command_with(root, &[&build[..], &["--lib", "--target", TARGET]].concat(), env)?;
+    let beside = beside(root);
+    command_with(root, &build(text(&beside)?), env)?;
     if let Err(why) = output(Command::new("node").arg("--version")) {
         skipped(&format!("what was built for WebAssembly was not run: {why}"));
         return Ok(());
     }
     test(root, "answers", &[], &[])?;
-    let target = target_folder(root);
-    let native = target.join("tmp/answers.txt");
+    let native = target_folder(root).join("tmp/answers.txt");
     let native =
         std::fs::read_to_string(&native).map_err(|e| format!("{}: {e}", native.display()))?;
-    let module = target.join(TARGET).join("release").join(PACKAGE.replace('-', "_"));
+    let module = beside.join(TARGET).join("release").join(PACKAGE.replace('-', "_"));
     let script = root.join("tests/wasm/answers.mjs");
     let wasm = output(Command::new("node").arg(script).arg(module.with_extension("wasm")))?;
     let n = compare(&native, &wasm)?;
