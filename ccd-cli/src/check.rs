@@ -46,7 +46,7 @@ pub struct Check {
     earliest: Option<usize>,
     /// Write the candidates, pairs whose swept boxes overlap, as CSV: kind,a,b, sorted
     ///
-    /// Those of the whole step: they cannot be had together with a --window.
+    /// They are those of the whole step, so this is refused together with --window.
     #[arg(long, value_name = "OUT.csv", hide_short_help = true, help_heading = OUTPUT)]
     candidates: Option<PathBuf>,
     #[command(flatten)]

@@ -6,7 +6,7 @@ use crate::broad_phase::descent_times::DescentTimes;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
 use crate::clock::{Instant, milliseconds};
-use crate::step::candidates::Given;
+use crate::step::candidates::{Given, Scene};
 use crate::step::codimensional::Codimensional;
 use crate::step::contact_order::ContactOrder;
 use crate::step::find::find;
@@ -296,6 +296,7 @@ impl Engine {
             report.set_mesh(mesh);
             let stop = &*threads.stop;
             prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
+            let mut first_half = false;
             if earliest {
                 // A part of the tasks first; what it finds bounds the time that matters. Boxes and
                 // trees of that time are made if they cost less than the pairs that they spare.
@@ -310,23 +311,20 @@ impl Engine {
                 );
                 stop.check()?;
                 let work = report.candidates.total() + PER_DECISION * report.filtered.total();
-                if let Some(first) = first_contact(workers)
-                    && work * SAMPLE as u64 > PER_BOX * prepared.n_swept() as u64
-                {
-                    (x.until, x.again) = (swept_until(first.toi, options), true);
-                    prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
-                    prepared.hand_on_ends(threads, method, options);
+                if let Some(first) = first_contact(workers) {
+                    let until = swept_until(first.toi, options);
+                    if work * SAMPLE as u64 > PER_BOX * prepared.n_swept() as u64 {
+                        (x.until, x.again) = (until, true);
+                        prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
+                        prepared.hand_on_ends(threads, method, options);
+                    } else {
+                        first_half = until <= 0.5;
+                    }
                 }
             }
-            detect(
-                threads,
-                method,
-                prepared,
-                &prepared.scene((mesh, options), selection, &x, window, !earliest, stop),
-                1,
-                workers,
-                report,
-            );
+            let scene = prepared.scene((mesh, options), selection, &x, window, !earliest, stop);
+            let scene = Scene { first_half, ..scene };
+            detect(threads, method, prepared, &scene, 1, workers, report);
             stop.check()?;
             // The last that calls a filter: where that panics there are no contacts yet.
             let listed = Instant::now();

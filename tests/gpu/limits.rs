@@ -52,6 +52,7 @@ fn check_memory(device: &Device) {
     let want = ccd::step(&mesh, &b, &c, &Options::default()).unwrap();
     let (mut new, mut step, mut found) = (0, 0, 0);
     let between = (0..20).map(|k| (1 << 20) + (k << 16));
+    let few = ccd::step(&mesh, &a, &b, &Options::default()).unwrap();
     for limit in [1 << 10, 1 << 16].into_iter().chain(between).chain([1 << 27]) {
         let options = Options::default().with_max_memory(limit);
         let mut session = match Session::new(device, &mesh, options) {
@@ -73,7 +74,6 @@ fn check_memory(device: &Device) {
                     step += 1;
                 }
             }
-            let few = ccd::step(&mesh, &a, &b, &Options::default()).unwrap();
             match session.step(&a, &b) {
                 Ok(report) => agree(&few.contacts, &report.contacts).unwrap(),
                 Err(e) => assert!(is_memory(&e) && limit < 1 << 24, "{limit}: {e}"),

@@ -40,6 +40,8 @@ pub struct Scene<'a> {
     pub decider: Decider,
     /// Where boxes were rounded: how far, see `slack_at`.
     pub slack: Option<f32>,
+    /// Whether no contact matters that begins in the second half of the times.
+    pub first_half: bool,
     /// Keep contacts, or only the first one.
     pub keep_contacts: bool,
     /// What ends the step early.

@@ -137,7 +137,7 @@ impl Take for Worker {
 }
 
 /// Keeps of `pairs` what the `f32` filters cannot reject, in place: first over the whole step, then
-/// what is left over each half of it.
+/// what is left over each half of it that matters.
 struct Filter<'a> {
     pairs: &'a mut Vec<Pair>,
     scene: &'a Scene<'a>,
@@ -166,6 +166,7 @@ impl Filter<'_> {
     fn keep<S: Simd, const VERTEX_FACE: bool>(&mut self, simd: S, halves: bool) {
         let patch = if VERTEX_FACE { Patch::Triangle } else { Patch::Parallelogram };
         let distance = S::Lanes::splat(self.scene.table_distance);
+        let n_parts = if halves && !self.scene.first_half { 2 } else { 1 };
         let mut n = 0;
         for start in (0..self.pairs.len()).step_by(S::LANES) {
             let end = (start + S::LANES).min(self.pairs.len());
@@ -173,7 +174,7 @@ impl Filter<'_> {
             let motion = load(simd, self.scene, self.kind, patch, pairs);
             let parts = if halves { motion.halves().into() } else { [motion; 2] };
             let mut rejected = all(S::LANES);
-            for part in &parts[..1 + halves as usize] {
+            for part in &parts[..n_parts] {
                 rejected &= cascade::apart_throughout(part, patch, distance).bits();
             }
             let mut left = !rejected & all(end - start);

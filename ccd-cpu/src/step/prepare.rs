@@ -195,6 +195,7 @@ impl Prepared {
             min_distance: options.min_distance,
             decider: Decider::new(options, window),
             slack: rounded.then(|| self.scan.slack(options.min_distance)),
+            first_half: false,
             keep_contacts,
             stop,
         }
