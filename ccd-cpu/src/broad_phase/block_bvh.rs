@@ -26,6 +26,7 @@ pub struct BlockBvh {
     ends: Vec<Vec<[Block; 2]>>,
     /// So many levels have them; those above are kept for their memory.
     n_ends: usize,
+    /// See [`BlockBvh::gap`].
     gap: Option<f32>,
     worlds: Worlds,
     looseness_at_build: Option<f64>,
@@ -267,7 +268,7 @@ impl BlockBvh {
 /// Boxes at both ends are compared where those around both are so many times longer: else they
 /// spare less than they cost.
 const LONG: f64 = 1.25;
-/// By about so many of their blocks.
+/// About so many blocks of eight are measured for [`LONG`].
 const SAMPLES: usize = 64;
 
 /// Sum of the side lengths of all boxes of a level; the order of additions does not depend on

@@ -255,9 +255,7 @@ impl BlockPairs<'_> {
         }
         apart
     }
-}
 
-impl BlockPairs<'_> {
     /// Of a pair above the leaves, byte `i`, bit `j`, of those in `masks`: whether an axis keeps
     /// child `i` and child `j` further than `gap` apart at both ends.
     #[inline(always)]

@@ -95,7 +95,7 @@ pub struct Leaves<const N: usize> {
     pub bodies: BlockBodies,
     /// Boxes of the features at the start and at the end, of the positions in the table.
     pub ends: Vec<[Block; 2]>,
-    /// Whether the method has taken those that stand still.
+    /// Whether the method has taken those of `ends` that stand still.
     taken: bool,
 }
 
@@ -138,9 +138,7 @@ impl<const N: usize> Leaves<N> {
             place(table, &vertices[first..first + out.len()], out);
         });
     }
-}
 
-impl<const N: usize> Leaves<N> {
     /// Has the method leave out pairs that an axis keeps further than `gap` apart at both ends.
     pub fn hand_on_ends(&mut self, threads: &Threads, method: &mut Method, gap: f32) {
         let Self { boxes, ends, taken, .. } = self;
