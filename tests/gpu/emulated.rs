@@ -10,36 +10,44 @@ use ccd_testkit::methods::{differences, is_near_default};
 const WHOLE: &str = "CCD_WHOLE";
 
 /// Of the four devices two are run by all tests: the most native, with `f64`, and the most
-/// portable, WGSL without. The two between them are run by these tests of kernels by themselves and
-/// by all published queries.
-const OF_KERNELS: [crate::Tests; 4] =
-    [crate::kernels::TESTS, crate::scalars::TESTS, crate::poison::TESTS, crate::geometry::TESTS];
+/// portable, WGSL without. The two between them are run by these tests, of boxes and of arithmetic,
+/// and by all published queries.
+const OF_KERNELS: [crate::Tests; 2] = [crate::kernels::TESTS, crate::scalars::TESTS];
 
-/// The most portable is not run by tests over many boxes or steps whose kernels other tests compare
-/// there, `rules` by all methods, nor by those of what the host does with a frame.
-const LONG: [&str; 22] = [
+/// The most portable is not run by tests of methods that are not the default's, by those over many
+/// boxes or steps whose kernels other tests compare there, nor by those of what the host does with
+/// a frame.
+const LONG: [&str; 30] = [
     "a_thousand_times_the_pairs",
     "boxes_after_failures",
     "builders_and_hard_boxes",
     "candidates_in_parts",
     "changes_between_steps",
     "dropped_in_flight",
+    "fronts",
+    "fronts_that_are_given_up",
+    "grids_of_many_sizes",
     "groups_of_devices",
     "limit_of_memory",
     "lists_grow",
     "many_contacts",
     "many_positions",
     "moving_bodies",
+    "nearest_pair",
     "order_is_kept",
     "order_of_small_meshes",
     "oriented_traversals",
+    "ploc",
     "replaced_in_flight",
     "schedulers_over_sequences",
+    "stacks",
     "steps_after_failures",
     "triangles_by_every_method",
     "triangles_in_several_dispatches",
     "two_threads",
     "uniform_boxes",
+    "workers",
+    "workers_of_blocks",
 ];
 
 /// No device is: twenty seconds of as many rounds as a filter can need.
@@ -52,13 +60,18 @@ pub fn is_thin(device: &Device) -> bool {
 }
 
 /// Every method of a GPU; on an emulated one, of trees those that differ from the default in one
-/// choice, without [`WHOLE`] in their traversal or volume: builders are in `builders.rs`, and all
-/// methods in the conformance table.
+/// choice, without [`WHOLE`] in their traversal or volume, and through WGSL the default and the
+/// default tree: builders are in `builders.rs`, and all methods in the conformance table.
 pub fn methods(device: &Device) -> impl Iterator<Item = BroadPhaseMethod> {
     let (thin, emulated) = (is_thin(device), device.info().adapter.device_type == DeviceType::Cpu);
-    let is_built_so = |method| differences(method).is_none_or(|[builder, ..]| !builder);
+    let is_portable = device.info().path == Path::Wgsl;
+    let is_usual = |m| m == BroadPhaseMethod::default() || m == BroadPhaseMethod::TREE;
+    let is_few = move |method| match is_portable {
+        true => is_usual(method),
+        false => differences(method).is_none_or(|[builder, ..]| !builder),
+    };
     let chosen = move |&method: &_| !emulated || is_near_default(method);
-    ccd::method::every("gpu").filter(chosen).filter(move |&method| !thin || is_built_so(method))
+    ccd::method::every("gpu").filter(chosen).filter(move |&method| !thin || is_few(method))
 }
 
 /// Why a test is left out on a device, if it is.

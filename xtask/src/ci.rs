@@ -1,7 +1,10 @@
 //! The checks that a change must pass, in the order of what fails fastest.
 
-use crate::programs::{TIMES, Words, beside, command, command_beside, has_target, skipped, text};
-use crate::wasm;
+use crate::programs::{
+    TIMES, Words, beside, command, command_beside, command_with, has_target, skipped,
+    target_folder, text,
+};
+use crate::{lints, wasm};
 use std::path::Path;
 use std::time::Instant;
 
@@ -15,10 +18,8 @@ const PROGRAM_CONFIG: &str = "examples/bare-metal/.cargo/config.toml";
 /// Libraries of other languages, whose manifests say that they have no pages.
 const NO_PAGES: [&str; 4] = ["meshccd-python", "meshccd-c", "meshccd-web", "ccd-wasm-test"];
 
-/// Features of this crate, off by default and one a task, that clippy checks in the gate.
-const XTASK_FEATURES: [&str; 3] = ["report", "shaders", "soak"];
-/// The others: the gate compiles them, and clippy checks them in [`long`].
-const REST: [&str; 1] = ["web"];
+/// Features of this crate, off by default and one a task.
+const XTASK_FEATURES: [&str; 4] = ["report", "shaders", "soak", "web"];
 
 /// Runs the gate, or `whole`: that with nothing left out, and the searches that take long.
 /// Prints at the end how long each command took.
@@ -37,28 +38,20 @@ pub fn run(root: &Path, whole: bool) -> Result<(), String> {
 fn gate(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "fmt", "--all", "--check"])?;
     crate::tidy::run(root)?;
-    let features = XTASK_FEATURES.map(|feature| format!("xtask/{feature}")).join(",");
-    // As the tests are built, so that procedural macros are compiled once.
-    let clippy =
-        ["cargo", "clippy", "--release", "--workspace", "--all-targets", "--features", &features];
-    command(root, &[&clippy[..], &["--", "-D", "warnings"]].concat())?;
+    let mut env = Vec::new();
+    let lints = lints::environment(root)?;
+    if target_folder(root).join("release/deps").exists() {
+        read(root)?;
+    } else {
+        // Nothing is compiled yet, so all of the workspace is read while it is.
+        env.extend(lints.iter().map(|(name, value)| (*name, value.as_str())));
+    }
     let test = readme_test_command(root)?;
     let test: Vec<&str> = test.split_whitespace().collect();
     // Compilers leave a core idle now and then, which takes what is built in other folders.
     let beside = beside(root);
-    let beside = text(&beside)?;
-    let mut others = bare_metal(beside);
-    if has_target(wasm::TARGET) {
-        others.push((wasm::build(beside), vec![]));
-    }
-    command_beside(root, &[&test[..], &["--no-run"]].concat(), &others)?;
-    // Takes answers from a file that a test writes, so not while the tests run.
-    wasm::run(root, &[])?;
-    // With an example the dependencies have the features of tests, and clippy has checked those.
-    // Not the command, whose pages would lie over those of the library of the same name.
-    let doc = ["cargo", "doc", "--release", "--workspace", "--no-deps", "--features", &features];
-    let doc = [&doc[..], &["--lib", "--bin", "xtask", "--example", "static_world"]].concat();
-    let doc = NO_PAGES.iter().fold(doc, |doc, name| [&doc[..], &["--exclude", name]].concat());
+    let build = [&test[..], &["--no-run"]].concat();
+    command_beside(root, &(build, env), &bare_metal(text(&beside)?))?;
     // Tests leave a core idle for long, and so do some of these, which need what was compiled. The
     // first compiles nothing, so that the tests begin at once. Of attacks the tests run the first
     // cases too, on the CPU alone.
@@ -69,20 +62,37 @@ fn gate(root: &Path) -> Result<(), String> {
     let others = [
         (vec!["cargo", "xtask", "python"], vec![]),
         (vec!["cargo", "xtask", "c-api"], vec![]),
-        (doc, vec![("RUSTDOCFLAGS", "-D warnings")]),
         (vec!["cargo", "xtask", "web"], vec![]),
         attack("cpu", "0.1"),
         attack("gpu", "0.2"),
     ];
-    command_beside(root, &test, &others)
+    command_beside(root, &(test, vec![]), &others)
+}
+
+/// Has Clippy and rustdoc read the workspace with all features.
+fn read(root: &Path) -> Result<(), String> {
+    let features = XTASK_FEATURES.map(|feature| format!("xtask/{feature}")).join(",");
+    let all = ["--release", "--workspace", "--features", &features];
+    // As the tests are built, so that procedural macros are compiled once.
+    let clippy = [&["cargo", "clippy"], &all[..], &["--all-targets", "--", "-D", "warnings"]];
+    command(root, &clippy.concat())?;
+    // With an example the dependencies have the features of tests, and clippy has checked those.
+    // Not the command, whose pages would lie over those of the library of the same name.
+    let pages = ["--no-deps", "--lib", "--bin", "xtask", "--example", "static_world"];
+    let doc = [&["cargo", "doc"], &all[..], &pages].concat();
+    let doc = NO_PAGES.iter().fold(doc, |doc, name| [&doc[..], &["--exclude", name]].concat());
+    command_with(root, &doc, &[("RUSTDOCFLAGS", "-D warnings")])
 }
 
 /// Checks that take too long for the gate.
 fn long(root: &Path) -> Result<(), String> {
+    read(root)?;
     // A test of the gate compares hashes of sources and kernels; here the kernels are compiled.
     command(root, &["cargo", "xtask", "shaders", "--check"])?;
-    // The vectors that the npm package has, by every method.
-    wasm::run(root, &wasm::SIMD)?;
+    // The npm package, which the gate tests, has the default methods, over vectors.
+    for env in [&[][..], &wasm::SIMD] {
+        wasm::run(root, env)?;
+    }
     // The gate's own adapter; under `--whole` all other tests run on the system's.
     let newer = root.join("target/lavapipe/icd.json");
     if let Some(newer) = newer.to_str().filter(|_| newer.exists()) {
@@ -97,8 +107,6 @@ fn long(root: &Path) -> Result<(), String> {
         let clippy = ["cargo", "clippy", "--release", "-p", "meshccd", "--features", features];
         command(root, &[&clippy[..], &["--", "-D", "warnings"]].concat())?;
     }
-    let rest = ["-p", "xtask", "--features", &REST.join(","), "--", "-D", "warnings"];
-    command(root, &[&["cargo", "clippy"][..], &rest].concat())?;
     let no_gpu = ["--release", "-p", "meshccd-python", "--no-default-features", "--lib"];
     command(root, &[&["cargo", "clippy"][..], &no_gpu, &["--", "-D", "warnings"]].concat())?;
     let no_gpu = ["--release", "-p", "meshccd-c", "--no-default-features", "--lib"];
@@ -131,14 +139,15 @@ fn bare_metal(folder: &str) -> Vec<Words<'_>> {
         ));
         return Vec::new();
     }
+    // Procedural macros are compiled once for all of these.
+    let folder = ["--target-dir", folder];
     let check = |features| {
-        let check = ["cargo", "check", "-p", "ccd-core", "--target", BARE_METAL];
-        let check = [&check[..], &["--target-dir", folder, "--features", features]].concat();
-        (check, vec![])
+        let check = ["cargo", "check", "--release", "-p", "ccd-core", "--target", BARE_METAL];
+        ([&check[..], &folder, &["--features", features]].concat(), vec![])
     };
     // A program that links there, with an allocator; its own configuration names the target.
     let program = ["cargo", "build", "--release", "--locked", "--manifest-path", PROGRAM];
-    let program = [&program[..], &["--config", PROGRAM_CONFIG]].concat();
+    let program = [&program[..], &folder, &["--config", PROGRAM_CONFIG]].concat();
     vec![check(""), check("glam,serde"), (program, vec![])]
 }
 
@@ -162,6 +171,6 @@ mod tests {
         let (features, _) = rest.split_once("\n[").expect("what follows");
         let named: Vec<&str> =
             features.lines().filter_map(|line| Some(line.split_once(" = [")?.0)).collect();
-        assert_eq!(named, [&XTASK_FEATURES[..], &REST].concat());
+        assert_eq!(named, XTASK_FEATURES);
     }
 }

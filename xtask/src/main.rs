@@ -24,6 +24,7 @@ mod growth;
 mod instructions;
 #[cfg(feature = "report")]
 mod level;
+mod lints;
 #[cfg(any(feature = "report", test))]
 mod markdown;
 #[cfg(feature = "report")]
@@ -236,6 +237,9 @@ enum Part {
 }
 
 fn main() -> ExitCode {
+    if let Some(code) = lints::wrapped() {
+        return code;
+    }
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
     let task = Task::parse();
     let result = match feature_of(&task) {

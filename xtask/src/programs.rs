@@ -26,7 +26,7 @@ pub type Words<'a> = (Vec<&'a str>, Vec<(&'a str, &'a str)>);
 
 /// Runs a command, and meanwhile others, one after another, up to one that fails. What the others
 /// print is shown afterwards.
-pub fn command_beside(root: &Path, words: &[&str], others: &[Words]) -> Result<(), String> {
+pub fn command_beside(root: &Path, own: &Words, others: &[Words]) -> Result<(), String> {
     let beside = || {
         let mut printed = String::new();
         let done = others.iter().try_for_each(|(words, env)| {
@@ -39,7 +39,7 @@ pub fn command_beside(root: &Path, words: &[&str], others: &[Words]) -> Result<(
     };
     let (own, (printed, others)) = std::thread::scope(|scope| {
         let others = scope.spawn(beside);
-        let own = command(root, words);
+        let own = command_with(root, &own.0, &own.1);
         (own, others.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
     });
     print!("{printed}");
@@ -150,7 +150,7 @@ mod tests {
     fn commands_beside_another_fail_like_it() {
         let run = |own: &str, other: &str| {
             let others = [(vec!["cargo", other], Vec::new())];
-            command_beside(Path::new("."), &["cargo", own], &others)
+            command_beside(Path::new("."), &(vec!["cargo", own], Vec::new()), &others)
         };
         assert_eq!(run("--version", "--version"), Ok(()));
         for (own, other) in [("no-such-command", "--version"), ("--version", "no-such-command")] {

@@ -8,19 +8,13 @@ use crate::programs::{
 use std::path::Path;
 use std::process::Command;
 
-pub const TARGET: &str = "wasm32-unknown-unknown";
+const TARGET: &str = "wasm32-unknown-unknown";
 const PACKAGE: &str = "ccd-wasm-test";
 
 /// Vectors of WebAssembly, which all browsers have since 2023 (Safari 16.4 was the last). A warning
 /// is an error, because the npm package is what the gate compiles without the catalogue.
 pub const SIMD: [(&str, &str); 1] =
     [("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", "-C target-feature=+simd128 -D warnings")];
-
-/// What builds the module, in the target folder `beside`.
-pub fn build(beside: &str) -> Vec<&str> {
-    let build = ["cargo", "build", "--release", "-p", PACKAGE, "--lib", "--target", TARGET];
-    [&build[..], &["--target-dir", beside]].concat()
-}
 
 /// Compares answers; `env` is for the build.
 pub fn run(root: &Path, env: &[(&str, &str)]) -> Result<(), String> {
@@ -29,7 +23,8 @@ pub fn run(root: &Path, env: &[(&str, &str)]) -> Result<(), String> {
         return Ok(());
     }
     let beside = beside(root);
-    command_with(root, &build(text(&beside)?), env)?;
+    let build = ["cargo", "build", "--release", "-p", PACKAGE, "--lib", "--target", TARGET];
+    command_with(root, &[&build[..], &["--target-dir", text(&beside)?]].concat(), env)?;
     if let Err(why) = output(Command::new("node").arg("--version")) {
         skipped(&format!("what was built for WebAssembly was not run: {why}"));
         return Ok(());
