@@ -162,8 +162,7 @@ impl session::Engine for Engine {
     fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
         self.clear();
         self.threads.stop.begin()?;
-        let earliest = !matches!(ask, Ask::Contacts { .. });
-        self.run(Positions { moved, ..Positions::new(given, ask.window()) }, earliest)
+        self.run(Positions { moved, ..Positions::new(given, ask.window()) }, ask)
     }
 
     fn candidates(&mut self, given: Given) -> Result<Candidates<'_>, Error> {
@@ -284,8 +283,8 @@ impl Engine {
     }
 
     #[inline(never)]
-    fn run(&mut self, mut x: Positions, earliest: bool) -> Result<(), Error> {
-        let window = [x.from, x.until];
+    fn run(&mut self, mut x: Positions, ask: Ask) -> Result<(), Error> {
+        let (window, earliest) = ([x.from, x.until], !matches!(ask, Ask::Contacts { .. }));
         let Self { state, threads, prepared, method, workers, order, codimensional, .. } = self;
         let State { mesh, options, report, .. } = state;
         let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &self.selection);
@@ -312,12 +311,21 @@ impl Engine {
                 stop.check()?;
                 let work = report.candidates.total() + PER_DECISION * report.filtered.total();
                 if let Some(first) = first_contact(workers) {
+                    if first.toi <= 0.0 && ask == Ask::Earliest {
+                        // Nothing is earlier. Which contact is the first by its ids, nobody asked.
+                        report.toi = Some(first.toi);
+                        report.front = method.front();
+                        report.times.total = milliseconds(start);
+                        return Ok(());
+                    }
                     let until = swept_until(first.toi, options);
                     if work * SAMPLE as u64 > PER_BOX * prepared.n_swept() as u64 {
                         (x.until, x.again) = (until, true);
                         prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
                         prepared.hand_on_ends(threads, method, options);
                     } else {
+                        // Then what the filters halve is the whole step.
+                        debug_assert!(x.whole());
                         first_half = until <= 0.5;
                     }
                 }
@@ -332,10 +340,8 @@ impl Engine {
                 features.list(threads, mesh, (options, selection), x.given)?;
             }
             report.times.narrow += milliseconds(listed);
-            collect(workers, report, stop)?;
+            collect(threads, mesh, workers, order, report)?;
             let joined = Instant::now();
-            order.sort(threads, mesh, &mut report.contacts);
-            order.ms = milliseconds(joined);
             if options.pipeline.repeats_tests() {
                 drop_repeated(report);
             }

@@ -6,6 +6,7 @@ use ccd_core::Error;
 use ccd_core::model::options::Options;
 use rayon::prelude::*;
 use std::marker::PhantomData;
+use std::mem::MaybeUninit;
 use std::sync::Arc;
 
 /// What one worker owns, alone on its cache lines: workers that write into neighbouring ones would
@@ -116,6 +117,33 @@ impl Threads {
                 *slot = f(first + i);
             }
         });
+    }
+
+    /// Fills `(out[i], other[i]) = f(i)`, where `f` takes half a microsecond or so.
+    pub fn fill_both<T: Send, S: Send>(
+        &self,
+        out: &mut [T],
+        other: &mut [S],
+        f: impl Fn(usize) -> (T, S) + Sync,
+    ) {
+        assert_eq!(out.len(), other.len());
+        let n = 32;
+        let (out, other) = (Parts::new(out, n), Parts::new(other, n));
+        self.calls(out.count(), usize::MAX, &|k| {
+            // SAFETY: `calls` gives each number to one call.
+            let (out, other) = unsafe { (out.part(k), other.part(k)) };
+            for (i, slots) in out.iter_mut().zip(other).enumerate() {
+                (*slots.0, *slots.1) = f(k * n + i);
+            }
+        });
+    }
+
+    /// Appends `f(0)`, `f(1)`, .., `n` items.
+    pub fn append<T: Send>(&self, out: &mut Vec<T>, n: usize, f: impl Fn(usize) -> T + Sync) {
+        out.reserve(n);
+        self.fill(&mut out.spare_capacity_mut()[..n], |i| MaybeUninit::new(f(i)));
+        // SAFETY: so many more items have been written.
+        unsafe { out.set_len(out.len() + n) };
     }
 
     /// Replaces every `x` by `f(x)`.

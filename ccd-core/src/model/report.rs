@@ -37,8 +37,8 @@ pub struct Times {
 /// How many tests of features come from pairs of triangles, before and after each stage that takes
 /// some away. What is left are [`Report::candidates`], whose own boxes overlap, and of these
 /// [`Report::filtered`]. The numbers but `separated` are the same on every backend and by every
-/// method; where only the earliest time was asked for, a CPU counts its last pass, over a shorter
-/// time, a GPU all of the step.
+/// method; where only the earliest time was asked for, a CPU counts its last pass, which may be
+/// over a shorter time, a GPU all of the step.
 ///
 /// ```
 /// use ccd::method::TriangleCounts;
@@ -151,10 +151,12 @@ pub struct Report {
     pub contacts: Vec<Contact>,
     /// Least time of impact; `None` without contact.
     pub toi: Option<f64>,
-    /// Pairs of features whose swept boxes overlap. After a search for the earliest time on a CPU:
-    /// those that its last pass looked at, fewer.
+    /// Pairs of features whose swept boxes overlap. After a search for the earliest time on a CPU,
+    /// of vertices in faces and of edges: those that its last pass looked at, which may be over a
+    /// shorter time.
     pub candidates: PerKind,
-    /// Candidates that the filters in `f32` could not reject.
+    /// Candidates that the filters in `f32` could not reject; after such a search, not up to the
+    /// time that was known by then.
     pub filtered: PerKind,
     /// Contacts in [`State::Undecided`].
     pub undecided: u64,

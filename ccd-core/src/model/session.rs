@@ -156,8 +156,10 @@ impl<E: Engine, P> Session<E, P> {
     /// The earliest time of impact of the step, without the list of contacts: cheaper than
     /// [`Session::step`]. `None`: the whole step is free.
     ///
-    /// It is not later than the earliest contact. On a CPU it is the time of that, unless the pair
-    /// is undecided: then the method and calls before may have a part in it. On a GPU it is rounded
+    /// Before it nothing touches. On a CPU it is the time of the earliest contact of the step, if
+    /// that is a [`State::Hit`](super::contact::State::Hit). If it is undecided, the shorter step
+    /// that is searched may show that it is none, and a later time is returned; which one may
+    /// depend on the method and on calls before. On a GPU it is rounded
     /// down to an `f32`; in exact mode, and with a tolerance below 1e-7, which an `f32` cannot
     /// keep, it is not rounded there, and costs time and memory as [`Session::step`].
     ///

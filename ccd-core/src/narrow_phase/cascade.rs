@@ -43,10 +43,10 @@ pub fn near_at_ends(
     !axis_separated(&a0, &a1, &b0, &b1, needed_gap(error, min_distance))
 }
 
-/// The gap that keeps features apart. 1.0001 covers the rounding of this line and of the gap; of
-/// either operand of a gap less than the smallest normal number is flushed.
+/// The gap along an axis that keeps features apart. 1.0001 covers the rounding of this line and of
+/// the gap; of either operand of a gap less than the smallest normal number is flushed.
 #[inline(always)]
-fn needed_gap(error: f32, min_distance: f32) -> f32 {
+pub fn needed_gap(error: f32, min_distance: f32) -> f32 {
     (min_distance + 2.0 * error) * 1.0001 + 8.0 * f32::MIN_POSITIVE
 }
 

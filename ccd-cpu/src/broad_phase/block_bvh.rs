@@ -30,7 +30,9 @@ pub struct BlockBvh {
     gap: Option<f32>,
     worlds: Worlds,
     looseness_at_build: Option<f64>,
-    sums: Vec<f64>,
+    /// Per block of level 1: side lengths of the boxes that move in the leaves below it, and of its
+    /// own.
+    lengths: Vec<[f64; 2]>,
     build: u64,
 }
 
@@ -157,15 +159,15 @@ impl BlockBvh {
         [mut changed, moving]: [usize; 2],
         gap: f32,
     ) -> bool {
-        let [mut during, mut at_start] = [0.0; 2];
+        let [mut around_both, mut at_start] = [0.0; 2];
         let parts = leaves[..moving].chunks(WIDTH);
         for part in parts.step_by((moving / WIDTH / SAMPLES).max(1)) {
             let [start, end] = union_of_ends(part);
             at_start += extent(&start);
             let both = |j: usize| get_lane(&start, j).union(&get_lane(&end, j));
-            during += extent(&block_of((0..WIDTH).map(both)));
+            around_both += extent(&block_of((0..WIDTH).map(both)));
         }
-        if during <= LONG * at_start {
+        if around_both <= LONG * at_start {
             return false;
         }
         let n_levels = self.height - 1;
@@ -225,13 +227,24 @@ impl BlockBvh {
             n_below = n_below.div_ceil(WIDTH);
             here[0].resize(n_below, EMPTY);
             changed = changed.div_ceil(WIDTH);
-            threads.fill(&mut here[0][..changed], |i| {
-                let children = &below[i * WIDTH..((i + 1) * WIDTH).min(below.len())];
-                block_of(children.iter().map(union_of_lanes))
-            });
+            let here = &mut here[0][..changed];
+            let children = |i: usize| i * WIDTH..((i + 1) * WIDTH).min(below.len());
+            let block = |i: usize| block_of(below[children(i)].iter().map(union_of_lanes));
+            if level == 0 {
+                self.lengths.resize(n_below, [0.0; 2]);
+                threads.fill_both(here, &mut self.lengths[..changed], |i| {
+                    let children = children(i);
+                    let moving = moving.clamp(children.start, children.end);
+                    let of_boxes = below[children.start..moving].iter().map(extent).sum();
+                    let block = block(i);
+                    (block, [of_boxes, extent(&block)])
+                });
+            } else {
+                threads.fill(here, block);
+            }
             self.height += 1;
         }
-        let looseness = self.looseness(threads, &leaves[..moving]);
+        let looseness = self.looseness(moving);
         let before = *self.looseness_at_build.get_or_insert(looseness);
         if before > 0.0 { looseness / before } else { 1.0 }
     }
@@ -253,31 +266,22 @@ impl BlockBvh {
     }
 
     /// Sum of the side lengths of all blocks of eight, relative to that of the boxes in them: what
-    /// a block costs its tests.
-    fn looseness(&mut self, threads: &Threads, leaves: &[Block]) -> f64 {
-        if self.height < 2 || leaves.is_empty() {
+    /// a block costs its tests. Of the first `moving` blocks of leaves.
+    fn looseness(&self, moving: usize) -> f64 {
+        if self.height < 2 {
             return 1.0;
         }
-        let boxes = extents(threads, leaves, &mut self.sums);
-        let blocks =
-            extents(threads, &self.upper[0][..leaves.len().div_ceil(WIDTH)], &mut self.sums);
+        let of_all = |k: usize| self.lengths[..moving.div_ceil(WIDTH)].iter().map(|l| l[k]).sum();
+        let [boxes, blocks]: [f64; 2] = [of_all(0), of_all(1)];
         if boxes > 0.0 { blocks / boxes } else { 1.0 }
     }
 }
 
-/// Boxes at both ends are compared where those around both are so many times longer: else they
-/// spare less than they cost.
+/// Boxes at both ends are compared where those around both are so many times longer than those at
+/// the start: else they spare less than they cost.
 const LONG: f64 = 1.25;
 /// About so many blocks of eight are measured for [`LONG`].
 const SAMPLES: usize = 64;
-
-/// Sum of the side lengths of all boxes of a level; the order of additions does not depend on
-/// threads.
-fn extents(threads: &Threads, level: &[Block], sums: &mut Vec<f64>) -> f64 {
-    sums.resize(level.len(), 0.0);
-    threads.fill(sums, |i| extent(&level[i]));
-    sums.iter().sum()
-}
 
 /// Sum of the side lengths of the boxes of a block.
 fn extent(block: &Block) -> f64 {

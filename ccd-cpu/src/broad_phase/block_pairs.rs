@@ -6,7 +6,7 @@ use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
 use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::broad_phase::pair_tree::PairTree;
-use crate::broad_phase::tasks::Tasks;
+use crate::broad_phase::tasks::{Search, Tasks};
 use crate::broad_phase::worlds::fill_blocks;
 use crate::simd::{Block, RowSimd, WIDTH};
 use crate::threads::Threads;
@@ -90,18 +90,40 @@ impl PairSource for BlockSource {
     fn find<K: PairSink>(
         &mut self,
         threads: &Threads,
-        (a, b): Sides,
+        sides: Sides,
         part: usize,
         sink: &K,
         workers: &mut [K::Worker],
     ) {
-        if a.is_empty() || b.is_some_and(LeafBoxes::is_empty) {
-            return;
-        }
         let Self { trees, tasks, .. } = self;
-        let pairs = BlockPairs::new(trees, (a, b));
-        tasks.run(threads, (pairs, pairs.root().packed()), part, sink, workers);
+        raise(trees, sides);
+        let search = BlockPairs::of(trees, sides).map(|pairs| pairs.search(sink));
+        tasks.run(threads, search, None::<Search<BlockPairs, K>>, part, workers);
     }
+
+    fn find_two<K: PairSink, L: PairSink<Worker = K::Worker>>(
+        &mut self,
+        threads: &Threads,
+        (first, first_sink): (Sides, &K),
+        (second, second_sink): (Sides, &L),
+        part: usize,
+        workers: &mut [K::Worker],
+    ) {
+        let Self { trees, tasks, .. } = self;
+        raise(trees, first);
+        raise(trees, second);
+        let first = BlockPairs::of(trees, first).map(|pairs| pairs.search(first_sink));
+        let second = BlockPairs::of(trees, second).map(|pairs| pairs.search(second_sink));
+        tasks.run(threads, first, second, part, workers);
+    }
+}
+
+/// Makes trees equally high that are to be descended at once.
+pub fn raise(trees: &mut [BlockBvh], (a, b): Sides) {
+    let Some(b) = b.filter(|b| !a.is_empty() && !b.is_empty()) else { return };
+    let height = trees[a.set().index].height().max(trees[b.set().index].height());
+    trees[a.set().index].raise(height, a.blocks());
+    trees[b.set().index].raise(height, b.blocks());
 }
 
 /// The trees that are descended, equal if pairs are sought `within` one.
@@ -177,23 +199,26 @@ pub fn child(pair: BlockPair, bit: u32) -> BlockPair {
 }
 
 impl<'a> BlockPairs<'a> {
-    /// The trees of both sides, neither empty, of the same height.
-    pub fn new(trees: &'a mut [BlockBvh], (a, b): Sides<'a>) -> Self {
-        if let Some(b) = b {
-            let height = trees[a.set().index].height().max(trees[b.set().index].height());
-            trees[a.set().index].raise(height, a.blocks());
-            trees[b.set().index].raise(height, b.blocks());
+    /// The trees of both sides, made equally high by [`raise`]; `None`: a side is empty.
+    pub fn of(trees: &'a [BlockBvh], (a, b): Sides<'a>) -> Option<Self> {
+        if a.is_empty() || b.is_some_and(LeafBoxes::is_empty) {
+            return None;
         }
-        let (trees, second) = (&*trees, b.unwrap_or(a));
+        let second = b.unwrap_or(a);
         let [of_a, of_b] = [a, second].map(|leaves| &trees[leaves.set().index]);
-        Self {
+        Some(Self {
             a: of_a,
             b: of_b,
             leaves_a: a.blocks(),
             leaves_b: second.blocks(),
             within: b.is_none(),
             gap: of_a.gap().zip(of_b.gap()).map(|(a, b)| a.max(b)),
-        }
+        })
+    }
+
+    /// The search for its pairs from the root.
+    fn search<K>(self, sink: &K) -> Search<'_, Self, K> {
+        (self, self.root().packed(), sink)
     }
 
     pub fn root(self) -> BlockPair {

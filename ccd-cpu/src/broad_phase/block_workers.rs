@@ -1,7 +1,7 @@
 //! Pairs of blocks as pairs of nodes: what a scheduler descends and a front keeps of them.
 
 use crate::broad_phase::block_bvh::BlockBvh;
-use crate::broad_phase::block_pairs::{BlockPair, BlockPairs, BlockSource, child};
+use crate::broad_phase::block_pairs::{BlockPair, BlockPairs, BlockSource, child, raise};
 use crate::broad_phase::descend::{FrontTree, Pairs, PairsOfNodes, Place};
 use crate::broad_phase::front::Writer;
 use crate::broad_phase::leaf_boxes::{Sides, get_lane};
@@ -12,7 +12,8 @@ use std::cmp::Ordering;
 
 impl PairsOfNodes for BlockSource {
     fn descend(&mut self, _threads: &Threads, sides: Sides, run: &mut dyn FnMut(Pairs)) {
-        let pairs = BlockPairs::new(&mut self.trees, sides);
+        raise(&mut self.trees, sides);
+        let Some(pairs) = BlockPairs::of(&self.trees, sides) else { return };
         let builds = [pairs.a.build(), pairs.b.build()];
         run(Pairs { tree: &pairs, roots: &[pairs.root().packed()], builds });
     }

@@ -127,6 +127,23 @@ impl PairSource for Method {
             Self::Listed(source) => source.find(threads, sides, part, sink, workers),
         }
     }
+
+    fn find_two<K: PairSink, L: PairSink<Worker = K::Worker>>(
+        &mut self,
+        threads: &Threads,
+        first: (Sides, &K),
+        second: (Sides, &L),
+        part: usize,
+        workers: &mut [K::Worker],
+    ) {
+        match self {
+            Self::Blocks(source) => source.find_two(threads, first, second, part, workers),
+            _ => {
+                self.find(threads, first.0, part, first.1, workers);
+                self.find(threads, second.0, part, second.1, workers);
+            }
+        }
+    }
 }
 
 /// Whether a scheduler or a front was chosen that the method does not have by itself. Blocks have
@@ -165,7 +182,8 @@ impl PairSource for Listed {
         let source = &*self.source;
         self.buffers.resize_with(workers.len(), Own::default);
         let run = |k: usize, worker: &mut K::Worker, buffers: &mut Own<(Scratch, Vec<Row>)>| {
-            let Own((scratch, list)) = buffers;
+            let (k, Own((scratch, list))) = (k * part, buffers);
+            sink.begin(worker, k);
             let mut hand_on = |rows: &[Row]| {
                 // A task may be all of the search.
                 if !threads.stop.is_stopped() {
@@ -176,6 +194,7 @@ impl PairSource for Listed {
             source.task(k, sides, scratch, &mut rows);
             rows.flush();
         };
-        share(threads, n_tasks, part, sink, workers, &mut self.buffers, &run);
+        let (n, buffers) = (n_tasks.div_ceil(part), &mut self.buffers);
+        share(threads, n, workers, buffers, &run, &|worker| sink.end(worker));
     }
 }

@@ -164,10 +164,12 @@ impl PairSource for Scheduled {
         if K::ORDERED {
             put_in_order(threads, buffers, rows);
             let run = |k: usize, worker: &mut K::Worker, _: &mut Own<Buffers>| {
+                sink.begin(worker, k);
                 let rows = &rows[k * Rows::CAPACITY..((k + 1) * Rows::CAPACITY).min(rows.len())];
                 crate::simd::run_rows!(HandOn { rows, sink, worker });
             };
-            share(threads, rows.len().div_ceil(Rows::CAPACITY), 1, sink, workers, buffers, &run);
+            let n = rows.len().div_ceil(Rows::CAPACITY);
+            share(threads, n, workers, buffers, &run, &|worker| sink.end(worker));
         } else {
             threads.each(workers, &|_, worker| sink.end(worker));
         }

@@ -11,6 +11,7 @@ use crate::broad_phase::pair_tree::PairTree;
 use crate::simd::{RowSimd, Work};
 use crate::threads::{Own, Threads};
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
+use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Tasks wanted: enough that the largest is a small part of the whole.
@@ -20,82 +21,131 @@ pub const MIN_TASKS: usize = 1024;
 const SHARES: usize = 32;
 const MAX_TAKEN: usize = 64;
 
-/// The tasks of a traversal and the stack of each worker, kept between calls.
+/// A tree of pairs, the pair that is its root, and what takes rows of its leaf pairs.
+pub type Search<'a, T, K> = (T, NodePair, &'a K);
+
+/// The tasks of up to two traversals and the stack of each worker, kept between calls.
 #[derive(Debug, Default)]
 pub struct Tasks {
-    tasks: Vec<NodePair>,
+    tasks: [Vec<NodePair>; 2],
     next: Vec<NodePair>,
     stacks: Vec<Own<Vec<NodePair>>>,
 }
 
 impl Tasks {
-    /// Hands the rows of all leaf pairs below the root of `tree` to the sink. `part`: only every so
-    /// many-th task (1: all).
-    pub fn run<T: PairTree, K: PairSink>(
+    /// Hands the rows of all leaf pairs below the roots of up to two trees to their sinks; who
+    /// finds no task of the first begins with the second. `part`: only every so many-th task of
+    /// each (1: all).
+    pub fn run<T: PairTree, K: PairSink, L: PairSink<Worker = K::Worker>>(
         &mut self,
         threads: &Threads,
-        (tree, root): (T, NodePair),
+        first: Option<Search<T, K>>,
+        second: Option<Search<T, L>>,
         part: usize,
-        sink: &K,
         workers: &mut [K::Worker],
     ) {
-        self.split(tree, root);
         self.stacks.resize_with(workers.len(), || Own(Vec::with_capacity(1024)));
+        self.split(0, first.map(|(tree, root, _)| (tree, root)));
+        self.split(1, second.map(|(tree, root, _)| (tree, root)));
         let tasks = &self.tasks;
-        let descend = |k: usize, worker: &mut K::Worker, Own(stack): &mut Own<Vec<NodePair>>| {
+        let [n_first, n_second] = tasks.each_ref().map(|tasks| tasks.len().div_ceil(part));
+        let run = |k: usize, worker: &mut K::Worker, Own(stack): &mut Own<Vec<NodePair>>| {
             stack.clear();
-            stack.push(tasks[k]);
-            crate::simd::run_rows!(DepthFirst { tree, stack, sink, worker });
+            if let Some((tree, _, sink)) = first.filter(|_| k < n_first) {
+                let k = k * part;
+                stack.push(tasks[0][k]);
+                sink.begin(worker, k);
+                crate::simd::run_rows!(DepthFirst { tree, stack, sink, worker });
+            } else if let Some((tree, _, sink)) = second {
+                let k = (k - n_first) * part;
+                stack.push(tasks[1][k]);
+                sink.begin(worker, k);
+                crate::simd::run_rows!(DepthFirst { tree, stack, sink, worker });
+            }
         };
-        share(threads, tasks.len(), part, sink, workers, &mut self.stacks, &descend);
+        let end = |worker: &mut K::Worker| {
+            first.iter().for_each(|(_, _, sink)| sink.end(worker));
+            second.iter().for_each(|(_, _, sink)| sink.end(worker));
+        };
+        share(threads, n_first + n_second, workers, &mut self.stacks, &run, &end);
     }
 
-    /// Cuts the traversal into tasks.
-    fn split<T: PairTree>(&mut self, tree: T, root: NodePair) {
-        self.tasks.clear();
-        self.tasks.push(root);
-        while self.tasks.len() < MIN_TASKS && self.tasks.iter().any(|&task| !tree.is_leaf(task)) {
-            self.next.clear();
-            let (tasks, out) = (&self.tasks, &mut self.next);
-            crate::simd::run_rows!(Split { tree, tasks, out });
-            std::mem::swap(&mut self.tasks, &mut self.next);
+    /// Cuts a traversal into tasks, if there is one.
+    fn split<T: PairTree>(&mut self, of: usize, traversal: Option<(T, NodePair)>) {
+        let Self { tasks, next, .. } = self;
+        let tasks = &mut tasks[of];
+        tasks.clear();
+        let Some((tree, root)) = traversal else { return };
+        tasks.push(root);
+        while tasks.len() < MIN_TASKS && tasks.iter().any(|&task| !tree.is_leaf(task)) {
+            next.clear();
+            let (from, out) = (&*tasks, &mut *next);
+            crate::simd::run_rows!(Split { tree, tasks: from, out });
+            std::mem::swap(tasks, next);
         }
     }
 }
 
-/// Has workers take the tasks `0`, `part`, `2 part` .. below `n` from a shared counter, until the
-/// call is to end; `run` does one, with what the worker gathers and what it needs for itself.
+/// Has workers take the tasks below `n` from a shared counter, until the call is to end; `run` does
+/// one, with what the worker gathers and what it needs for itself, `end` is called once for each.
 ///
 /// A worker takes several tasks that follow each other, because these mostly read the same boxes:
 /// the fewer the fewer are left.
-pub fn share<K: PairSink, X: Send>(
+pub fn share<W: Send, X: Send>(
     threads: &Threads,
     n: usize,
-    part: usize,
-    sink: &K,
-    workers: &mut [K::Worker],
+    workers: &mut [W],
     scratch: &mut [X],
-    run: &(dyn Fn(usize, &mut K::Worker, &mut X) + Sync),
+    run: &(dyn Fn(usize, &mut W, &mut X) + Sync),
+    end: &(dyn Fn(&mut W) + Sync),
 ) {
     let (counter, n_workers) = (AtomicUsize::new(0), workers.len());
-    let n = n.div_ceil(part);
-    let end_of = |first: usize| first + ((n - first) / (SHARES * n_workers)).clamp(1, MAX_TAKEN);
-    let take = || {
-        let next = |first: usize| (first < n).then(|| end_of(first));
-        counter.fetch_update(Ordering::Relaxed, Ordering::Relaxed, next)
-    };
     threads.each_with(workers, scratch, &|worker, scratch| {
-        while let Ok(first) = take() {
-            for k in (first..end_of(first)).map(|k| k * part) {
+        let mut parts = TaskParts::new(n, n_workers);
+        // Nothing but an addition: what depends on the last value has to be tried again where many
+        // threads take.
+        while let Some(part) = parts.part(counter.fetch_add(1, Ordering::Relaxed)) {
+            for k in part {
                 if threads.stop.is_stopped() {
-                    return sink.end(worker);
+                    return end(worker);
                 }
-                sink.begin(worker, k);
                 run(k, worker, scratch);
             }
         }
-        sink.end(worker);
+        end(worker);
     });
+}
+
+/// Tasks in parts: rounds of one for each worker, all of one size, which falls from round to round.
+struct TaskParts {
+    n_workers: usize,
+    /// The number of the first part of a round, its first task, and the tasks from there on.
+    first_part: usize,
+    first: usize,
+    left: usize,
+}
+
+impl TaskParts {
+    fn new(n: usize, n_workers: usize) -> Self {
+        Self { n_workers, first_part: 0, first: 0, left: n }
+    }
+
+    /// Part `k`, not before one that was asked for; `None` after the last one.
+    fn part(&mut self, k: usize) -> Option<Range<usize>> {
+        while self.left > 0 {
+            let size = (self.left / (SHARES * self.n_workers)).clamp(1, MAX_TAKEN);
+            let end = self.first + self.left;
+            if k - self.first_part < self.n_workers {
+                let first = self.first + (k - self.first_part) * size;
+                return (first < end).then(|| first..(first + size).min(end));
+            }
+            let of_round = (size * self.n_workers).min(self.left);
+            self.first_part += self.n_workers;
+            self.first += of_round;
+            self.left -= of_round;
+        }
+        None
+    }
 }
 
 /// The children of all `tasks`, and the leaf pairs among them, appended to `out`.
@@ -148,5 +198,32 @@ impl<S: RowSimd, T: PairTree, K: PairSink> Work<S> for DepthFirst<'_, T, K> {
             }
         }
         n_expanded
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_have_each_task_once() {
+        for (n, n_workers) in [(0, 1), (1, 1), (5, 16), (512, 16), (4300, 1), (4301, 16), (9000, 3)]
+        {
+            let mut parts = TaskParts::new(n, n_workers);
+            let mut next = 0;
+            let mut k = 0;
+            while let Some(part) = parts.part(k) {
+                assert_eq!(part.start, next, "{n} tasks, {n_workers} workers, part {k}");
+                assert!(part.len() <= MAX_TAKEN && !part.is_empty());
+                (next, k) = (part.end, k + 1);
+            }
+            assert_eq!(next, n);
+            // Who sees few of the parts sees the same.
+            let (mut all, mut some) = (TaskParts::new(n, n_workers), TaskParts::new(n, n_workers));
+            for k in 0..k + 2 {
+                let part = all.part(k);
+                assert!(k % 7 > 0 || some.part(k) == part, "part {k}");
+            }
+        }
     }
 }

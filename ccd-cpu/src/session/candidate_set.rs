@@ -11,7 +11,7 @@
 use super::{Engine, SAMPLE, WHOLE};
 use crate::session::passes::{first_contact, swept_until};
 use crate::step::candidates::{Given, Scene, Take};
-use crate::step::narrow_phase::Worker;
+use crate::step::narrow_phase::{Worker, decide_open};
 use crate::step::positions::Positions;
 use crate::step::prepare::Prepared;
 use crate::step::selection::Selection;
@@ -289,6 +289,7 @@ fn decide(
             worker.finish(scene, kind);
         }
     });
+    decide_open(threads, scene, workers);
 }
 
 /// The swept boxes of vertices, and how far from them they may be.

@@ -3,12 +3,12 @@
 use crate::broad_phase::method::Method;
 use crate::clock::{Instant, milliseconds};
 use crate::step::candidates::Scene;
+use crate::step::contact_order::ContactOrder;
 use crate::step::find::find;
-use crate::step::narrow_phase::{CONTACTS, Worker};
+use crate::step::narrow_phase::{CONTACTS, Worker, decide_open};
 use crate::step::positions::Positions;
 use crate::step::prepare::Prepared;
 use crate::step::selection::Selection;
-use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::Error;
 use ccd_core::model::contact::{Contact, PerKind, State};
@@ -32,7 +32,7 @@ pub fn swept_until(toi: f64, options: &Options) -> f64 {
 /// Boxes and trees of a step up to the time that matters.
 ///
 /// # Errors
-/// Those of the positions and of the method, and of [`Stop::check`].
+/// Those of the positions and of the method, and of [`Stop::check`](crate::stop::Stop::check).
 pub fn prepare(
     threads: &Threads,
     prepared: &mut Prepared,
@@ -69,6 +69,7 @@ pub fn detect(
     // If a sample came before, the last pass counts.
     workers.iter_mut().for_each(Worker::restart_counts);
     find(None, threads, method, prepared, scene, part, workers);
+    decide_open(threads, scene, workers);
     count(workers, report, prepared.triangles.is_some());
     let narrow = (narrow(workers) - before).as_secs_f64() * 1e3 / threads.count() as f64;
     report.times.narrow += narrow;
@@ -88,29 +89,34 @@ fn count(workers: &[Worker], report: &mut Report, triangles: bool) {
     report.triangles = triangles.then_some(counts);
 }
 
-/// Joins the workers' contacts.
+/// Joins the workers' contacts in their order.
 ///
 /// # Errors
-/// Those of [`Stop::check`].
-pub fn collect(workers: &mut [Worker], report: &mut Report, stop: &Stop) -> Result<(), Error> {
-    let start = Instant::now();
+/// Those of [`Stop::check`](crate::stop::Stop::check).
+pub fn collect(
+    threads: &Threads,
+    mesh: &Mesh,
+    workers: &mut [Worker],
+    order: &mut ContactOrder,
+    report: &mut Report,
+) -> Result<(), Error> {
+    let (start, stop) = (Instant::now(), &threads.stop);
     let total: usize = workers.iter().map(|w| w.contacts.len()).sum();
     if !stop.reserve(CONTACTS, &mut report.contacts, total) {
         return stop.check();
     }
-    report.contacts.reserve(total);
+    order.join(threads, mesh, workers, |worker| &worker.contacts, &mut report.contacts);
     for worker in workers.iter_mut() {
-        report.contacts.extend_from_slice(&worker.contacts);
         // Any worker may find all of them next time.
         worker.contacts.clear();
         if !stop.is_limited() {
             worker.contacts.reserve(total + total / 8);
         }
     }
+    order.ms = milliseconds(start);
     report.begin_with(first_contact(workers));
-    report.undecided =
-        report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
-    report.times.narrow += milliseconds(start);
+    report.undecided = workers.iter().map(|worker| worker.undecided).sum();
+    report.times.narrow += order.ms;
     Ok(())
 }
 

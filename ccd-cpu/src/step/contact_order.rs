@@ -15,6 +15,8 @@ const KEY_BITS: u32 = 63;
 pub struct ContactOrder {
     radix: RadixSort,
     order: Vec<u32>,
+    /// How many contacts the lists before each list have.
+    first: Vec<usize>,
     found: Vec<Contact>,
     /// Milliseconds of the last sort.
     #[cfg_attr(not(feature = "catalogue"), allow(dead_code, reason = "what reports alone ask"))]
@@ -22,20 +24,38 @@ pub struct ContactOrder {
 }
 
 impl ContactOrder {
-    /// Sorts contacts of `mesh`, of which no two are the same.
-    pub fn sort(&mut self, threads: &Threads, mesh: &Mesh, contacts: &mut [Contact]) {
+    /// Puts contacts of `mesh` from all lists, of which no two are the same, into an empty one.
+    pub fn join<L: Sync>(
+        &mut self,
+        threads: &Threads,
+        mesh: &Mesh,
+        lists: &[L],
+        of: impl Fn(&L) -> &[Contact] + Sync,
+        contacts: &mut Vec<Contact>,
+    ) {
+        let Self { radix, order, first, found, .. } = self;
+        let mut n = 0;
+        first.clear();
+        for list in lists {
+            first.push(n);
+            n += of(list).len();
+        }
+        let any = |i: usize| {
+            let list = first.partition_point(|&first| first <= i) - 1;
+            of(&lists[list])[i - first[list]]
+        };
         // Comparing takes no memory.
-        if contacts.len() < FEWEST || threads.stop.is_limited() {
+        if n < FEWEST || threads.stop.is_limited() {
+            contacts.extend((0..n).map(any));
             threads.sort(contacts, |c: &Contact| (c.kind, c.a, c.b));
             return;
         }
         let [v, e, f] = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()];
         let key = key_of([v.max(e), e.max(f)]);
-        let Self { radix, order, found, .. } = self;
         found.clear();
-        found.extend_from_slice(contacts);
-        radix.sort(threads, found.len(), |i| key(&found[i]), order);
-        threads.fill(contacts, |i| found[order[i] as usize]);
+        threads.append(found, n, any);
+        radix.sort(threads, n, |i| key(&found[i]), order);
+        threads.append(contacts, n, |i| found[order[i] as usize]);
     }
 }
 
@@ -100,8 +120,12 @@ mod tests {
                 got.dedup_by_key(|c| (c.kind, c.b, c.a));
                 let mut want = got.clone();
                 want.sort_unstable_by_key(|c| (c.kind, c.a, c.b));
-                order.sort(&threads, &mesh, &mut got);
-                assert_eq!(got, want, "{n} contacts on {n_threads} threads");
+                // Lists of many lengths, some empty.
+                let ends = [0, got.len() / 3, got.len() / 3, got.len()];
+                let lists: Vec<_> = ends.windows(2).map(|w| &got[w[0]..w[1]]).collect();
+                let mut joined = Vec::new();
+                order.join(&threads, &mesh, &lists, |list| list, &mut joined);
+                assert_eq!(joined, want, "{n} contacts on {n_threads} threads");
             }
         }
     }

@@ -31,12 +31,16 @@ pub fn find<W: Take>(
     }
     let Prepared { vertices, edges, faces, .. } = prepared;
     let (vertices, edges, faces) = (&vertices.leaves, &edges.leaves, &faces.leaves);
-    if only != Some(Kind::EdgeEdge) {
-        let sink = FeaturePairs { scene, a: vertices, b: faces, worker: PhantomData };
-        method.find(threads, (&vertices.boxes, Some(&faces.boxes)), part, &sink, workers);
-    }
-    if only != Some(Kind::VertexFace) {
-        let sink = FeaturePairs { scene, a: edges, b: edges, worker: PhantomData };
-        method.find(threads, (&edges.boxes, None), part, &sink, workers);
+    let sides_vf = (&vertices.boxes, Some(&faces.boxes));
+    let sink_vf = FeaturePairs { scene, a: vertices, b: faces, worker: PhantomData };
+    let sides_ee = (&edges.boxes, None);
+    let sink_ee = FeaturePairs { scene, a: edges, b: edges, worker: PhantomData };
+    match only {
+        Some(Kind::EdgeEdge) => method.find(threads, sides_ee, part, &sink_ee, workers),
+        Some(_) => method.find(threads, sides_vf, part, &sink_vf, workers),
+        // Edges last: with more of them, their tasks are handed out in smaller parts at the end.
+        None => {
+            method.find_two(threads, (sides_vf, &sink_vf), (sides_ee, &sink_ee), part, workers);
+        }
     }
 }

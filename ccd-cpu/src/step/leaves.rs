@@ -127,8 +127,8 @@ impl<const N: usize> Leaves<N> {
         self.bodies.fill(rules, self.vertices.iter().map(|block| &block[0]));
     }
 
-    /// Boxes at both ends, from the table of positions; `still`: those at the end that stand still
-    /// have theirs.
+    /// Boxes at both ends, from the table of positions; `still`: the leaves that stand still, the
+    /// last ones, have theirs.
     pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]], still: bool) {
         let vertices = &self.vertices;
         self.ends.resize(vertices.len(), [EMPTY; 2]);

@@ -7,13 +7,16 @@
 use crate::clock::Instant;
 use crate::simd::{MAX_WIDTH, Mask, RowSimd, Simd, WIDTH, Work};
 use crate::step::candidates::{Scene, Take};
+use crate::threads::Threads;
 use ccd_core::Num;
 use ccd_core::backend::layout::Pair;
-use ccd_core::model::contact::{Contact, Kind, PerKind};
+use ccd_core::model::contact::{Contact, Kind, PerKind, State};
+use ccd_core::model::decision::Open;
 use ccd_core::model::precision::Precision;
 use ccd_core::model::report::TriangleCounts;
 use ccd_core::narrow_phase::cascade;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::time::Duration;
 
 /// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions
@@ -28,7 +31,11 @@ pub const CONTACTS: &str = "contacts";
 #[repr(align(128))]
 pub struct Worker {
     queues: [Vec<Pair>; 2],
+    /// Pairs that take integers, see [`decide_open`].
+    open: Vec<(Kind, Pair)>,
     pub contacts: Vec<Contact>,
+    /// Those of them that are undecided.
+    pub undecided: u64,
     /// The first contact, see [`Contact::by_time`].
     pub first: Option<Contact>,
     pub candidates: PerKind,
@@ -44,7 +51,9 @@ impl Worker {
             queue.clear();
             queue.reserve(QUEUE + WIDTH);
         }
+        self.open.clear();
         self.contacts.clear();
+        self.undecided = 0;
         self.first = None;
         self.restart_counts();
         self.narrow = Duration::ZERO;
@@ -73,18 +82,70 @@ impl Worker {
         self.narrow += start.elapsed();
     }
 
-    /// Decides a pair at once.
+    /// Decides a pair, unless it takes integers.
     pub fn decide(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
+        let contact = match scene.given {
+            Precision::F32(x) => scene.decider.quick_contact(scene.mesh, kind, pair, x),
+            Precision::F64(x) => scene.decider.quick_contact(scene.mesh, kind, pair, x),
+        };
+        match contact {
+            Ok(contact) => self.keep(scene, contact),
+            Err(Open) => {
+                if scene.stop.reserve(CONTACTS, &mut self.open, 1) {
+                    self.open.push((kind, pair));
+                }
+            }
+        }
+    }
+
+    fn decide_by_integers(&mut self, scene: &Scene, (kind, pair): (Kind, Pair)) {
         let contact = match scene.given {
             Precision::F32(x) => scene.decider.contact(scene.mesh, kind, pair, x),
             Precision::F64(x) => scene.decider.contact(scene.mesh, kind, pair, x),
         };
+        self.keep(scene, contact);
+    }
+
+    fn keep(&mut self, scene: &Scene, contact: Option<Contact>) {
         let Some(contact) = contact else { return };
         self.first = self.first.into_iter().chain([contact]).min_by(Contact::by_time);
         if scene.keep_contacts && scene.stop.reserve(CONTACTS, &mut self.contacts, 1) {
             self.contacts.push(contact);
+            self.undecided += (contact.state == State::Undecided) as u64;
         }
     }
+}
+
+/// Decides what takes integers. Such pairs lie side by side, where features share a plane or meet
+/// in a corner, so that one worker finds most of them; each takes some 30 us, so all workers share
+/// them.
+pub fn decide_open(threads: &Threads, scene: &Scene, workers: &mut [Worker]) {
+    let n: usize = workers.iter().map(|worker| worker.open.len()).sum();
+    let Some((first, others)) = workers.split_first_mut().filter(|_| n > 0) else { return };
+    let mut open = std::mem::take(&mut first.open);
+    for worker in others {
+        if !scene.stop.reserve(CONTACTS, &mut open, worker.open.len()) {
+            return;
+        }
+        open.append(&mut worker.open);
+        // Any worker may find all of them next time.
+        if !scene.stop.is_limited() {
+            worker.open.reserve(n);
+        }
+    }
+    let next = AtomicUsize::new(0);
+    threads.each(workers, &|_, worker| {
+        let start = Instant::now();
+        while let Some(&pair) = open.get(next.fetch_add(1, Relaxed)) {
+            if scene.stop.is_stopped() {
+                break;
+            }
+            worker.decide_by_integers(scene, pair);
+        }
+        worker.narrow += start.elapsed();
+    });
+    open.clear();
+    workers[0].open = open;
 }
 
 impl Take for Worker {
@@ -149,7 +210,7 @@ impl<S: Simd> Work<S> for Filter<'_> {
 
     #[inline(always)]
     fn call(mut self, simd: S) {
-        // The whole step, then its halves: a loop, so that the filters are compiled once for both.
+        // Over the whole step, then over its halves: a loop, so that the filters are compiled once.
         for halves in [false, true] {
             match self.kind {
                 Kind::VertexFace => self.keep::<S, true>(simd, halves),
@@ -160,8 +221,8 @@ impl<S: Simd> Work<S> for Filter<'_> {
 }
 
 impl Filter<'_> {
-    /// Keeps what cannot be rejected over the whole step or over one of its halves, in order. (No
-    /// closures here: they would not be compiled with the instruction set.)
+    /// Keeps, in order, what cannot be rejected over the whole step or, with `halves`, over one of
+    /// those that matter. (No closures here: they would not be compiled with the instruction set.)
     #[inline(always)]
     fn keep<S: Simd, const VERTEX_FACE: bool>(&mut self, simd: S, halves: bool) {
         let patch = if VERTEX_FACE { Patch::Triangle } else { Patch::Parallelogram };

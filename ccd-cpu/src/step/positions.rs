@@ -13,7 +13,7 @@ pub struct Positions<'a> {
     pub until: f64,
     /// What is known from the call before.
     pub moved: Option<Moved<'a>>,
-    /// Whether a pass over all of these times came before: then less time matters now.
+    /// Whether this is the second pass of a call, over a shorter time.
     pub again: bool,
 }
 

@@ -22,6 +22,7 @@ use ccd_core::model::method::{BroadPhaseMethod, Volume};
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
+use ccd_core::narrow_phase::cascade::needed_gap;
 use ccd_core::{Aabb, Error, Real};
 use std::ops::Range;
 
@@ -368,10 +369,9 @@ impl Prepared {
         Ok(loose)
     }
 
-    /// The gap in the unit of the table that two features must keep along an axis to be apart:
-    /// 1.0001 covers the rounding of this line and of the gap.
+    /// The gap along an axis that keeps two features apart, in the unit of the table.
     fn needed_gap(&self, options: &Options) -> f32 {
-        (self.units.distance(options.min_distance) + 2.0 * self.units.error) * 1.0001
+        needed_gap(self.units.error, self.units.distance(options.min_distance))
     }
 
     /// Has the method leave out, of this step, pairs of features that an axis keeps apart at all

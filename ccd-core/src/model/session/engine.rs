@@ -105,8 +105,8 @@ pub enum Ask {
     },
     /// The earliest time of impact, and no list of contacts. A CPU says whose time it is.
     Earliest,
-    /// The contact of the earliest time by one search: as [`Ask::Earliest`], or with all contacts
-    /// if the backend does not say otherwise which it is.
+    /// The contact of the earliest time, by one search: that of [`Ask::Earliest`] where it tells
+    /// which contact it is, else that of all contacts.
     First,
 }
 

@@ -23,7 +23,7 @@ use crate::model::precision::{Given, Precision};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Hit {
-    /// The time of impact in `[0, 1]`; no contact of the step is earlier.
+    /// The time of impact in `[0, 1]`; before it nothing touches.
     pub toi: f64,
     /// Which features touch.
     pub kind: Kind,
@@ -57,7 +57,8 @@ impl Hit {
 impl<E: Engine, P> Session<E, P> {
     /// The first contact of a step, with its geometry; `None`: the whole step is free.
     ///
-    /// Of contacts with the same time it is the first by kind and ids. On a CPU it costs what
+    /// Of contacts with the same time it is the first by kind and ids; a pair that is undecided in
+    /// the whole step may not be one in the shorter step that is searched. On a CPU it costs what
     /// [`Session::earliest_toi`] does, [`Hit::toi`] is that time, and the report is that of such a
     /// search. A GPU finds the time, then the contacts up to it, whose report it leaves, and the
     /// two times may differ by up to the tolerance, by more where the pair is undecided; neither is
