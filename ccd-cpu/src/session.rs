@@ -311,10 +311,10 @@ impl Engine {
                 stop.check()?;
                 let work = report.candidates.total() + PER_DECISION * report.filtered.total();
                 if let Some(first) = first_contact(workers) {
-                    if first.toi <= 0.0 && ask == Ask::Earliest {
-                        // Nothing is earlier. Which contact is the first by its ids, nobody asked.
+                    let is_plain = codimensional.is_none() && method.front().is_none();
+                    if first.toi <= 0.0 && ask == (Ask::Earliest { whose: false }) && is_plain {
+                        // Nothing is earlier.
                         report.toi = Some(first.toi);
-                        report.front = method.front();
                         report.times.total = milliseconds(start);
                         return Ok(());
                     }

@@ -89,6 +89,22 @@ impl Threads {
         }
     }
 
+    /// Runs three things at once, whose own parallel calls then wait for threads at once, too.
+    pub fn together(
+        &self,
+        a: impl FnOnce() + Send,
+        b: impl FnOnce() + Send,
+        c: impl FnOnce() + Send,
+    ) {
+        if self.count == 1 {
+            a();
+            b();
+            c();
+        } else {
+            rayon::join(a, || rayon::join(b, c));
+        }
+    }
+
     /// Runs `f(k, worker)` once per worker, in parallel; workers pull their work from what `f`
     /// shares.
     pub fn each<W: Send>(&self, workers: &mut [W], f: &(dyn Fn(usize, &mut W) + Sync)) {

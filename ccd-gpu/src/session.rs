@@ -229,10 +229,10 @@ impl Engine {
     fn sought(&mut self, ask: Ask) -> Sought {
         let every = self.state.options.tolerance < 1e-7;
         let goal = match ask {
-            Ask::Earliest if !every => self.frames.goal_of_earliest(),
+            Ask::Earliest { .. } if !every => self.frames.goal_of_earliest(),
             _ => Goal::Contacts,
         };
-        Sought { goal, window: ask.window(), lists: ask != Ask::Earliest }
+        Sought { goal, window: ask.window(), lists: !matches!(ask, Ask::Earliest { .. }) }
     }
 
     /// Sends positions and submits a frame; [`Engine::advance`] then makes the report.

@@ -202,7 +202,8 @@ impl Engine {
         let found = cpu.find(given, Some(moved), ask);
         std::mem::swap(on.report_mut(), cpu.report_mut());
         let options = cpu.options();
-        if ask == Ask::Earliest && options.mode == Mode::Conservative && options.tolerance >= 1e-7 {
+        let time_alone = matches!(ask, Ask::Earliest { .. });
+        if time_alone && options.mode == Mode::Conservative && options.tolerance >= 1e-7 {
             // As a GPU says it.
             let toi = &mut on.report_mut().toi;
             *toi = toi.map(|toi| toi.round_down().into());

@@ -71,3 +71,53 @@ fn first_contacts_are_those_of_whole_steps() {
         assert!(n_found > 20 && n_narrow > 15, "{far}: {n_narrow} of {n_found}");
     }
 }
+
+/// Rows of spikes that stand in a plane at the start, so that many pairs touch at once and take
+/// integers: an earliest time ends at the first that it finds, a first contact is still the first
+/// by its ids, and any number of threads finds the same contacts, with a limit of memory, too.
+#[test]
+fn contacts_at_the_start() {
+    let (n, mut faces) = (30, Vec::new());
+    grid(&mut faces, n, 0);
+    let n_level = n * n;
+    let spikes = 300;
+    faces.extend((0..spikes as u32).map(|i| [0, 1, 2].map(|k| n_level as u32 + 3 * i + k)));
+    let mesh = Mesh::new(n_level + 3 * spikes, &faces).expect("a mesh");
+    let mut random = Random::new(8);
+    let mut x0: Vec<[f64; 3]> =
+        (0..n_level).map(|i| [(i % n) as f64, 0.0, (i / n) as f64]).collect();
+    for _ in 0..spikes {
+        // Its tip touches the level, on an edge or inside of a face.
+        let [u, v, _] = random.point().map(|c| c * 7.0 + 14.0);
+        let u = if random.unit() < 0.5 { u.round() } else { u };
+        x0.extend([[u, 0.0, v], [u + 0.3, 0.8, v], [u, 0.9, v + 0.4]]);
+    }
+    // Up and away, all along the level, or down.
+    for (k, fall) in [0.25, 0.0, -0.5].into_iter().enumerate() {
+        let moved = |(v, p): (usize, &[f64; 3])| match v < n_level {
+            true => *p,
+            false => [p[0] + 0.125, p[1] + fall, p[2]],
+        };
+        let x1: Vec<[f64; 3]> = x0.iter().enumerate().map(moved).collect();
+        let mut want: Option<Vec<ccd::Contact>> = None;
+        for (threads, memory) in [(1, None), (2, None), (5, None), (2, Some(1 << 28))] {
+            let options = ccd::Options::default().with_threads(threads).with_max_memory(memory);
+            let mut session = ccd::Session::new(&mesh, options).expect("a session");
+            let all = session.step(&x0, &x1).expect("a step").contacts.clone();
+            let toi = session.earliest_toi(&x0, &x1).expect("a step");
+            assert_eq!(toi, Some(0.0), "{k}");
+            let hit = session.first_contact(&x0, &x1).expect("a step").expect("a contact");
+            let first = all.iter().min_by(|a, b| a.by_time(b)).expect("a contact");
+            assert_eq!(
+                (hit.toi, hit.kind, hit.features),
+                (0.0, first.kind, [first.a, first.b]),
+                "{k}, {threads} threads"
+            );
+            assert!(session.report().contacts.is_empty(), "{k}");
+            assert_eq!(session.earliest_toi(&x0, &x1).expect("a step"), toi, "{k}");
+            assert!(session.step(&x0, &x1).expect("a step").contacts == all, "{k}");
+            let want = want.get_or_insert_with(|| all.clone());
+            assert!(*want == all && all.len() >= spikes, "{k}, {threads} threads: {}", all.len());
+        }
+    }
+}

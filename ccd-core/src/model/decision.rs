@@ -38,7 +38,7 @@ pub struct Decider {
     mode: Mode,
 }
 
-/// What rounded arithmetic leaves open: [`Decider::contact`] decides it.
+/// A pair that rounded arithmetic leaves open, as far as it was tried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Open;
 
@@ -79,10 +79,11 @@ impl Decider {
         Contact::of(kind, pair, answer)
     }
 
-    /// The same without integers, which take a hundred times as long.
+    /// The same, but for pairs of a vertex and a face, or of two edges, that are left to integers:
+    /// these take a hundred times as long. In exact mode they are tried at once.
     ///
     /// # Errors
-    /// [`Open`]: a vertex and a face, or two edges, that rounded arithmetic leaves open.
+    /// [`Open`]: what is left to [`Decider::contact`].
     pub fn quick_contact<T: Real>(
         &self,
         mesh: &Mesh,

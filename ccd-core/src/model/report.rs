@@ -153,10 +153,10 @@ pub struct Report {
     pub toi: Option<f64>,
     /// Pairs of features whose swept boxes overlap. After a search for the earliest time on a CPU,
     /// of vertices in faces and of edges: those that its last pass looked at, which may be over a
-    /// shorter time.
+    /// shorter time or, where something touches at the start, over a sample.
     pub candidates: PerKind,
-    /// Candidates that the filters in `f32` could not reject; after such a search, not up to the
-    /// time that was known by then.
+    /// Candidates that the filters in `f32` could not reject; after such a search, in the part of
+    /// the step that the last pass looked at.
     pub filtered: PerKind,
     /// Contacts in [`State::Undecided`].
     pub undecided: u64,

@@ -170,7 +170,7 @@ impl<E: Engine, P> Session<E, P> {
         A: AsPositions + ?Sized,
         B: AsPositions<Scalar = A::Scalar> + ?Sized,
     {
-        self.ask(ends(x0, x1), Ask::Earliest)?;
+        self.ask(ends(x0, x1), Ask::Earliest { whose: false })?;
         Ok(self.report().toi)
     }
 
@@ -247,7 +247,7 @@ impl<E: Engine, P> Session<E, P> {
         &mut self,
         motions: &[BodyMotion],
     ) -> Result<Option<f64>, E::Error> {
-        self.ask_of_bodies(motions, Ask::Earliest)?;
+        self.ask_of_bodies(motions, Ask::Earliest { whose: false })?;
         Ok(self.report().toi)
     }
 

@@ -232,9 +232,8 @@ impl LeafBoxes {
         self.build(threads, source, boxes, marks);
     }
 
-    /// Keeps the order of the last build and takes new boxes, as many as then; `still`: those that
-    /// stand still are as in the last call. Returns how much looser the source has become since
-    /// the build, see [`Order::fit`].
+    /// Keeps the order of the last build and takes new boxes, see [`LeafBoxes::take`]. Returns how
+    /// much looser the source has become since the build, see [`Order::fit`].
     pub fn refit(
         &mut self,
         threads: &Threads,
@@ -242,9 +241,15 @@ impl LeafBoxes {
         boxes: &[Aabb<f32>],
         still: bool,
     ) -> f64 {
+        self.take(threads, boxes, still);
+        source.fit(threads, self)
+    }
+
+    /// Takes new boxes in the order of the last build, as many as then; `still`: those that stand
+    /// still are as in the last call. The source must fit them next.
+    pub fn take(&mut self, threads: &Threads, boxes: &[Aabb<f32>], still: bool) {
         assert_eq!(boxes.len(), self.n_boxes, "refit with another number of boxes");
         self.place(threads, boxes, still);
-        source.fit(threads, self)
     }
 
     fn place(&mut self, threads: &Threads, boxes: &[Aabb<f32>], still: bool) {

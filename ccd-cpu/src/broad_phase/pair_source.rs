@@ -31,8 +31,8 @@ pub trait PairSource {
         workers: &mut [K::Worker],
     );
 
-    /// The same of two pairs of sides, each with its sink. Who finds nothing left of the first may
-    /// begin with the second.
+    /// The same of two pairs of sides without a common side, each with its sink. Who finds nothing
+    /// left of the first may begin with the second.
     fn find_two<K: PairSink, L: PairSink<Worker = K::Worker>>(
         &mut self,
         threads: &Threads,

@@ -87,7 +87,7 @@ impl Tasks {
 }
 
 /// Has workers take the tasks below `n` from a shared counter, until the call is to end; `run` does
-/// one, with what the worker gathers and what it needs for itself, `end` is called once for each.
+/// one, with what the worker gathers and what it needs for itself, and `end` ends each worker.
 ///
 /// A worker takes several tasks that follow each other, because these mostly read the same boxes:
 /// the fewer the fewer are left.
@@ -102,8 +102,7 @@ pub fn share<W: Send, X: Send>(
     let (counter, n_workers) = (AtomicUsize::new(0), workers.len());
     threads.each_with(workers, scratch, &|worker, scratch| {
         let mut parts = TaskParts::new(n, n_workers);
-        // Nothing but an addition: what depends on the last value has to be tried again where many
-        // threads take.
+        // An addition never has to be tried again, as an exchange has if another thread was first.
         while let Some(part) = parts.part(counter.fetch_add(1, Ordering::Relaxed)) {
             for k in part {
                 if threads.stop.is_stopped() {

@@ -18,7 +18,7 @@ pub struct ContactOrder {
     /// How many contacts the lists before each list have.
     first: Vec<usize>,
     found: Vec<Contact>,
-    /// Milliseconds of the last sort.
+    /// Milliseconds in which the last contacts were joined.
     #[cfg_attr(not(feature = "catalogue"), allow(dead_code, reason = "what reports alone ask"))]
     pub ms: f64,
 }

@@ -38,9 +38,14 @@ impl<const N: usize> Feature<N> {
         self.leaves.order(threads, rules, &features);
     }
 
-    /// Takes boxes in the order that there is, see [`LeafBoxes::refit`].
-    pub fn refit(&mut self, threads: &Threads, method: &mut Method, still: bool) -> f64 {
-        self.leaves.boxes.refit(threads, method.order(), &self.boxes, still)
+    /// Takes boxes in the order that there is, see [`LeafBoxes::take`]; [`Feature::fit`] is next.
+    pub fn take_boxes(&mut self, threads: &Threads, still: bool) {
+        self.leaves.boxes.take(threads, &self.boxes, still);
+    }
+
+    /// Has the method fit them, see [`Order::fit`](crate::broad_phase::leaf_boxes::Order::fit).
+    pub fn fit(&mut self, threads: &Threads, method: &mut Method) -> f64 {
+        method.order().fit(threads, &self.leaves.boxes)
     }
 }
 

@@ -31,7 +31,7 @@ pub const CONTACTS: &str = "contacts";
 #[repr(align(128))]
 pub struct Worker {
     queues: [Vec<Pair>; 2],
-    /// Pairs that take integers, see [`decide_open`].
+    /// Pairs that were put aside, see [`decide_open`].
     open: Vec<(Kind, Pair)>,
     pub contacts: Vec<Contact>,
     /// Those of them that are undecided.
@@ -82,7 +82,7 @@ impl Worker {
         self.narrow += start.elapsed();
     }
 
-    /// Decides a pair, unless it takes integers.
+    /// Decides a pair, or puts it aside for [`decide_open`].
     pub fn decide(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
         let contact = match scene.given {
             Precision::F32(x) => scene.decider.quick_contact(scene.mesh, kind, pair, x),
@@ -90,11 +90,9 @@ impl Worker {
         };
         match contact {
             Ok(contact) => self.keep(scene, contact),
-            Err(Open) => {
-                if scene.stop.reserve(CONTACTS, &mut self.open, 1) {
-                    self.open.push((kind, pair));
-                }
-            }
+            // A list of them is memory that a limit may not allow.
+            Err(Open) if scene.stop.is_limited() => self.decide_by_integers(scene, (kind, pair)),
+            Err(Open) => self.open.push((kind, pair)),
         }
     }
 
@@ -116,23 +114,19 @@ impl Worker {
     }
 }
 
-/// Decides what takes integers. Such pairs lie side by side, where features share a plane or meet
-/// in a corner, so that one worker finds most of them; each takes some 30 us, so all workers share
-/// them.
+/// Decides by integers what rounded arithmetic left open. Such pairs lie side by side, where
+/// features share a plane or meet in a corner, so that one worker finds most of them; each takes
+/// some 30 us, so all workers share them.
 pub fn decide_open(threads: &Threads, scene: &Scene, workers: &mut [Worker]) {
     let n: usize = workers.iter().map(|worker| worker.open.len()).sum();
     let Some((first, others)) = workers.split_first_mut().filter(|_| n > 0) else { return };
     let mut open = std::mem::take(&mut first.open);
     for worker in others {
-        if !scene.stop.reserve(CONTACTS, &mut open, worker.open.len()) {
-            return;
-        }
         open.append(&mut worker.open);
-        // Any worker may find all of them next time.
-        if !scene.stop.is_limited() {
-            worker.open.reserve(n);
-        }
+        // Any worker may find all of them next time, and a few more.
+        worker.open.reserve(n + n / 8);
     }
+    open.reserve(n / 8);
     let next = AtomicUsize::new(0);
     threads.each(workers, &|_, worker| {
         let start = Instant::now();

@@ -7,6 +7,7 @@ use crate::simd::WIDTH;
 use crate::step::candidates::Scene;
 use crate::step::leaves::Feature;
 use crate::step::positions::{Ends, Positions};
+use crate::step::scans::Scans;
 use crate::step::selection::Selection;
 use crate::step::still::Still;
 use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
@@ -24,7 +25,6 @@ use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
 use ccd_core::narrow_phase::cascade::needed_gap;
 use ccd_core::{Aabb, Error, Real};
-use std::ops::Range;
 
 /// Blocks may become this much looser than after the last build before trees are built anew:
 /// building costs about a tenth of a step, and traversal grows with looseness.
@@ -38,8 +38,7 @@ pub struct Prepared {
     whole: bool,
     /// The number of the last call whose positions were told by what moved in it.
     call: Option<u64>,
-    scans: Vec<Scan>,
-    changed: Vec<(usize, Scan)>,
+    scans: Scans,
     scan: Scan,
     table: Vec<[f32; WIDTH]>,
     units: Table,
@@ -65,8 +64,7 @@ impl Prepared {
             built: false,
             whole: true,
             call: None,
-            scans: Vec::new(),
-            changed: Vec::new(),
+            scans: Scans::default(),
             scan: Scan::NONE,
             table: Vec::new(),
             units: Table::AS_GIVEN,
@@ -140,9 +138,13 @@ impl Prepared {
         let Self { vertices, edges, faces, still, .. } = self;
         let vertices = &vertices.boxes;
         edges.boxes.resize(mesh.edges().len(), Aabb::EMPTY);
-        still.fill(threads, 1, &mut edges.boxes, |i| swept_box::edge(i, mesh.edges(), vertices));
         faces.boxes.resize(mesh.faces().len(), Aabb::EMPTY);
-        still.fill(threads, 2, &mut faces.boxes, |i| swept_box::face(i, mesh.faces(), vertices));
+        let (edges, faces) = (&mut edges.boxes, &mut faces.boxes);
+        threads.together(
+            || still.fill(threads, 1, edges, |i| swept_box::edge(i, mesh.edges(), vertices)),
+            || still.fill(threads, 2, faces, |i| swept_box::face(i, mesh.faces(), vertices)),
+            || {},
+        );
         Ok(())
     }
 
@@ -155,7 +157,7 @@ impl Prepared {
     ) -> Result<(), Error> {
         let call = self.call.take();
         let runs = x.times.moved.filter(|moved| moved.follows(call)).map(|moved| moved.runs);
-        self.scan = self.scan(threads, x, runs)?;
+        self.scan = self.scans.check(threads, (x.x0, x.x1), runs)?;
         self.still.look(threads, (x.x0, x.x1), options.min_distance, runs)?;
         self.call = x.times.moved.map(|to| to.call);
         self.units = self.fill_table(threads, x);
@@ -200,41 +202,6 @@ impl Prepared {
             keep_contacts,
             stop,
         }
-    }
-
-    /// Checks coordinates and finds their bounds and whether each is an `f32`; of vertices in
-    /// `runs` alone, if the others are known.
-    fn scan<T: Real>(
-        &mut self,
-        threads: &Threads,
-        x: &Ends<T>,
-        runs: Option<&[Range<u32>]>,
-    ) -> Result<Scan, Error> {
-        const CHUNK: usize = 2048;
-        let scan = |i: usize| {
-            let mut scan = Scan::NONE;
-            let part = i * CHUNK..((i + 1) * CHUNK).min(x.x0.len());
-            scan.take_all(&x.x0[part.clone()], &x.x1[part]);
-            scan
-        };
-        let Self { scans, changed, .. } = self;
-        if let Some(runs) = runs {
-            changed.clear();
-            for run in runs {
-                let chunks = run.start as usize / CHUNK..(run.end as usize).div_ceil(CHUNK);
-                changed.extend(chunks.map(|i| (i, Scan::NONE)));
-            }
-            changed.sort_unstable_by_key(|chunk| chunk.0);
-            changed.dedup_by_key(|chunk| chunk.0);
-            threads.each(changed, &|_, (i, slot)| *slot = scan(*i));
-            changed.iter().for_each(|&(i, scan)| scans[i] = scan);
-        } else {
-            scans.resize(x.x0.len().div_ceil(CHUNK), Scan::NONE);
-            threads.each(scans, &|i, slot| *slot = scan(i));
-        }
-        let all = self.scans.iter().fold(Scan::NONE, |all, s| all.merged(s));
-        all.check(x.x0, x.x1)?;
-        Ok(all)
     }
 
     /// Fills the table that filters read; returns how far its numbers may be from the true ones
@@ -297,10 +264,15 @@ impl Prepared {
         let mut holds = still.holds();
         let mut loose = !self.built || !method.order().outlasts_motion();
         if !loose {
+            threads.together(
+                || vertices.take_boxes(threads, holds),
+                || edges.take_boxes(threads, holds),
+                || faces.take_boxes(threads, holds),
+            );
             let looseness = [
-                vertices.refit(threads, method, holds),
-                edges.refit(threads, method, holds),
-                faces.refit(threads, method, holds),
+                vertices.fit(threads, method),
+                edges.fit(threads, method),
+                faces.fit(threads, method),
             ];
             loose = first && looseness.into_iter().fold(0.0, f64::max) > MAX_LOOSENESS;
         }
@@ -316,9 +288,12 @@ impl Prepared {
             holds = false;
         }
         holds &= still.holds_table();
-        vertices.leaves.place(threads, table, holds);
-        edges.leaves.place(threads, table, holds);
-        faces.leaves.place(threads, table, holds);
+        let table = &table[..];
+        threads.together(
+            || vertices.leaves.place(threads, table, holds),
+            || edges.leaves.place(threads, table, holds),
+            || faces.leaves.place(threads, table, holds),
+        );
         *whole = true;
         Ok(loose)
     }
@@ -335,8 +310,10 @@ impl Prepared {
         if !self.built || !method.order().outlasts_motion() {
             return self.leaves(threads, method, mesh, rules, x).map(|_| ());
         }
-        self.edges.refit(threads, method, false);
-        self.faces.refit(threads, method, false);
+        self.edges.take_boxes(threads, false);
+        self.edges.fit(threads, method);
+        self.faces.take_boxes(threads, false);
+        self.faces.fit(threads, method);
         // Everything else is of an earlier step.
         self.still.forget();
         self.whole = true;

@@ -142,7 +142,7 @@ impl Engine {
         A: AsPositions + ?Sized,
         B: AsPositions<Scalar = A::Scalar> + ?Sized,
     {
-        self.submit_ask(ends(x0, x1), Ask::Earliest)
+        self.submit_ask(ends(x0, x1), Ask::Earliest { whose: false })
     }
 
     /// The report of the step that was submitted, if the device is done; it does not wait for it.
@@ -224,7 +224,7 @@ impl Engine {
         A: AsPositions + ?Sized,
         B: AsPositions<Scalar = A::Scalar> + ?Sized,
     {
-        self.ask(ends(x0, x1), Ask::Earliest).await?;
+        self.ask(ends(x0, x1), Ask::Earliest { whose: false }).await?;
         Ok(self.state.report.toi)
     }
 

@@ -103,10 +103,13 @@ pub enum Ask {
         /// The first and the last time.
         window: [f64; 2],
     },
-    /// The earliest time of impact, and no list of contacts. A CPU says whose time it is.
-    Earliest,
-    /// The contact of the earliest time, by one search: that of [`Ask::Earliest`] where it tells
-    /// which contact it is, else that of all contacts.
+    /// The earliest time of impact, and no list of contacts.
+    Earliest {
+        /// Whether it is asked whose time it is, which a CPU tells.
+        whose: bool,
+    },
+    /// The contact of the earliest time, by one search: that of [`Ask::Earliest`] where this tells
+    /// whose time it is, else that of all contacts.
     First,
 }
 
@@ -115,7 +118,7 @@ impl Ask {
     pub fn window(self) -> [f64; 2] {
         match self {
             Self::Contacts { window } => window,
-            Self::Earliest | Self::First => [0.0, 1.0],
+            Self::Earliest { .. } | Self::First => [0.0, 1.0],
         }
     }
 }

@@ -58,11 +58,11 @@ impl<E: Engine, P> Session<E, P> {
     /// The first contact of a step, with its geometry; `None`: the whole step is free.
     ///
     /// Of contacts with the same time it is the first by kind and ids; a pair that is undecided in
-    /// the whole step may not be one in the shorter step that is searched. On a CPU it costs what
-    /// [`Session::earliest_toi`] does, [`Hit::toi`] is that time, and the report is that of such a
-    /// search. A GPU finds the time, then the contacts up to it, whose report it leaves, and the
-    /// two times may differ by up to the tolerance, by more where the pair is undecided; neither is
-    /// later than the contact.
+    /// the whole step may be no contact in the shorter step that is searched. On a CPU it costs
+    /// what [`Session::earliest_toi`] does, but where something touches at the start; [`Hit::toi`]
+    /// is that time, and the report is that of such a search. A GPU finds the time, then the
+    /// contacts up to it, whose report it leaves, and the two times may differ by up to the
+    /// tolerance, by more where the pair is undecided; neither is later than the contact.
     ///
     /// ```
     /// use ccd::{Bodies, Mesh, Options, Session};
@@ -115,7 +115,7 @@ fn first<E: Engine>(
     moved: Option<Moved>,
 ) -> Result<Option<Hit>, E::Error> {
     // Where little of a mesh moves there are few contacts, and a second search costs more.
-    let ask = if moved.is_some() { Ask::First } else { Ask::Earliest };
+    let ask = if moved.is_some() { Ask::First } else { Ask::Earliest { whose: true } };
     engine.find(given, moved, ask)?;
     let report = &engine.state().report;
     let Some(toi) = report.toi else { return Ok(None) };
