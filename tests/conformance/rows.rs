@@ -22,8 +22,7 @@ const MAX_BOXES_EMULATED: usize = 10_000;
 /// Set to 1, this variable has every scene run by every method: hours. Without it real scenes are
 /// run by the default, the default tree and the grid of a CPU, and an emulated GPU has trees that
 /// differ from the default tree in one choice, or have a kernel of their own, and no brute force
-/// over many boxes; through WGSL, by which `tests/gpu` runs every kernel, it has the default and
-/// the default tree.
+/// over many boxes; through WGSL it has the default and the default tree.
 pub const WHOLE: &str = "CCD_WHOLE";
 
 /// Whether nothing is left out.

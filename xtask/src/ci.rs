@@ -40,7 +40,8 @@ fn gate(root: &Path) -> Result<(), String> {
     crate::tidy::run(root)?;
     let mut env = Vec::new();
     let lints = lints::environment(root)?;
-    if target_folder(root).join("release/deps").exists() {
+    let is_new = !target_folder(root).join("release/deps").exists();
+    if !is_new {
         read(root)?;
     } else {
         // Nothing is compiled yet, so all of the workspace is read while it is.
@@ -52,6 +53,9 @@ fn gate(root: &Path) -> Result<(), String> {
     let beside = beside(root);
     let build = [&test[..], &["--no-run"]].concat();
     command_beside(root, &(build, env), &bare_metal(text(&beside)?))?;
+    if is_new {
+        lints::check(root)?;
+    }
     // Tests leave a core idle for long, and so do some of these, which need what was compiled. The
     // first compiles nothing, so that the tests begin at once. Of attacks the tests run the first
     // cases too, on the CPU alone.

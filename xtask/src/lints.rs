@@ -15,6 +15,15 @@ pub fn environment(root: &Path) -> Result<[(&str, String); 2], String> {
     Ok([("RUSTC_WRAPPER", text(&program)?.to_owned()), (ROOT, text(root)?.to_owned())])
 }
 
+/// Whether anything was read: an error if cargo named no crate of the workspace as its own.
+pub fn check(root: &Path) -> Result<(), String> {
+    let target = target_folder(root);
+    match ["lints", "doc"].into_iter().find(|folder| !target.join(folder).exists()) {
+        Some(folder) => Err(format!("nothing was read by Clippy and rustdoc: no {folder} there")),
+        None => Ok(()),
+    }
+}
+
 /// If cargo runs this program as its wrapper: compiles, reads what is of the workspace, and returns
 /// whether both went well.
 pub fn wrapped() -> Option<ExitCode> {

@@ -100,8 +100,11 @@ impl PairSource for BlockSource {
         let search = BlockPairs::of(trees, sides).map(|pairs| pairs.search(sink));
         tasks.run(threads, search, None::<Search<BlockPairs, K>>, part, workers);
     }
+}
 
-    fn find_two<K: PairSink, L: PairSink<Worker = K::Worker>>(
+impl BlockSource {
+    /// As [`PairSource::find`], of two pairs of sides without a common one, in one search.
+    pub fn find_two<K: PairSink, L: PairSink<Worker = K::Worker>>(
         &mut self,
         threads: &Threads,
         (first, first_sink): (Sides, &K),
@@ -110,8 +113,7 @@ impl PairSource for BlockSource {
         workers: &mut [K::Worker],
     ) {
         let Self { trees, tasks, .. } = self;
-        raise(trees, first);
-        raise(trees, second);
+        [first, second].into_iter().for_each(|sides| raise(trees, sides));
         let first = BlockPairs::of(trees, first).map(|pairs| pairs.search(first_sink));
         let second = BlockPairs::of(trees, second).map(|pairs| pairs.search(second_sink));
         tasks.run(threads, first, second, part, workers);
@@ -122,8 +124,7 @@ impl PairSource for BlockSource {
 pub fn raise(trees: &mut [BlockBvh], (a, b): Sides) {
     let Some(b) = b.filter(|b| !a.is_empty() && !b.is_empty()) else { return };
     let height = trees[a.set().index].height().max(trees[b.set().index].height());
-    trees[a.set().index].raise(height, a.blocks());
-    trees[b.set().index].raise(height, b.blocks());
+    [a, b].into_iter().for_each(|side| trees[side.set().index].raise(height, side.blocks()));
 }
 
 /// The trees that are descended, equal if pairs are sought `within` one.

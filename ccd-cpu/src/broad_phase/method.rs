@@ -100,6 +100,25 @@ impl Method {
             Self::Listed(Listed { source, .. }) => source.tree_statistics(threads, leaves),
         }
     }
+
+    /// As [`PairSource::find`], of two pairs of sides without a common side, each with its sink.
+    /// Blocks have who finds nothing left of the first begin with the second.
+    pub fn find_two<K: PairSink, L: PairSink<Worker = K::Worker>>(
+        &mut self,
+        threads: &Threads,
+        first: (Sides, &K),
+        second: (Sides, &L),
+        part: usize,
+        workers: &mut [K::Worker],
+    ) {
+        match self {
+            Self::Blocks(source) => source.find_two(threads, first, second, part, workers),
+            _ => {
+                self.find(threads, first.0, part, first.1, workers);
+                self.find(threads, second.0, part, second.1, workers);
+            }
+        }
+    }
 }
 
 impl PairSource for Method {
@@ -125,23 +144,6 @@ impl PairSource for Method {
             #[cfg(feature = "catalogue")]
             Self::Scheduled(source) => source.find(threads, sides, part, sink, workers),
             Self::Listed(source) => source.find(threads, sides, part, sink, workers),
-        }
-    }
-
-    fn find_two<K: PairSink, L: PairSink<Worker = K::Worker>>(
-        &mut self,
-        threads: &Threads,
-        first: (Sides, &K),
-        second: (Sides, &L),
-        part: usize,
-        workers: &mut [K::Worker],
-    ) {
-        match self {
-            Self::Blocks(source) => source.find_two(threads, first, second, part, workers),
-            _ => {
-                self.find(threads, first.0, part, first.1, workers);
-                self.find(threads, second.0, part, second.1, workers);
-            }
         }
     }
 }

@@ -30,20 +30,6 @@ pub trait PairSource {
         sink: &K,
         workers: &mut [K::Worker],
     );
-
-    /// The same of two pairs of sides without a common side, each with its sink. Who finds nothing
-    /// left of the first may begin with the second.
-    fn find_two<K: PairSink, L: PairSink<Worker = K::Worker>>(
-        &mut self,
-        threads: &Threads,
-        (first, first_sink): (Sides, &K),
-        (second, second_sink): (Sides, &L),
-        part: usize,
-        workers: &mut [K::Worker],
-    ) {
-        self.find(threads, first, part, first_sink, workers);
-        self.find(threads, second, part, second_sink, workers);
-    }
 }
 
 /// Lane `lane` of block `a`, which overlaps the lanes `mask` of block `b`.
