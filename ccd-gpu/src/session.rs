@@ -10,15 +10,16 @@ use crate::step::Goal;
 use crate::step::codimensional::Codimensional;
 use crate::step::cpu_fallback::{self, Host, Summary};
 use crate::step::frame::{Found, Frames};
+use crate::step::upload::Input;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Kind, PerKind};
 use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Mode;
-use ccd_core::model::positions::Gathered;
+use ccd_core::model::positions::{Chosen, Gathered};
 use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::report::Report;
-use ccd_core::model::session::{self, Ask, Change, Kept, Moved, On, State};
+use ccd_core::model::session::{self, Ask, Change, Engine as _, Kept, Moved, On, State};
 use ccd_core::narrow_phase::decide;
 use in_flight::{Copied, Flight, Sought};
 use std::task::{Context, Poll, ready};
@@ -118,7 +119,7 @@ impl session::Engine for Engine {
 
     fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
         let (device, sought) = (self.device.clone(), self.sought(ask));
-        device.block_on(self.run((given, moved), sought))
+        device.block_on(self.run(Input::new(given, moved), sought))
     }
 
     fn candidates(&mut self, given: Given) -> Result<Candidates, Error> {
@@ -217,8 +218,26 @@ impl Engine {
         self.frames.reserve(&self.device, entries)
     }
 
+    /// What [`session::Engine::find`] finds of a mesh whose vertices are some of those that have
+    /// these positions. None of them moves that must not.
+    #[doc(hidden)]
+    pub fn find_chosen(&mut self, given: Given, chosen: Chosen, ask: Ask) -> Result<(), Error> {
+        // Where the host looks at all positions they are copied first.
+        let host = self.state.options.mode == Mode::Exact
+            || self.codimensional.is_some()
+            || self.frames.buffers.source.triangles().is_some();
+        if host {
+            let mut gathered = std::mem::take(&mut self.gathered);
+            let found = self.find(gathered.choose(given, chosen.vertices), None, ask);
+            self.gathered = gathered;
+            return found;
+        }
+        let (device, sought) = (self.device.clone(), self.sought(ask));
+        device.block_on(self.run(Input { given, moved: None, chosen: Some(chosen) }, sought))
+    }
+
     async fn list(&mut self, given: Given<'_>) -> Result<Candidates, Error> {
-        self.run((given, None), Sought::CANDIDATES).await?;
+        self.run(Input::new(given, None), Sought::CANDIDATES).await?;
         let count = self.state.report.candidates;
         let lists = self.frames.read_candidates(&self.device, count).await?;
         let codimensional = self.codimensional.as_ref().map(|found| found.pairs.clone());
@@ -237,11 +256,8 @@ impl Engine {
 
     /// Sends positions and submits a frame; [`Engine::advance`] then makes the report.
     #[inline(never)]
-    fn begin(
-        &mut self,
-        (given, moved): (Given, Option<Moved>),
-        sought: Sought,
-    ) -> Result<(), Error> {
+    fn begin(&mut self, input: Input, sought: Sought) -> Result<(), Error> {
+        let Input { given, moved, chosen } = input;
         self.abandon();
         if self.device.failed_late() {
             // Buffers may be none.
@@ -249,7 +265,8 @@ impl Engine {
         }
         let State { mesh, options, .. } = &self.state;
         let known = moved.filter(|&moved| self.frames.buffers.positions.follows(moved));
-        if let Some(rules) = &self.frames.buffers.rules {
+        // Who chooses vertices has looked at those that must not move.
+        if let Some(rules) = self.frames.buffers.rules.as_ref().filter(|_| chosen.is_none()) {
             let runs = known.map(|moved| moved.runs);
             match given {
                 Precision::F32([x0, x1]) => rules.check_still(x0, x1, runs),
@@ -258,7 +275,7 @@ impl Engine {
         }
         let start = Instant::now();
         self.device.check_lost()?;
-        self.frames.upload(&self.device, mesh, (given, moved), options.min_distance)?;
+        self.frames.upload(&self.device, mesh, input, options.min_distance)?;
         session::Engine::clear(self);
         let State { mesh, options, report, .. } = &mut self.state;
         report.set_mesh(mesh);
@@ -272,9 +289,9 @@ impl Engine {
         Ok(())
     }
 
-    /// Makes the report, if the device is done. `given`: the positions of the step in flight.
+    /// Makes the report, if the device is done. `input`: the positions of the step in flight.
     #[inline(never)]
-    fn advance(&mut self, given: Given, context: &mut Context) -> Poll<Result<(), Error>> {
+    fn advance(&mut self, input: Input, context: &mut Context) -> Poll<Result<(), Error>> {
         let Some(flight) = &self.flight else { return Poll::Ready(Err(Error::NotSubmitted)) };
         let &Flight { sought: Sought { goal, window, lists }, start, uploaded, .. } = flight;
         let State { options, report, .. } = &mut self.state;
@@ -283,8 +300,17 @@ impl Engine {
         self.flight = None;
         let found = found?;
         report.times.boxes = uploaded.as_secs_f64() * 1e3;
-        self.take(found, (goal, window), given);
-        self.take_codimensional((goal, window), given)?;
+        match input.chosen {
+            // Few of them are looked at, and mostly none.
+            Some(chosen) if found.open.iter().any(|open| !open.is_empty()) => {
+                let mut gathered = std::mem::take(&mut self.gathered);
+                let given = gathered.choose(input.given, chosen.vertices);
+                self.take(found, (goal, window), given);
+                self.gathered = gathered;
+            }
+            _ => self.take(found, (goal, window), input.given),
+        }
+        self.take_codimensional((goal, window), input.given)?;
         let report = &mut self.state.report;
         report.times.total = start.elapsed().as_secs_f64() * 1e3;
         if !lists {

@@ -1,15 +1,21 @@
 //! A member of a group: an engine, the positions of its part, what it finds in ids of the mesh.
 
-use super::merge::NO_CONTACT;
 use super::parts::Part;
-use super::threads::{at_once, contacts_a_thread};
-use crate::positions::Precision;
-use crate::{Contact, Error, Kind, Pair};
+use crate::{Error, Kind, Pair};
+use ccd_core::backend::quantization::Scan;
+use ccd_core::model::positions::{Chosen, Gathered};
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Candidates};
 
 /// An engine that can be a member.
 pub trait Member: session::Engine<On: Clone + Sync, Error: Send> + Send {
+    /// What [`session::Engine::find`] finds of a mesh whose vertices are some of those that have
+    /// these positions.
+    ///
+    /// # Errors
+    /// Those of [`session::Engine::find`].
+    fn find_chosen(&mut self, given: Given, chosen: Chosen, ask: Ask) -> Result<(), Self::Error>;
+
     /// Candidates in lists.
     ///
     /// # Errors
@@ -19,12 +25,26 @@ pub trait Member: session::Engine<On: Clone + Sync, Error: Send> + Send {
 
 #[cfg(feature = "gpu")]
 impl Member for ccd_gpu::Engine {
+    fn find_chosen(
+        &mut self,
+        given: Given,
+        chosen: Chosen,
+        ask: Ask,
+    ) -> Result<(), ccd_gpu::Error> {
+        self.find_chosen(given, chosen, ask)
+    }
+
     fn list(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, ccd_gpu::Error> {
         session::Engine::candidates(self, given)
     }
 }
 
 impl Member for ccd_cpu::Engine {
+    fn find_chosen(&mut self, given: Given, chosen: Chosen, ask: Ask) -> Result<(), Error> {
+        let mut gathered = Gathered::default();
+        session::Engine::find(self, gathered.choose(given, chosen.vertices), None, ask)
+    }
+
     fn list(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, Error> {
         let found = session::Engine::candidates(self, given)?;
         let lists = [found.vf.to_vec(), found.ee.to_vec()];
@@ -32,56 +52,33 @@ impl Member for ccd_cpu::Engine {
     }
 }
 
-/// A member, and what it copies and finds.
+/// A member, and its candidates.
 pub struct InGroup<E> {
     /// With the mesh of its part.
     pub engine: E,
-    in_f32: [Vec<[f32; 3]>; 2],
-    in_f64: [Vec<[f64; 3]>; 2],
-    /// What it found last, in ids of the whole mesh.
-    pub contacts: Vec<Contact>,
-    /// The same of candidates, by kind.
+    gathered: Gathered,
+    /// By kind, the candidates that it found last, in ids of the whole mesh.
     pub lists: [Vec<Pair>; 4],
 }
 
 impl<E: Member> InGroup<E> {
     /// Before the first step.
     pub fn new(engine: E) -> Self {
-        let (in_f32, in_f64) = Default::default();
-        Self { engine, in_f32, in_f64, contacts: Vec::new(), lists: Default::default() }
+        Self { engine, gathered: Gathered::default(), lists: Default::default() }
     }
 
-    /// Copies the positions of its part; whether they are all where they may be.
-    pub fn gather(&mut self, part: &Part, given: Given, n_threads: usize) -> bool {
-        match given {
-            Precision::F32(x) => part.gather(x, &mut self.in_f32, n_threads),
-            Precision::F64(x) => part.gather(x, &mut self.in_f64, n_threads),
-        }
-    }
-
-    /// Finds what is asked for, in ids of the whole mesh.
-    pub fn find(&mut self, part: &Part, is_f32: bool, ask: Asked) -> Result<(), E::Error> {
-        let [a, b] = &self.in_f32;
-        let [c, d] = &self.in_f64;
-        let given = if is_f32 { Given::F32([a, b]) } else { Given::F64([c, d]) };
+    /// Finds what is asked for: of a step in the report of the engine, in ids of its part.
+    pub fn find(
+        &mut self,
+        given: Given,
+        (part, scan): (&Part, &Scan),
+        ask: Asked,
+    ) -> Result<(), E::Error> {
+        let chosen = Chosen { vertices: part.vertices(), scan };
         match ask {
-            Asked::Step(ask) => {
-                self.engine.find(given, None, ask)?;
-                let found = &self.engine.state().report.contacts[..];
-                let in_mesh = |c: &Contact| {
-                    let [a, b] = part.ids(c.kind, [c.a, c.b]);
-                    Contact::new(c.kind, c.state, a, b, c.toi).with_approach(c.approach)
-                };
-                // What stands there from the last step is overwritten.
-                self.contacts.resize(found.len(), NO_CONTACT);
-                let share = contacts_a_thread(found.len());
-                let parts = self.contacts.chunks_mut(share).zip(found.chunks(share));
-                at_once(parts, |(to, found)| {
-                    to.iter_mut().zip(found).for_each(|(to, c)| *to = in_mesh(c));
-                });
-            }
+            Asked::Step(ask) => self.engine.find_chosen(given, chosen, ask)?,
             Asked::Candidates => {
-                let found = self.engine.list(given)?;
+                let found = self.engine.list(self.gathered.choose(given, chosen.vertices))?;
                 self.lists = [found.vf, found.ee, found.ve, found.vv];
                 for (list, kind) in self.lists.iter_mut().zip(Kind::ALL) {
                     list.iter_mut().for_each(|pair| {

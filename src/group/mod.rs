@@ -1,9 +1,10 @@
 //! One mesh on several devices of one host: a session that shares a step out.
 //!
 //! Each member has an engine and a part of the mesh (`parts.rs`). Parts hold as long as vertices
-//! stay near where they were; then a step copies positions to the members, all look for contacts at
-//! once, and what they find is put in order. A contact that two members found counts once.
+//! stay near where they were; then all members look for contacts at once, and what they find is put
+//! in order. A contact that two members found counts once.
 
+mod elements;
 mod member;
 mod merge;
 mod parts;
@@ -11,15 +12,17 @@ mod threads;
 
 use crate::positions::Precision;
 use crate::{CancelToken, Contact, Error, Kind, Mesh, Options, Pair, Report};
+use ccd_core::backend::quantization::Scan;
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Kept, Moved, State};
+use elements::Elements;
 pub use member::Member;
 use member::{Asked, InGroup};
 use merge::merge;
-use parts::{Elements, Part, Parts};
+use parts::{Part, Parts};
 use std::sync::Arc;
 use std::time::Instant;
-use threads::{at_once, threads_a_member};
+use threads::Threads;
 
 /// Continuous collision detection of one mesh over many steps, on several GPUs of one host: for
 /// scenes of millions of faces, which one GPU takes tens of milliseconds for. All calls are [those
@@ -30,9 +33,9 @@ use threads::{at_once, threads_a_member};
 ///
 /// The mesh is in as many parts as there are devices, each with what touches it from outside. The
 /// first step makes them, and another one where vertices have left the places that parts were made
-/// for: about a hundredth of the scene, more if they move fast. That takes as long as tens of
-/// steps. A mesh of less than a million triangles stays whole, on the first device
-/// ([`Engine::set_least_share`]).
+/// for: by about a hundredth of the scene, more if they move fast; a motion that all have in common
+/// does not count. That takes as long as a hundred steps. A mesh of less than a million triangles
+/// stays whole, on the first device ([`Engine::set_least_share`]).
 ///
 /// Of a report, [`Report::candidates`], [`Report::filtered`] and counts of a method are sums over
 /// all devices: pairs at the borders of parts count for each device that looks at them.
@@ -55,6 +58,7 @@ pub type Group = session::Session<Engine<ccd_gpu::Engine>, session::On<Vec<ccd_g
 pub struct Engine<E> {
     state: State,
     members: Vec<InGroup<E>>,
+    threads: Threads,
     division: Division,
     least_share: usize,
     /// The contacts of the last report, as memory for those of the next one.
@@ -95,6 +99,7 @@ impl<E: Member> session::Engine for Engine<E> {
         Ok(Self {
             state,
             members,
+            threads: Threads::new(on.len()),
             division: Division::None,
             least_share: LEAST_SHARE,
             joined: Vec::new(),
@@ -129,20 +134,21 @@ impl<E: Member> session::Engine for Engine<E> {
     fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), E::Error> {
         self.clear();
         let start = Instant::now();
-        self.place(given)?;
+        let scans = self.place(given)?;
         if let Division::Whole = self.division {
             return self.members[0].engine.find(given, moved, ask);
         }
         let placed = start.elapsed();
-        let n_parts = self.each(given, Asked::Step(ask))?;
-        let State { mesh, report, .. } = &mut self.state;
+        self.each(given, &scans, Asked::Step(ask))?;
+        let Self { state: State { mesh, report, .. }, members, threads, division, .. } = self;
+        let Division::Parts(Parts { all: parts, .. }) = division else { return Ok(()) };
         report.set_mesh(mesh);
-        for member in &self.members[..n_parts] {
-            add(report, &member.engine.state().report);
-        }
-        let lists: Vec<_> = self.members[..n_parts].iter().map(|m| &m.contacts[..]).collect();
+        let reports = members[..parts.len()].iter().map(|member| &member.engine.state().report);
+        reports.clone().for_each(|of| add(report, of));
+        let lists: Vec<_> = reports.map(|of| &of.contacts[..]).collect();
+        let ids = |of: usize, c: &Contact| parts[of].ids(c.kind, [c.a, c.b]);
         report.contacts = std::mem::take(&mut self.joined);
-        report.undecided = merge(&lists, &mut report.contacts);
+        report.undecided = merge(threads, &lists, ids, &mut report.contacts);
         report.times.boxes += placed.as_secs_f64() * 1e3;
         report.times.total = start.elapsed().as_secs_f64() * 1e3;
         Ok(())
@@ -150,11 +156,11 @@ impl<E: Member> session::Engine for Engine<E> {
 
     fn candidates(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, E::Error> {
         self.clear();
-        self.place(given)?;
+        let scans = self.place(given)?;
         if let Division::Whole = self.division {
             return self.members[0].engine.list(given);
         }
-        let n_parts = self.each(given, Asked::Candidates)?;
+        let n_parts = self.each(given, &scans, Asked::Candidates)?;
         let lists = [0, 1, 2, 3].map(|kind| {
             let of = self.members[..n_parts].iter_mut().map(|member| &mut member.lists[kind]);
             let mut all: Vec<Pair> = of.flat_map(std::mem::take).collect();
@@ -270,8 +276,8 @@ impl<E: Member> Engine<E> {
         members.try_for_each(|(i, member)| member.engine.change(change(i)))
     }
 
-    /// Members have the positions of their parts, which are made anew where they do not hold.
-    fn place(&mut self, given: Given) -> Result<(), E::Error> {
+    /// Makes parts anew where they do not hold. Returns what the positions of each say together.
+    fn place(&mut self, given: Given) -> Result<Vec<Scan>, E::Error> {
         // Of a whole mesh its engine says so.
         if !matches!(self.division, Division::Whole)
             && let Some(bodies) = &self.state.options.bodies
@@ -282,8 +288,9 @@ impl<E: Member> Engine<E> {
         {
             return Err(Error::FixedMoves { vertex }.into());
         }
-        if self.gather(given) {
-            return Ok(());
+        let (scans, holds) = self.look(given);
+        if holds {
+            return Ok(scans);
         }
         self.division = Division::None;
         let State { mesh, options, .. } = &self.state;
@@ -295,7 +302,7 @@ impl<E: Member> Engine<E> {
             engine.change(Change::Mesh(mesh.clone(), options.clone()))?;
             engine.change(Change::Filter(self.filter.clone()))?;
             self.division = Division::Whole;
-            return Ok(());
+            return Ok(Vec::new());
         }
         let parts = Parts::new(&elements, given, n_parts, options.min_distance)?;
         for (member, part) in self.members.iter_mut().zip(&parts.all) {
@@ -312,32 +319,28 @@ impl<E: Member> Engine<E> {
             member.engine.change(Change::Filter(filter))?;
         }
         self.division = Division::Parts(parts);
-        // They have room for these positions, if such numbers fit at all.
-        self.gather(given);
-        Ok(())
+        // They have room for these positions.
+        Ok(self.look(given).0)
     }
 
-    /// Copies positions to the members; whether the division holds for them.
-    fn gather(&mut self, given: Given) -> bool {
-        let all = match &self.division {
-            Division::None => return false,
-            Division::Whole => return true,
-            Division::Parts(parts) => &parts.all,
-        };
-        let n_threads = threads_a_member(self.state.mesh.n_vertices(), all.len());
-        let members = self.members.iter_mut().zip(all);
-        let gather =
-            |(member, part): (&mut InGroup<E>, &Arc<Part>)| member.gather(part, given, n_threads);
-        at_once(members, gather).into_iter().all(|holds| holds)
+    /// What the positions of each part say together, and whether the division holds for them.
+    fn look(&self, given: Given) -> (Vec<Scan>, bool) {
+        match (&self.division, given) {
+            (Division::None, _) => (Vec::new(), false),
+            (Division::Whole, _) => (Vec::new(), true),
+            (Division::Parts(parts), Precision::F32(x)) => parts.look(&self.threads, x),
+            (Division::Parts(parts), Precision::F64(x)) => parts.look(&self.threads, x),
+        }
     }
 
     /// All parts at once; how many there are.
-    fn each(&mut self, given: Given, ask: Asked) -> Result<usize, E::Error> {
+    fn each(&mut self, given: Given, scans: &[Scan], ask: Asked) -> Result<usize, E::Error> {
         let Division::Parts(Parts { all, .. }) = &self.division else { return Ok(0) };
-        let is_f32 = matches!(given, Precision::F32(_));
-        let members = self.members.iter_mut().zip(all);
-        let find = |(member, part): (&mut InGroup<E>, &Arc<Part>)| member.find(part, is_f32, ask);
-        at_once(members, find).into_iter().collect::<Result<(), _>>()?;
+        let members = self.members.iter_mut().zip(all.iter().zip(scans));
+        let find = |(member, (part, scan)): (&mut InGroup<E>, (&Arc<Part>, &Scan))| {
+            member.find(given, (part, scan), ask)
+        };
+        self.threads.at_once(members, find).into_iter().collect::<Result<(), _>>()?;
         Ok(all.len())
     }
 }

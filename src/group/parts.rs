@@ -1,10 +1,10 @@
 //! A mesh in parts, so that each pair of features that can touch is whole in one of them.
 //!
-//! An element is a face, an edge of no face, or a vertex of no edge. Elements are ordered by the
-//! Morton codes of their boxes and cut into parts of as many each, and parts into chunks. A chunk
-//! has a box around all places where its vertices may be while the parts hold. Where boxes of two
-//! chunks of different parts overlap, one of both parts, the smaller one, has the other's chunk as
-//! well: its halo.
+//! Elements (`elements.rs`) are ordered by the Morton codes of their boxes and cut into parts of as
+//! many each, and parts into chunks. Each vertex has a room, a cube in which it must be for the
+//! parts to hold, but for a motion that all vertices have in common. A chunk has a box around all
+//! rooms of its vertices. Where boxes of two chunks of different parts overlap, one of both parts,
+//! the smaller one, has the other's chunk as well: its halo.
 //!
 //! Why every pair is found: features that touch have elements whose chunks are in one part, or
 //! whose boxes overlap, since they have room for both features, for half of the minimum distance
@@ -13,11 +13,12 @@
 //! both or in neither. Why their order is the same: ids of a part ascend as those of the mesh do,
 //! so that features and their vertices have the same order.
 
+use super::elements::Elements;
+use super::threads::Threads;
 use crate::method::BroadPhaseMethod;
 use crate::positions::Precision;
 use crate::{Aabb, Bodies, BroadPhase, Coordinate, Error, Kind, Mesh};
-use ccd_core::math::morton::{MortonGrid, morton63};
-use ccd_core::model::codimensional::edges_of_no_face;
+use ccd_core::backend::quantization::Scan;
 use ccd_core::model::error::check_coordinates;
 use ccd_core::model::precision::Given;
 use std::ops::Range;
@@ -29,6 +30,8 @@ const CHUNK: usize = 64;
 const SLACK: f64 = 1.0 / 128.0;
 /// At most by this part, where they move far in a step.
 const MOST_SLACK: f64 = 1.0 / 16.0;
+/// Vertices from which the motion of the whole scene is taken.
+const SAMPLES: usize = 101;
 /// Boxes of backends are larger by less than this part of the greatest coordinate and distance.
 const ROUNDING: f64 = 1.0 / (1 << 18) as f64;
 
@@ -38,6 +41,12 @@ pub struct Parts {
     pub all: Vec<Arc<Part>>,
     /// The minimum distance that halos have room for.
     pub min_distance: f64,
+    /// Half of the side of a vertex's room, a cube.
+    half: f64,
+    /// So far the scene may go before boxes are rounded by more than halos have room for.
+    farthest: f64,
+    /// Some vertices, and the middles of their rooms.
+    samples: Vec<(u32, [f32; 3])>,
 }
 
 /// Some elements of a mesh, as a mesh of their own.
@@ -48,8 +57,8 @@ pub struct Part {
     vertices: Vec<u32>,
     edges: Vec<u32>,
     faces: Vec<u32>,
-    /// Of each vertex where it may be.
-    room: Vec<Aabb<f32>>,
+    /// Of each vertex the middle of its room.
+    middles: Vec<[f32; 3]>,
 }
 
 impl Parts {
@@ -71,15 +80,27 @@ impl Parts {
         let longest =
             |b: &Aabb<f32>| (0..3).map(|k| b.max[k] as f64 - b.min[k] as f64).fold(0.0, f64::max);
         let side = longest(&scene);
-        let travel = boxes.iter().map(longest).fold(0.0, f64::max);
-        let slack = (4.0 * travel).clamp(SLACK * side, MOST_SLACK * side);
-        let room: Vec<Aabb<f32>> = boxes.iter().map(|b| grown(b, slack)).collect();
+        let samples = || (0..boxes.len()).step_by(boxes.len().div_ceil(SAMPLES).max(1));
+        let motion = match x {
+            Precision::F32(x) => greatest_motion(x, samples()),
+            Precision::F64(x) => greatest_motion(x, samples()),
+        };
+        let slack = (4.0 * motion).clamp(SLACK * side, MOST_SLACK * side);
+        let middles: Vec<[f32; 3]> = boxes.iter().map(middle).collect();
+        let beside = |(b, m): (&Aabb<f32>, &[f32; 3])| {
+            let [min, max, m] = [b.min, b.max, *m].map(|p| p.map(f64::from));
+            (0..3).map(|k| (max[k] - m[k]).max(m[k] - min[k])).fold(0.0, f64::max)
+        };
+        let half = slack + boxes.iter().zip(&middles).map(beside).fold(0.0, f64::max);
+        let around = |m: &[f32; 3]| grown(&Aabb::of_point(*m), half);
+        let room: Vec<Aabb<f32>> = middles.iter().map(around).collect();
         let greatest = scene
             .min
             .iter()
             .chain(&scene.max)
             .fold(0.0, |most: f64, &x| most.max((x as f64).abs()));
-        let reach = 0.5 * min_distance + ROUNDING * (greatest + min_distance);
+        // Where the scene is now, and where it may go.
+        let reach = 0.5 * min_distance + ROUNDING * (2.0 * greatest + min_distance);
 
         let order = elements.in_order(&room, &scene)?;
         let cuts: Vec<usize> = (0..=n_parts).map(|p| p * order.len() / n_parts).collect();
@@ -91,8 +112,8 @@ impl Parts {
         let all = std::thread::scope(|scope| {
             let of_part = |(own, halo): (&&[u32], Vec<&[u32]>)| {
                 let all: Vec<u32> = halo.into_iter().flatten().chain(*own).copied().collect();
-                let room = &room;
-                scope.spawn(move || Part::new(elements, all, room))
+                let middles = &middles;
+                scope.spawn(move || Part::new(elements, all, middles))
             };
             let all: Vec<_> = own.iter().zip(halos).map(of_part).collect();
             all.into_iter()
@@ -100,8 +121,66 @@ impl Parts {
                 .collect::<Vec<_>>()
         });
         let all = all.into_iter().map(|part| part.unwrap_or_else(|e| std::panic::resume_unwind(e)));
-        Ok(Self { all: all.collect::<Result<_, _>>()?, min_distance })
+        let all = all.collect::<Result<_, _>>()?;
+        let samples = samples().map(|v| (v as u32, middles[v])).collect();
+        Ok(Self { all, min_distance, half, farthest: greatest, samples })
     }
+
+    /// What the positions of each part say together, and whether all are where they may be. A
+    /// motion that all vertices have in common does not count: they are as near to each other as
+    /// they were.
+    pub fn look<T: Coordinate>(&self, threads: &Threads, x: [&[[T; 3]]; 2]) -> (Vec<Scan>, bool) {
+        let common = self.common_motion(x);
+        let mut shares: Vec<(usize, Range<usize>)> = Vec::new();
+        for (p, Part { vertices, .. }) in self.all.iter().map(Arc::as_ref).enumerate() {
+            let firsts = (0..vertices.len()).step_by(SHARE);
+            shares.extend(firsts.map(|first| (p, first..vertices.len().min(first + SHARE))));
+        }
+        let looked = threads.at_once(shares.into_iter(), |(p, these)| {
+            (p, self.all[p].look(these, x, common, self.half))
+        });
+        let mut holds = common.iter().all(|by| by.abs() <= self.farthest);
+        let mut scans = vec![Scan::NONE; self.all.len()];
+        for (p, (scan, these_hold)) in looked {
+            scans[p] = scans[p].merged(&scan);
+            holds &= these_hold;
+        }
+        (scans, holds)
+    }
+
+    /// How far most of the scene went since parts were made.
+    fn common_motion<T: Coordinate>(&self, [x0, x1]: [&[[T; 3]]; 2]) -> [f64; 3] {
+        [0, 1, 2].map(|k| {
+            let by = |&(v, middle): &(u32, [f32; 3])| {
+                let [p, q] = [x0, x1].map(|x| x[v as usize][k].to_f64());
+                0.5 * (p + q) - middle[k] as f64
+            };
+            median(self.samples.iter().map(by))
+        })
+    }
+}
+
+/// The greatest motion of a vertex in a step, without the one that most of these have in common.
+fn greatest_motion<T: Coordinate>(
+    [x0, x1]: [&[[T; 3]]; 2],
+    samples: impl Iterator<Item = usize> + Clone,
+) -> f64 {
+    let by = |v: usize, k: usize| x1[v][k].to_f64() - x0[v][k].to_f64();
+    let common = [0, 1, 2].map(|k| median(samples.clone().map(|v| by(v, k))));
+    let apart = |v| (0..3).map(|k| (by(v, k) - common[k]).abs()).fold(0.0, f64::max);
+    (0..x0.len()).map(apart).fold(0.0, f64::max)
+}
+
+/// The middle one of some numbers; 0 of none.
+fn median(numbers: impl Iterator<Item = f64>) -> f64 {
+    let mut sorted: Vec<f64> = numbers.collect();
+    sorted.sort_unstable_by(f64::total_cmp);
+    sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// The middle of a box, rounded.
+fn middle(b: &Aabb<f32>) -> [f32; 3] {
+    [0, 1, 2].map(|k| (0.5 * (b.min[k] as f64 + b.max[k] as f64)) as f32)
 }
 
 /// The boxes of vertices over a step.
@@ -116,77 +195,6 @@ fn swept<T: Coordinate>([x0, x1]: [&[[T; 3]]; 2]) -> Result<Vec<Aabb<f32>>, Erro
 fn grown(b: &Aabb<f32>, by: f64) -> Aabb<f32> {
     let [min, max] = [b.min, b.max].map(|p| p.map(f64::from));
     Aabb { min, max }.inflated(by).round_out()
-}
-
-/// The elements of a mesh, numbered: faces, then edges of no face, then vertices of no edge.
-pub struct Elements<'a> {
-    mesh: &'a Mesh,
-    /// Edges of no face.
-    rods: Vec<u32>,
-    /// Faces that are one vertex, of some edge, each with an element that has such an edge. A part
-    /// has both, so that the vertex is one of an edge there, too.
-    points: Vec<(u32, u32)>,
-}
-
-impl<'a> Elements<'a> {
-    /// Of this mesh.
-    pub fn new(mesh: &'a Mesh) -> Self {
-        let mut elements = Self { mesh, rods: edges_of_no_face(mesh), points: Vec::new() };
-        let faces = (0..).zip(mesh.faces());
-        let points: Vec<(u32, u32)> =
-            faces.filter(|(_, face)| is_point(&face[..])).map(|(f, face)| (f, face[0])).collect();
-        if !points.is_empty() {
-            let mut element_of = vec![None; mesh.n_vertices()];
-            for element in 0..(mesh.faces().len() + elements.rods.len()) as u32 {
-                let vertices = elements.vertices(element);
-                if !is_point(vertices) {
-                    vertices.iter().for_each(|&v| element_of[v as usize] = Some(element));
-                }
-            }
-            let with = |(face, v): (u32, u32)| Some((face, element_of[v as usize]?));
-            elements.points = points.into_iter().filter_map(with).collect();
-        }
-        elements
-    }
-
-    /// How many.
-    pub fn len(&self) -> usize {
-        self.mesh.faces().len() + self.rods.len() + self.mesh.isolated_vertices().len()
-    }
-
-    fn vertices(&self, element: u32) -> &[u32] {
-        let (i, n_faces) = (element as usize, self.mesh.faces().len());
-        let Some(i) = i.checked_sub(n_faces) else { return &self.mesh.faces()[i] };
-        match i.checked_sub(self.rods.len()) {
-            None => &self.mesh.edges()[self.rods[i] as usize],
-            Some(i) => std::slice::from_ref(&self.mesh.isolated_vertices()[i]),
-        }
-    }
-
-    /// Along a Morton curve.
-    fn in_order(&self, boxes: &[Aabb<f32>], scene: &Aabb<f32>) -> Result<Vec<u32>, Error> {
-        let n = checked_count(self.len())?;
-        let grid = MortonGrid::new(scene, 21);
-        let code = |element: u32| {
-            let boxes = self.vertices(element).iter().map(|&v| &boxes[v as usize]);
-            let [low, high] = morton63(grid.cell(&boxes.fold(Aabb::EMPTY, |all, b| all.union(b))));
-            (high as u64) << 32 | low as u64
-        };
-        let mut keys: Vec<(u64, u32)> = (0..n).map(|e| (code(e), e)).collect();
-        keys.sort_unstable();
-        Ok(keys.into_iter().map(|(_, element)| element).collect())
-    }
-}
-
-/// Whether all vertices of an element are one.
-fn is_point(vertices: &[u32]) -> bool {
-    vertices.iter().all(|&v| v == vertices[0])
-}
-
-/// So many elements, if each has a number: a mesh has fewer of each kind than half of these.
-fn checked_count(count: usize) -> Result<u32, Error> {
-    let (element, limit) = ("elements of a group's mesh", u32::MAX as u64);
-    u32::try_from(count).map_err(|_| Error::TooMany { element, count: count as u64, limit })
 }
 
 /// For each part the chunks of others that it has as well.
@@ -228,7 +236,7 @@ fn halos<'a>(
 }
 
 impl Part {
-    fn new(elements: &Elements, mut all: Vec<u32>, room: &[Aabb<f32>]) -> Result<Self, Error> {
+    fn new(elements: &Elements, mut all: Vec<u32>, middles: &[[f32; 3]]) -> Result<Self, Error> {
         let (whole, n_faces) = (elements.mesh, elements.mesh.faces().len());
         let with = |e: &u32| {
             let at = elements.points.binary_search_by_key(e, |point| point.0).ok()?;
@@ -261,8 +269,8 @@ impl Part {
             let edge = edge.map(|v| vertices[v as usize]);
             edges.extend(all.find(|(_, other)| **other == edge).map(|(e, _)| e));
         }
-        let room = vertices.iter().map(|&v| room[v as usize]).collect();
-        Ok(Self { mesh: Arc::new(mesh), vertices, edges, faces, room })
+        let middles = vertices.iter().map(|&v| middles[v as usize]).collect();
+        Ok(Self { mesh: Arc::new(mesh), vertices, edges, faces, middles })
     }
 
     /// The ids in the whole mesh of a pair of features of this one.
@@ -281,70 +289,42 @@ impl Part {
         whole.of_part(&self.vertices, &self.edges, &self.faces)
     }
 
-    /// Copies the positions of its vertices, on so many threads; whether they are all where they
-    /// may be.
-    pub fn gather<T: Coordinate>(
+    /// Of each vertex its number in the whole mesh.
+    pub fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    /// What the positions of these vertices say together, and whether all are in their rooms, which
+    /// went `by` from where they were.
+    fn look<T: Coordinate>(
         &self,
-        x: [&[[T; 3]]; 2],
-        to: &mut [Vec<[T; 3]>; 2],
-        n_threads: usize,
-    ) -> bool {
-        let n = self.vertices.len();
-        to.iter_mut().for_each(|to| to.resize(n, [T::splat(0.0); 3]));
-        let [mut to0, mut to1] = to.each_mut().map(|to| &mut to[..]);
-        let share = n.div_ceil(n_threads).max(1);
-        std::thread::scope(|scope| {
-            let mut others = Vec::new();
-            let mut begin = 0;
-            while begin < n {
-                let of = begin..(begin + share).min(n);
-                let (now0, now1);
-                (now0, to0) = to0.split_at_mut(of.len());
-                (now1, to1) = to1.split_at_mut(of.len());
-                begin = of.end;
-                if begin < n {
-                    others.push(scope.spawn(move || self.copy(of, x, [now0, now1])));
-                } else {
-                    let holds = self.copy(of, x, [now0, now1]);
-                    return others.into_iter().fold(holds, |holds, other| {
-                        other.join().unwrap_or_else(|e| std::panic::resume_unwind(e)) && holds
-                    });
+        these: Range<usize>,
+        [x0, x1]: [&[[T; 3]]; 2],
+        by: [f64; 3],
+        half: f64,
+    ) -> (Scan, bool) {
+        // Copied first: a scan takes slices.
+        let mut some = [[[T::splat(0.0); 3]; BATCH]; 2];
+        let (mut scan, mut holds) = (Scan::NONE, true);
+        let vertices = self.vertices[these.clone()].chunks(BATCH);
+        for (vertices, middles) in vertices.zip(self.middles[these].chunks(BATCH)) {
+            let [some0, some1] = &mut some;
+            for (i, (&v, middle)) in vertices.iter().zip(middles).enumerate() {
+                (some0[i], some1[i]) = (x0[v as usize], x1[v as usize]);
+                for k in 0..3 {
+                    let middle = middle[k] as f64 + by[k];
+                    let [p, q] = [some0[i][k], some1[i][k]].map(T::to_f64);
+                    // Written so that NaN fails.
+                    holds &= (p - middle).abs() <= half && (q - middle).abs() <= half;
                 }
             }
-            true
-        })
-    }
-
-    fn copy<T: Coordinate>(
-        &self,
-        of: Range<usize>,
-        [x0, x1]: [&[[T; 3]]; 2],
-        [to0, to1]: [&mut [[T; 3]]; 2],
-    ) -> bool {
-        let mut holds = true;
-        for (i, of) in of.enumerate() {
-            let (v, room) = (self.vertices[of] as usize, &self.room[of]);
-            (to0[i], to1[i]) = (x0[v], x1[v]);
-            for k in 0..3 {
-                let [a, b] = [x0[v][k], x1[v][k]].map(T::to_f64);
-                let [min, max] = [room.min[k], room.max[k]].map(f64::from);
-                holds &= min <= a && a <= max && min <= b && b <= max;
-            }
+            scan.take_all(&some0[..vertices.len()], &some1[..vertices.len()]);
         }
-        holds
+        (scan, holds)
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A mesh of 2^31 - 1 faces, rods and particles each would have more.
-    #[cfg(target_pointer_width = "64")]
-    #[test]
-    fn elements_have_numbers() {
-        assert_eq!(checked_count(u32::MAX as usize), Ok(u32::MAX));
-        let why = checked_count(u32::MAX as usize + 1);
-        assert!(matches!(why, Err(Error::TooMany { count: 4_294_967_296, .. })), "{why:?}");
-    }
-}
+/// Vertices that are worth a thread.
+const SHARE: usize = 1 << 15;
+/// Vertices whose positions are copied together.
+const BATCH: usize = 128;

@@ -1,40 +1,42 @@
-//! Work of a group on threads of this host.
+//! Work of a group on threads of this host, which are kept: to start one takes as long as copying
+//! 50,000 positions.
 
-/// Vertices from which on positions are copied by several threads a member.
-const FEWEST_FOR_THREADS: usize = 100_000;
-/// Threads that copy for one member.
-const MOST_THREADS: usize = 8;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// How many threads copy the positions of `n_vertices` for each of so many members.
-pub fn threads_a_member(n_vertices: usize, n_members: usize) -> usize {
-    let few = n_vertices < FEWEST_FOR_THREADS;
-    if few { 1 } else { (available() / n_members).clamp(1, MOST_THREADS) }
+/// The threads.
+pub struct Threads {
+    /// All but the calling one; none if they could not be started.
+    others: Option<ThreadPool>,
 }
 
-fn available() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
-}
+impl Threads {
+    /// As many as the host runs at a time, and at least one for each member.
+    pub fn new(n_members: usize) -> Self {
+        let available = std::thread::available_parallelism().map_or(1, usize::from);
+        let n = available.max(n_members) - 1;
+        let named =
+            ThreadPoolBuilder::new().num_threads(n).thread_name(|i| format!("ccd-group {i}"));
+        Self { others: (n > 0).then(|| named.build().ok()).flatten() }
+    }
 
-/// Contacts that another thread pays for.
-const CONTACTS_A_THREAD: usize = 50_000;
-
-/// How many contacts each of some threads takes.
-pub fn contacts_a_thread(n: usize) -> usize {
-    n.div_ceil(available().min(MOST_THREADS)).max(CONTACTS_A_THREAD)
-}
-
-/// Each on a thread of its own, the first on this one; results in order.
-pub fn at_once<T: Send, R: Send>(
-    mut all: impl Iterator<Item = T>,
-    of: impl Fn(T) -> R + Sync,
-) -> Vec<R> {
-    let of = &of;
-    std::thread::scope(|scope| {
-        let first = all.next();
-        let others: Vec<_> = all.map(|each| scope.spawn(move || of(each))).collect();
-        let joined = |other: std::thread::ScopedJoinHandle<R>| {
-            other.join().unwrap_or_else(|e| std::panic::resume_unwind(e))
-        };
-        first.map(of).into_iter().chain(others.into_iter().map(joined)).collect()
-    })
+    /// Each at once as far as there are threads, the first on this one; results in order.
+    pub fn at_once<T: Send, R: Send>(
+        &self,
+        all: impl ExactSizeIterator<Item = T>,
+        of: impl Fn(T) -> R + Sync,
+    ) -> Vec<R> {
+        let Some(others) = &self.others else { return all.map(of).collect() };
+        let mut results: Vec<Option<R>> = Vec::new();
+        results.resize_with(all.len(), || None);
+        let mut each = all.zip(&mut results);
+        let work = |(each, result): (T, &mut Option<R>)| *result = Some(of(each));
+        if let Some(first) = each.next() {
+            others.in_place_scope(|scope| {
+                let work = &work;
+                each.for_each(|other| scope.spawn(move |_| work(other)));
+                work(first);
+            });
+        }
+        results.into_iter().flatten().collect()
+    }
 }

@@ -131,6 +131,27 @@ fn parts_follow_a_sequence() {
     assert_eq!(group.n_partitions(), partitions[11] + 1);
 }
 
+/// A scene that falls as a whole is where it was, seen from each of its parts.
+#[test]
+fn a_motion_of_all_keeps_parts() {
+    let (step, options) = (scenes::crumpled_sheet(30, 3), Options::default());
+    let (mut group, mut session) =
+        (group(3, &step.mesh, &options), Session::new(&step.mesh, options).unwrap());
+    let fallen = |x: &[[f64; 3]], by: f64| -> Vec<[f64; 3]> {
+        x.iter().map(|p| [p[0] + 0.5 * by, p[1] - by, p[2]]).collect()
+    };
+    for i in 0..8 {
+        let [from, to] = [i, i + 1].map(|i| 0.1 * i as f64);
+        let [x0, x1] = [fallen(&step.x0, from), fallen(&step.x1, to)];
+        assert!(same(&mut group, &mut session, &x0, &x1) > 100);
+        assert_eq!(group.n_partitions(), 1, "{i}");
+    }
+    let mut x1 = step.x1.clone();
+    x1[0][1] -= 0.8;
+    same(&mut group, &mut session, &step.x0, &x1);
+    assert_eq!(group.n_partitions(), 2);
+}
+
 #[test]
 fn bodies_rules_and_filters_are_those_of_the_mesh() {
     let step = scenes::triangle_soup(1500, 0.08, 6);

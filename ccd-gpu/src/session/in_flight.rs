@@ -4,12 +4,13 @@
 use super::{Candidates, Engine};
 use crate::clock::Instant;
 use crate::error::Error;
+use crate::step::upload::Input;
 use crate::step::{Goal, WHOLE};
 use ccd_core::model::error::check_window;
 use ccd_core::model::positions::{AsPositions, Ends, Gathered, ends};
 use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::report::Report;
-use ccd_core::model::session::{self, Ask, Engine as _, Moved};
+use ccd_core::model::session::{self, Ask, Engine as _};
 use core::time::Duration;
 use std::future::poll_fn;
 use std::mem::take;
@@ -158,7 +159,8 @@ impl Engine {
             return Err(Error::NotSubmitted);
         }
         let copied = take(&mut self.copied);
-        let polled = self.advance(copied.given(), &mut Context::from_waker(Waker::noop()));
+        let polled =
+            self.advance(Input::new(copied.given(), None), &mut Context::from_waker(Waker::noop()));
         self.copied = copied;
         match polled {
             Poll::Pending => Ok(None),
@@ -254,7 +256,7 @@ impl Engine {
         let mesh = call.engine.state.mesh.clone();
         let (given, sought) =
             (session::given(&mesh, &mut gathered, ends)?, call.engine.sought(ask));
-        call.engine.run((given, None), sought).await?;
+        call.engine.run(Input::new(given, None), sought).await?;
         call.engine.gathered = gathered;
         call.is_done = true;
         Ok(())
@@ -276,7 +278,7 @@ impl Engine {
     ) -> Result<(), Error> {
         copied.set(session::given(&self.state.mesh, gathered, ends)?);
         let sought = self.sought(ask);
-        self.begin((copied.given(), None), sought)?;
+        self.begin(Input::new(copied.given(), None), sought)?;
         if let Some(flight) = &mut self.flight {
             flight.is_copied = true;
         }
@@ -284,14 +286,10 @@ impl Engine {
     }
 
     /// Makes the report of a step; what is in flight is forgotten if this is dropped.
-    pub(super) async fn run(
-        &mut self,
-        (given, moved): (Given<'_>, Option<Moved<'_>>),
-        sought: Sought,
-    ) -> Result<(), Error> {
+    pub(super) async fn run(&mut self, input: Input<'_>, sought: Sought) -> Result<(), Error> {
         let mut call = Unfinished { engine: self, is_done: false };
-        call.engine.begin((given, moved), sought)?;
-        poll_fn(|context| call.engine.advance(given, context)).await?;
+        call.engine.begin(input, sought)?;
+        poll_fn(|context| call.engine.advance(input, context)).await?;
         call.is_done = true;
         Ok(())
     }

@@ -5,6 +5,7 @@ use super::in_flight::Sought;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::step::frame::Frames;
+use crate::step::upload::Input;
 use ccd_core::model::options::Mode;
 use ccd_core::model::positions::{AsPositions, Gathered, ends};
 use ccd_core::model::session;
@@ -87,8 +88,10 @@ impl Engine {
         let given = session::given(&self.state.mesh, &mut gathered, ends(x0, x1));
         let done = given.map_err(Error::from);
         let device = self.device.clone();
-        done.and_then(|given| device.block_on(self.run((given, None), Sought::CANDIDATES)))
-            .inspect_err(|_| session::Engine::clear(self))?;
+        done.and_then(|given| {
+            device.block_on(self.run(Input::new(given, None), Sought::CANDIDATES))
+        })
+        .inspect_err(|_| session::Engine::clear(self))?;
         let [vf, ee] = &self.frames.buffers.candidates;
         Ok([vf, ee])
     }

@@ -6,6 +6,7 @@ use super::contact_geometry::Geometry;
 use super::cpu_fallback::Summary;
 use super::kept_order::KeptOrder;
 use super::triangle_pairs::TrianglePairs;
+use super::upload::Input;
 use super::{Goal, WHOLE};
 use crate::broad_phase::worker_counts::{self, WorkerCounts};
 use crate::device::Device;
@@ -18,9 +19,7 @@ use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Contact, PerKind};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
-use ccd_core::model::precision::Given;
 use ccd_core::model::report::TriangleCounts;
-use ccd_core::model::session::Moved;
 
 mod attempt;
 mod changes;
@@ -110,17 +109,17 @@ impl Frames {
         &mut self,
         device: &Device,
         mesh: &Mesh,
-        (given, moved): (Given, Option<Moved>),
+        input: Input,
         distance: f64,
     ) -> Result<(), Error> {
         self.geometry.listed = false;
         self.refresh(device, mesh)?;
         let Buffers { positions, source, .. } = &mut self.buffers;
-        if positions.upload(device, (given, moved), distance, source.finder().boxes())? {
+        if positions.upload(device, input, distance, source.finder().boxes())? {
             self.bench.forget();
         }
         if let Some(triangles) = source.triangles_mut() {
-            triangles.certify(device, mesh, given)?;
+            triangles.certify(device, mesh, input.given)?;
         }
         Ok(())
     }

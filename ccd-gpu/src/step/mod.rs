@@ -14,7 +14,7 @@ mod part_limits;
 mod passes;
 pub mod source;
 pub mod triangle_pairs;
-mod upload;
+pub mod upload;
 
 /// What a frame is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

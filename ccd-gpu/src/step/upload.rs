@@ -9,6 +9,7 @@ use ccd_core::backend::broad_phase::{placement, swept_box};
 use ccd_core::backend::layout::{Frame, Path, Placing, split};
 use ccd_core::backend::quantization::{Scan, Table, margin};
 use ccd_core::math::real::Real;
+use ccd_core::model::positions::Chosen;
 use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::session::Moved;
 use ccd_core::{Aabb, Coordinate};
@@ -47,6 +48,22 @@ pub struct Positions {
     /// Of every [`CHUNK`] vertices.
     scans: Vec<Scan>,
     staging: Staging,
+}
+
+/// Positions of a step, and what is known of them.
+#[derive(Clone, Copy)]
+pub struct Input<'a> {
+    pub given: Given<'a>,
+    pub moved: Option<Moved<'a>>,
+    /// Which of the positions are those of the mesh; none: all.
+    pub chosen: Option<Chosen<'a>>,
+}
+
+impl<'a> Input<'a> {
+    /// Of a mesh of all these vertices.
+    pub fn new(given: Given<'a>, moved: Option<Moved<'a>>) -> Self {
+        Self { given, moved, chosen: None }
+    }
 }
 
 /// Vertices that are scanned together.
@@ -133,15 +150,16 @@ impl Positions {
     pub fn upload(
         &mut self,
         device: &Device,
-        (given, moved): (Given, Option<Moved>),
+        input: Input,
         min_distance: f64,
         boxes: &wgpu::Buffer,
     ) -> Result<bool, Error> {
+        let Input { given, moved, chosen } = input;
         let runs = moved.filter(|&moved| self.follows(moved)).map(|moved| moved.runs);
         self.call = None;
         let replaced = match given {
-            Precision::F32([x0, x1]) => self.take(device, (x0, x1), runs, min_distance, boxes),
-            Precision::F64([x0, x1]) => self.take(device, (x0, x1), runs, min_distance, boxes),
+            Precision::F32(x) => self.take(device, (x, chosen), runs, min_distance, boxes),
+            Precision::F64(x) => self.take(device, (x, chosen), runs, min_distance, boxes),
         };
         // Also what was written before something failed: what is written next comes behind it.
         self.staging.submit(device)?;
@@ -158,22 +176,25 @@ impl Positions {
     fn take<T: Coordinate>(
         &mut self,
         device: &Device,
-        (x0, x1): (&[[T; 3]], &[[T; 3]]),
+        (x, chosen): ([&[[T; 3]]; 2], Option<Chosen>),
         runs: Option<&[Range<u32>]>,
         min_distance: f64,
         boxes: &wgpu::Buffer,
     ) -> Result<bool, Error> {
-        let all = 0..x0.len() as u32;
-        self.scans.resize(x0.len().div_ceil(CHUNK), Scan::NONE);
-        for run in runs.unwrap_or(std::slice::from_ref(&all)) {
-            let chunks = run.start as usize / CHUNK..(run.end as usize).div_ceil(CHUNK);
-            scan_chunks(chunks.start, &mut self.scans[chunks], [x0, x1]);
-        }
-        let scan = self.scans.iter().fold(Scan::NONE, |all, scan| all.merged(scan));
-        scan.check(x0, x1)?;
+        let n = chosen.map_or(x[0].len(), |chosen| chosen.vertices.len());
+        // At both ends.
+        let ends = |v: usize| {
+            let v = chosen.map_or(v, |chosen| chosen.vertices[v] as usize);
+            x.map(|x| x[v])
+        };
+        let scan = match chosen {
+            Some(chosen) => *chosen.scan,
+            None => self.scan(x, runs),
+        };
+        scan.check(x[0], x[1])?;
         let table = scan.table(true);
         let before = std::mem::replace(&mut self.table, table);
-        let are_new = self.keep_apart(device, x0.len())?;
+        let are_new = self.keep_apart(device, n)?;
         let paths_before = self.boxes != Boxes::OfPositions && before == table && !are_new;
         self.exact = table == Table::AS_GIVEN;
         let extent = (0..3).fold(0.0, |m: f64, k| m.max(scan.bounds.max[k] - scan.bounds.min[k]));
@@ -190,10 +211,10 @@ impl Positions {
         self.given = self.boxes == Boxes::Sent && !self.exact && min_distance == 0.0;
         let mut replaced = are_new;
         if self.given || self.boxes == Boxes::OfPositions {
-            replaced |= self.send_given(device, [x0, x1])?;
+            replaced |= self.send_given(device, n, ends)?;
         }
         if self.boxes == Boxes::OfPositions {
-            let keys = (x0.len() * size_of::<[[u32; 2]; 6]>()) as u64;
+            let keys = (n * size_of::<[[u32; 2]; 6]>()) as u64;
             let replaced = reserve(device, "keys of exact boxes", &mut self.keys, keys)? | replaced;
             return Ok(replaced);
         }
@@ -201,7 +222,10 @@ impl Positions {
             let p = table.place([p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]);
             [p[0], p[1], p[2], 0.0]
         };
-        let path = |v: usize| Path { t0: path_end(&x0[v]), t1: path_end(&x1[v]) };
+        let path = |v: usize| {
+            let [t0, t1] = ends(v).each_ref().map(path_end);
+            Path { t0, t1 }
+        };
         if let Some(runs) = runs.filter(|runs| paths_before && runs.len() < MANY_RUNS) {
             for run in runs {
                 let (first, n) = (run.start as usize, run.len());
@@ -209,19 +233,22 @@ impl Positions {
                 self.staging.write(device, "paths", (&self.own, at), n, |i| path(first + i))?;
             }
         } else {
-            self.staging.write(device, "paths", (&self.own, 0), x0.len(), path)?;
+            self.staging.write(device, "paths", (&self.own, 0), n, path)?;
         }
         if self.boxes == Boxes::OfPaths {
             return Ok(replaced);
         }
         let margin: T = margin(min_distance);
-        let exact = |v: usize| swept_box::swept(x0[v], x1[v]).inflated(margin);
+        let exact = |v: usize| {
+            let [p, q] = ends(v);
+            swept_box::swept(p, q).inflated(margin)
+        };
         let key = |v: usize| {
             let exact = exact(v);
             let [min, max] = [exact.min, exact.max].map(|corner| corner.map(T::to_f64));
             placement::keys(&Aabb { min, max })
         };
-        let (n, what) = (x0.len(), "keys of exact boxes");
+        let what = "keys of exact boxes";
         let bytes = (n * size_of::<[[u32; 2]; 6]>()) as u64;
         let replaced = reserve(device, what, &mut self.keys, bytes)? | replaced;
         self.staging.write(device, what, (&self.keys, 0), n, key)?;
@@ -233,15 +260,29 @@ impl Positions {
     fn send_given<T: Coordinate>(
         &mut self,
         device: &Device,
-        x: [&[[T; 3]]; 2],
+        n: usize,
+        ends: impl Fn(usize) -> [[T; 3]; 2] + Sync,
     ) -> Result<bool, Error> {
         let what = "positions in f64";
-        let bytes = (x[0].len() * size_of::<[f64; 3]>()) as u64;
+        let bytes = (n * size_of::<[f64; 3]>()) as u64;
         let replaced = reserve(device, what, &mut self.wide, 2 * bytes)?;
-        for (x, at) in x.into_iter().zip([0, bytes]) {
-            self.staging.write(device, what, (&self.wide, at), x.len(), |v| x[v].map(T::to_f64))?;
+        for (end, at) in [0, bytes].into_iter().enumerate() {
+            let exact = |v: usize| ends(v)[end].map(T::to_f64);
+            self.staging.write(device, what, (&self.wide, at), n, exact)?;
         }
         Ok(replaced)
+    }
+
+    /// What all positions say together. `runs`: vertices that may be elsewhere than when this was
+    /// last asked; none: all may.
+    fn scan<T: Coordinate>(&mut self, x: [&[[T; 3]]; 2], runs: Option<&[Range<u32>]>) -> Scan {
+        let all = 0..x[0].len() as u32;
+        self.scans.resize(x[0].len().div_ceil(CHUNK), Scan::NONE);
+        for run in runs.unwrap_or(std::slice::from_ref(&all)) {
+            let chunks = run.start as usize / CHUNK..(run.end as usize).div_ceil(CHUNK);
+            scan_chunks(chunks.start, &mut self.scans[chunks], x);
+        }
+        self.scans.iter().fold(Scan::NONE, |all, scan| all.merged(scan))
     }
 
     /// How far a coordinate of a path may be from the true one.

@@ -1,6 +1,7 @@
 //! Buffers into which a session gathers what is no slice, kept from step to step.
 
 use super::{Ends, Form, PositionView};
+use crate::backend::quantization::Scan;
 use crate::model::error::Error;
 use crate::model::precision::{Coordinate, Given, Precision};
 use alloc::vec::Vec;
@@ -30,6 +31,35 @@ impl Gathered {
             }
         })
     }
+
+    /// The positions of some vertices.
+    pub fn choose(&mut self, given: Given, vertices: &[u32]) -> Given<'_> {
+        fn take<T: Copy>(from: [&[T]; 2], vertices: &[u32], into: &mut [Vec<T>; 2]) {
+            for (from, into) in from.into_iter().zip(into) {
+                into.clear();
+                into.extend(vertices.iter().map(|&v| from[v as usize]));
+            }
+        }
+        match given {
+            Precision::F32(x) => {
+                take(x, vertices, &mut self.narrow);
+                Precision::F32(self.narrow.each_ref().map(|x| &x[..]))
+            }
+            Precision::F64(x) => {
+                take(x, vertices, &mut self.wide);
+                Precision::F64(self.wide.each_ref().map(|x| &x[..]))
+            }
+        }
+    }
+}
+
+/// Vertices of a mesh, which are those of a part of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Chosen<'a> {
+    /// By the number that they have in the part.
+    pub vertices: &'a [u32],
+    /// What their positions say together.
+    pub scan: &'a Scan,
 }
 
 /// The positions of one end.

@@ -22,7 +22,7 @@ mod posed;
 mod strided;
 
 #[cfg(feature = "alloc")]
-pub use gathered::Gathered;
+pub use gathered::{Chosen, Gathered};
 pub use posed::{Matrix, Posed};
 pub use strided::Strided;
 
