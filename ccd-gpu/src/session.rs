@@ -73,7 +73,8 @@ pub struct Engine {
     flight: Option<Flight>,
     /// Its positions, if it was submitted.
     copied: Copied,
-    /// Buffers for positions that are no slices, of calls that do not block.
+    /// Buffers for positions that are no slices, of calls that do not block, and for those of chosen
+    /// vertices.
     gathered: Gathered,
 }
 
@@ -300,9 +301,11 @@ impl Engine {
         self.flight = None;
         let found = found?;
         report.times.boxes = uploaded.as_secs_f64() * 1e3;
+        // What the device leaves to the host: pairs, or contacts that it could not certify.
+        let leaves =
+            !found.summary.undecided.is_empty() || found.open.iter().any(|open| !open.is_empty());
         match input.chosen {
-            // Few of them are looked at, and mostly none.
-            Some(chosen) if found.open.iter().any(|open| !open.is_empty()) => {
+            Some(chosen) if leaves => {
                 let mut gathered = std::mem::take(&mut self.gathered);
                 let given = gathered.choose(input.given, chosen.vertices);
                 self.take(found, (goal, window), given);

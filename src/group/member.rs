@@ -1,4 +1,4 @@
-//! A member of a group: an engine, the positions of its part, what it finds in ids of the mesh.
+//! A member of a group: an engine, and what it finds of its part of the mesh.
 
 use super::parts::Part;
 use crate::{Error, Kind, Pair};

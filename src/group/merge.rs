@@ -139,7 +139,7 @@ mod tests {
         }
         let ids = |k: usize, c: &Contact| [c.a - k as u32, c.b];
         let (mut out, lists) = (Vec::new(), lists.each_ref().map(|list| &list[..]));
-        let n_undecided = merge(&Threads::new(3), &lists, ids, &mut out);
+        let n_undecided = merge(&Threads::new(), &lists, ids, &mut out);
         assert!(out == want);
         assert_eq!(n_undecided, want.iter().filter(|c| c.state == State::Undecided).count() as u64);
     }

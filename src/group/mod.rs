@@ -22,7 +22,7 @@ use merge::merge;
 use parts::{Part, Parts};
 use std::sync::Arc;
 use std::time::Instant;
-use threads::Threads;
+use threads::{Threads, each_alone};
 
 /// Continuous collision detection of one mesh over many steps, on several GPUs of one host: for
 /// scenes of millions of faces, which one GPU takes tens of milliseconds for. All calls are [those
@@ -99,7 +99,7 @@ impl<E: Member> session::Engine for Engine<E> {
         Ok(Self {
             state,
             members,
-            threads: Threads::new(on.len()),
+            threads: Threads::new(),
             division: Division::None,
             least_share: LEAST_SHARE,
             joined: Vec::new(),
@@ -340,7 +340,7 @@ impl<E: Member> Engine<E> {
         let find = |(member, (part, scan)): (&mut InGroup<E>, (&Arc<Part>, &Scan))| {
             member.find(given, (part, scan), ask)
         };
-        self.threads.at_once(members, find).into_iter().collect::<Result<(), _>>()?;
+        each_alone(members, find).into_iter().collect::<Result<(), _>>()?;
         Ok(all.len())
     }
 }

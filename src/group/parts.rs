@@ -18,6 +18,7 @@ use super::threads::Threads;
 use crate::method::BroadPhaseMethod;
 use crate::positions::Precision;
 use crate::{Aabb, Bodies, BroadPhase, Coordinate, Error, Kind, Mesh};
+use ccd_core::Real;
 use ccd_core::backend::quantization::Scan;
 use ccd_core::model::error::check_coordinates;
 use ccd_core::model::precision::Given;
@@ -41,12 +42,10 @@ pub struct Parts {
     pub all: Vec<Arc<Part>>,
     /// The minimum distance that halos have room for.
     pub min_distance: f64,
-    /// Half of the side of a vertex's room, a cube.
-    half: f64,
     /// So far the scene may go before boxes are rounded by more than halos have room for.
     farthest: f64,
-    /// Some vertices, and the middles of their rooms.
-    samples: Vec<(u32, [f32; 3])>,
+    /// Some vertices, and their rooms.
+    samples: Vec<(u32, Room)>,
 }
 
 /// Some elements of a mesh, as a mesh of their own.
@@ -57,9 +56,12 @@ pub struct Part {
     vertices: Vec<u32>,
     edges: Vec<u32>,
     faces: Vec<u32>,
-    /// Of each vertex the middle of its room.
-    middles: Vec<[f32; 3]>,
+    /// Of each vertex where it may be.
+    rooms: Vec<Room>,
 }
+
+/// A cube: its middle, and half of its side.
+type Room = [f32; 4];
 
 impl Parts {
     /// Parts for positions, and for others that are not far from them.
@@ -86,34 +88,29 @@ impl Parts {
             Precision::F64(x) => greatest_motion(x, samples()),
         };
         let slack = (4.0 * motion).clamp(SLACK * side, MOST_SLACK * side);
-        let middles: Vec<[f32; 3]> = boxes.iter().map(middle).collect();
-        let beside = |(b, m): (&Aabb<f32>, &[f32; 3])| {
-            let [min, max, m] = [b.min, b.max, *m].map(|p| p.map(f64::from));
-            (0..3).map(|k| (max[k] - m[k]).max(m[k] - min[k])).fold(0.0, f64::max)
-        };
-        let half = slack + boxes.iter().zip(&middles).map(beside).fold(0.0, f64::max);
-        let around = |m: &[f32; 3]| grown(&Aabb::of_point(*m), half);
-        let room: Vec<Aabb<f32>> = middles.iter().map(around).collect();
         let greatest = scene
             .min
             .iter()
             .chain(&scene.max)
             .fold(0.0, |most: f64, &x| most.max((x as f64).abs()));
+        let rooms: Vec<Room> = boxes.iter().map(|b| room(b, slack + ROUNDING * greatest)).collect();
+        let inside = |&[x, y, z, half]: &Room| grown(&Aabb::of_point([x, y, z]), half as f64);
+        let boxes: Vec<Aabb<f32>> = rooms.iter().map(inside).collect();
         // Where the scene is now, and where it may go.
-        let reach = 0.5 * min_distance + ROUNDING * (2.0 * greatest + min_distance);
+        let reach = 0.5 * min_distance + ROUNDING * (4.0 * greatest + min_distance);
 
-        let order = elements.in_order(&room, &scene)?;
+        let order = elements.in_order(&boxes, &scene)?;
         let cuts: Vec<usize> = (0..=n_parts).map(|p| p * order.len() / n_parts).collect();
         let own: Vec<&[u32]> = cuts.windows(2).map(|cut| &order[cut[0]..cut[1]]).collect();
         let halos = halos(&own, |element| {
-            let of_vertices = elements.vertices(element).iter().map(|&v| room[v as usize]);
+            let of_vertices = elements.vertices(element).iter().map(|&v| boxes[v as usize]);
             grown(&of_vertices.fold(Aabb::EMPTY, |all, b| all.union(&b)), reach)
         })?;
         let all = std::thread::scope(|scope| {
             let of_part = |(own, halo): (&&[u32], Vec<&[u32]>)| {
                 let all: Vec<u32> = halo.into_iter().flatten().chain(*own).copied().collect();
-                let middles = &middles;
-                scope.spawn(move || Part::new(elements, all, middles))
+                let rooms = &rooms;
+                scope.spawn(move || Part::new(elements, all, rooms))
             };
             let all: Vec<_> = own.iter().zip(halos).map(of_part).collect();
             all.into_iter()
@@ -122,8 +119,8 @@ impl Parts {
         });
         let all = all.into_iter().map(|part| part.unwrap_or_else(|e| std::panic::resume_unwind(e)));
         let all = all.collect::<Result<_, _>>()?;
-        let samples = samples().map(|v| (v as u32, middles[v])).collect();
-        Ok(Self { all, min_distance, half, farthest: greatest, samples })
+        let samples = samples().map(|v| (v as u32, rooms[v])).collect();
+        Ok(Self { all, min_distance, farthest: greatest, samples })
     }
 
     /// What the positions of each part say together, and whether all are where they may be. A
@@ -136,9 +133,8 @@ impl Parts {
             let firsts = (0..vertices.len()).step_by(SHARE);
             shares.extend(firsts.map(|first| (p, first..vertices.len().min(first + SHARE))));
         }
-        let looked = threads.at_once(shares.into_iter(), |(p, these)| {
-            (p, self.all[p].look(these, x, common, self.half))
-        });
+        let looked = threads
+            .at_once(shares.into_iter(), |(p, these)| (p, self.all[p].look(these, x, common)));
         let mut holds = common.iter().all(|by| by.abs() <= self.farthest);
         let mut scans = vec![Scan::NONE; self.all.len()];
         for (p, (scan, these_hold)) in looked {
@@ -151,9 +147,9 @@ impl Parts {
     /// How far most of the scene went since parts were made.
     fn common_motion<T: Coordinate>(&self, [x0, x1]: [&[[T; 3]]; 2]) -> [f64; 3] {
         [0, 1, 2].map(|k| {
-            let by = |&(v, middle): &(u32, [f32; 3])| {
+            let by = |&(v, room): &(u32, Room)| {
                 let [p, q] = [x0, x1].map(|x| x[v as usize][k].to_f64());
-                0.5 * (p + q) - middle[k] as f64
+                0.5 * (p + q) - room[k] as f64
             };
             median(self.samples.iter().map(by))
         })
@@ -178,9 +174,13 @@ fn median(numbers: impl Iterator<Item = f64>) -> f64 {
     sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// The middle of a box, rounded.
-fn middle(b: &Aabb<f32>) -> [f32; 3] {
-    [0, 1, 2].map(|k| (0.5 * (b.min[k] as f64 + b.max[k] as f64)) as f32)
+/// The room of a vertex that goes through this box: larger on all sides, rounded outward.
+fn room(b: &Aabb<f32>, by: f64) -> Room {
+    let [min, max] = [b.min, b.max].map(|p| p.map(f64::from));
+    let middle = [0, 1, 2].map(|k| (0.5 * (min[k] + max[k])) as f32);
+    let beside = |k: usize| (max[k] - middle[k] as f64).max(middle[k] as f64 - min[k]);
+    let half = by + (0..3).map(beside).fold(0.0, f64::max);
+    [middle[0], middle[1], middle[2], half.round_up()]
 }
 
 /// The boxes of vertices over a step.
@@ -236,7 +236,7 @@ fn halos<'a>(
 }
 
 impl Part {
-    fn new(elements: &Elements, mut all: Vec<u32>, middles: &[[f32; 3]]) -> Result<Self, Error> {
+    fn new(elements: &Elements, mut all: Vec<u32>, rooms: &[Room]) -> Result<Self, Error> {
         let (whole, n_faces) = (elements.mesh, elements.mesh.faces().len());
         let with = |e: &u32| {
             let at = elements.points.binary_search_by_key(e, |point| point.0).ok()?;
@@ -269,8 +269,8 @@ impl Part {
             let edge = edge.map(|v| vertices[v as usize]);
             edges.extend(all.find(|(_, other)| **other == edge).map(|(e, _)| e));
         }
-        let middles = vertices.iter().map(|&v| middles[v as usize]).collect();
-        Ok(Self { mesh: Arc::new(mesh), vertices, edges, faces, middles })
+        let rooms = vertices.iter().map(|&v| rooms[v as usize]).collect();
+        Ok(Self { mesh: Arc::new(mesh), vertices, edges, faces, rooms })
     }
 
     /// The ids in the whole mesh of a pair of features of this one.
@@ -301,18 +301,17 @@ impl Part {
         these: Range<usize>,
         [x0, x1]: [&[[T; 3]]; 2],
         by: [f64; 3],
-        half: f64,
     ) -> (Scan, bool) {
         // Copied first: a scan takes slices.
         let mut some = [[[T::splat(0.0); 3]; BATCH]; 2];
         let (mut scan, mut holds) = (Scan::NONE, true);
         let vertices = self.vertices[these.clone()].chunks(BATCH);
-        for (vertices, middles) in vertices.zip(self.middles[these].chunks(BATCH)) {
+        for (vertices, rooms) in vertices.zip(self.rooms[these].chunks(BATCH)) {
             let [some0, some1] = &mut some;
-            for (i, (&v, middle)) in vertices.iter().zip(middles).enumerate() {
+            for (i, (&v, room)) in vertices.iter().zip(rooms).enumerate() {
                 (some0[i], some1[i]) = (x0[v as usize], x1[v as usize]);
                 for k in 0..3 {
-                    let middle = middle[k] as f64 + by[k];
+                    let (middle, half) = (room[k] as f64 + by[k], room[3] as f64);
                     let [p, q] = [some0[i][k], some1[i][k]].map(T::to_f64);
                     // Written so that NaN fails.
                     holds &= (p - middle).abs() <= half && (q - middle).abs() <= half;

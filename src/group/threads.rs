@@ -10,10 +10,9 @@ pub struct Threads {
 }
 
 impl Threads {
-    /// As many as the host runs at a time, and at least one for each member.
-    pub fn new(n_members: usize) -> Self {
-        let available = std::thread::available_parallelism().map_or(1, usize::from);
-        let n = available.max(n_members) - 1;
+    /// As many as the host runs at a time.
+    pub fn new() -> Self {
+        let n = std::thread::available_parallelism().map_or(1, usize::from) - 1;
         let named =
             ThreadPoolBuilder::new().num_threads(n).thread_name(|i| format!("ccd-group {i}"));
         Self { others: (n > 0).then(|| named.build().ok()).flatten() }
@@ -39,4 +38,21 @@ impl Threads {
         }
         results.into_iter().flatten().collect()
     }
+}
+
+/// Each on a thread of its own, the first on this one; results in order. For work that waits: a
+/// kept thread that waits takes other work meanwhile, which may be all of another device's step.
+pub fn each_alone<T: Send, R: Send>(
+    mut all: impl Iterator<Item = T>,
+    of: impl Fn(T) -> R + Sync,
+) -> Vec<R> {
+    let of = &of;
+    std::thread::scope(|scope| {
+        let first = all.next();
+        let others: Vec<_> = all.map(|each| scope.spawn(move || of(each))).collect();
+        let joined = |other: std::thread::ScopedJoinHandle<R>| {
+            other.join().unwrap_or_else(|e| std::panic::resume_unwind(e))
+        };
+        first.map(of).into_iter().chain(others.into_iter().map(joined)).collect()
+    })
 }

@@ -2,7 +2,7 @@
 //! that stay mapped.
 
 use ccd::gpu::{Device, Group, Session};
-use ccd::scenes::{Random, crumpled_sheet, particles_and_rods};
+use ccd::scenes::{Random, copies, crumpled_sheet, particles_and_rods};
 use ccd::{Contact, Mesh, Options};
 
 pub const TESTS: crate::Tests = &[
@@ -13,7 +13,9 @@ pub const TESTS: crate::Tests = &[
 
 fn check_groups(device: &Device) {
     let devices = vec![device.clone(); 2];
-    for step in [crumpled_sheet(30, 5), particles_and_rods(100, 6)] {
+    // Corners meet corners: ties, which the host decides.
+    let (twice, _) = copies(&crumpled_sheet(12, 7), 2);
+    for step in [crumpled_sheet(30, 5), particles_and_rods(100, 6), twice] {
         let mut one = Session::new(device, &step.mesh, Options::default()).unwrap();
         let mut group = Group::new(&devices, &step.mesh, Options::default()).unwrap();
         group.set_least_share(1);

@@ -4,7 +4,7 @@
 use ccd::group::Engine;
 use ccd::scenes::{self, Random, Step};
 use ccd::{Bodies, Error, Exclusions, Groups, Kind, Mesh, Options, Session};
-use ccd_core::model::session::{self, On};
+use ccd_core::model::session::{self, Engine as _, On};
 
 type Group = session::Session<Engine<ccd_cpu::Engine>, On<Vec<()>>>;
 
@@ -150,6 +150,19 @@ fn a_motion_of_all_keeps_parts() {
     x1[0][1] -= 0.8;
     same(&mut group, &mut session, &step.x0, &x1);
     assert_eq!(group.n_partitions(), 2);
+}
+
+/// A vertex that goes far in a step has much room; others have theirs.
+#[test]
+fn one_fast_vertex_leaves_parts_small() {
+    let (mut step, options) = (scenes::crumpled_sheet(60, 4), Options::default());
+    step.x1[0] = [0.9, 0.1, 0.9];
+    let (mut group, mut session) =
+        (group(4, &step.mesh, &options), Session::new(&step.mesh, options).unwrap());
+    same(&mut group, &mut session, &step.x0, &step.x1);
+    let in_parts: usize = group.members().map(|of| of.state().mesh.faces().len()).sum();
+    let of_mesh = step.mesh.faces().len();
+    assert!(in_parts < 2 * of_mesh, "{in_parts} for {of_mesh}");
 }
 
 #[test]
