@@ -73,8 +73,8 @@ pub struct Engine {
     flight: Option<Flight>,
     /// Its positions, if it was submitted.
     copied: Copied,
-    /// Buffers for positions that are no slices, of calls that do not block, and for those of chosen
-    /// vertices.
+    /// Buffers for positions that are no slices, of calls that do not block, and for those of
+    /// chosen vertices.
     gathered: Gathered,
 }
 
