@@ -67,7 +67,7 @@ fn falling_stack(layers: usize, n: usize) -> Step {
     for layer in 0..layers {
         scenes::grid(&mut faces, n, (layer * n * n) as u32);
         for v in 0..n * n {
-            let [x, z, from, to] = [(); 4].map(|()| random.unit() as f64);
+            let [x, z, from, to] = [(); 4].map(|()| random.unit());
             let [x, z] = [(v % n) as f64 + 0.5 * x, (v / n) as f64 + 0.5 * z];
             let height = |within: f64| 0.06 * (layer as f64 + 0.4 * within);
             let through = if random.below(4096) == 0 { 0.1 } else { 0.0 };
