@@ -223,7 +223,7 @@ impl Engine {
     /// these positions. None of them moves that must not.
     #[doc(hidden)]
     pub fn find_chosen(&mut self, given: Given, chosen: Chosen, ask: Ask) -> Result<(), Error> {
-        // Where the host looks at all positions they are copied first.
+        // Where the host reads all positions, they are copied first.
         let host = self.state.options.mode == Mode::Exact
             || self.codimensional.is_some()
             || self.frames.buffers.source.triangles().is_some();
@@ -266,7 +266,7 @@ impl Engine {
         }
         let State { mesh, options, .. } = &self.state;
         let known = moved.filter(|&moved| self.frames.buffers.positions.follows(moved));
-        // Who chooses vertices has looked at those that must not move.
+        // The caller of `find_chosen` has checked its vertices.
         if let Some(rules) = self.frames.buffers.rules.as_ref().filter(|_| chosen.is_none()) {
             let runs = known.map(|moved| moved.runs);
             match given {

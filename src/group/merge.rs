@@ -71,6 +71,7 @@ fn each_run<'a>(
     while let [(of, first), others @ ..] = &mut lists[..] {
         let Some((j, second)) = others.first_mut() else { return take(*of, first) };
         let n = first_that(first, |c| order((*of, c), (*j, &second[0])).is_ge());
+        let mut changed = 0;
         if n > 0 {
             take(*of, first.split_off(..n).unwrap_or(&[]));
         } else if second[0].toi < first[0].toi {
@@ -78,11 +79,9 @@ fn each_run<'a>(
             *first = &first[1..];
         } else {
             *second = &second[1..];
-            // Behind others, or at its end.
-            to_its_place(&mut lists, 1, by_first);
-            continue;
+            changed = 1;
         }
-        to_its_place(&mut lists, 0, by_first);
+        to_its_place(&mut lists, changed, by_first);
     }
 }
 
@@ -98,8 +97,8 @@ fn to_its_place(lists: &mut Vec<Rest>, mut at: usize, order: impl Fn(&Rest, &Res
     }
 }
 
-/// Where the first contact is for which something holds that holds for all after it, or the end:
-/// found in as many looks as the place has digits, near the start at once.
+/// Index of the first contact for which `holds`, or the length; it holds for all after that one.
+/// Galloping search: fast where the index is small.
 fn first_that(list: &[Contact], holds: impl Fn(&Contact) -> bool) -> usize {
     let mut until = 1;
     while until < list.len() && !holds(&list[until - 1]) {

@@ -14,7 +14,7 @@
 //! so that features and their vertices have the same order.
 
 use super::elements::Elements;
-use super::threads::Threads;
+use super::threads::{Threads, each_alone};
 use crate::method::BroadPhaseMethod;
 use crate::positions::Precision;
 use crate::{Aabb, Bodies, BroadPhase, Coordinate, Error, Kind, Mesh};
@@ -106,19 +106,12 @@ impl Parts {
             let of_vertices = elements.vertices(element).iter().map(|&v| boxes[v as usize]);
             grown(&of_vertices.fold(Aabb::EMPTY, |all, b| all.union(&b)), reach)
         })?;
-        let all = std::thread::scope(|scope| {
-            let of_part = |(own, halo): (&&[u32], Vec<&[u32]>)| {
-                let all: Vec<u32> = halo.into_iter().flatten().chain(*own).copied().collect();
-                let rooms = &rooms;
-                scope.spawn(move || Part::new(elements, all, rooms))
-            };
-            let all: Vec<_> = own.iter().zip(halos).map(of_part).collect();
-            all.into_iter()
-                .map(|part| part.join().map(|part| part.map(Arc::new)))
-                .collect::<Vec<_>>()
-        });
-        let all = all.into_iter().map(|part| part.unwrap_or_else(|e| std::panic::resume_unwind(e)));
-        let all = all.collect::<Result<_, _>>()?;
+        let of_part = |(own, halo): (&&[u32], Vec<&[u32]>)| {
+            let all: Vec<u32> = halo.into_iter().flatten().chain(*own).copied().collect();
+            Part::new(elements, all, &rooms).map(Arc::new)
+        };
+        let all = each_alone(own.iter().zip(halos), of_part);
+        let all = all.into_iter().collect::<Result<_, _>>()?;
         let samples = samples().map(|v| (v as u32, rooms[v])).collect();
         Ok(Self { all, min_distance, farthest: greatest, samples })
     }

@@ -182,11 +182,8 @@ impl Positions {
         boxes: &wgpu::Buffer,
     ) -> Result<bool, Error> {
         let n = chosen.map_or(x[0].len(), |chosen| chosen.vertices.len());
-        // At both ends.
-        let ends = |v: usize| {
-            let v = chosen.map_or(v, |chosen| chosen.vertices[v] as usize);
-            x.map(|x| x[v])
-        };
+        let id = |v: usize| chosen.map_or(v, |chosen| chosen.vertices[v] as usize);
+        let ends = |v: usize| x.map(|x| x[id(v)]);
         let scan = match chosen {
             Some(chosen) => *chosen.scan,
             None => self.scan(x, runs),
@@ -211,7 +208,7 @@ impl Positions {
         self.given = self.boxes == Boxes::Sent && !self.exact && min_distance == 0.0;
         let mut replaced = are_new;
         if self.given || self.boxes == Boxes::OfPositions {
-            replaced |= self.send_given(device, n, ends)?;
+            replaced |= self.send_given(device, x, (n, id))?;
         }
         if self.boxes == Boxes::OfPositions {
             let keys = (n * size_of::<[[u32; 2]; 6]>()) as u64;
@@ -260,14 +257,14 @@ impl Positions {
     fn send_given<T: Coordinate>(
         &mut self,
         device: &Device,
-        n: usize,
-        ends: impl Fn(usize) -> [[T; 3]; 2] + Sync,
+        x: [&[[T; 3]]; 2],
+        (n, id): (usize, impl Fn(usize) -> usize + Sync),
     ) -> Result<bool, Error> {
         let what = "positions in f64";
         let bytes = (n * size_of::<[f64; 3]>()) as u64;
         let replaced = reserve(device, what, &mut self.wide, 2 * bytes)?;
-        for (end, at) in [0, bytes].into_iter().enumerate() {
-            let exact = |v: usize| ends(v)[end].map(T::to_f64);
+        for (x, at) in x.into_iter().zip([0, bytes]) {
+            let exact = |v: usize| x[id(v)].map(T::to_f64);
             self.staging.write(device, what, (&self.wide, at), n, exact)?;
         }
         Ok(replaced)
