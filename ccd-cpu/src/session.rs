@@ -262,7 +262,7 @@ impl Engine {
             let stop = &*threads.stop;
             prepared.boxes(threads, mesh, options, &x)?;
             stop.check()?;
-            prepared.leaves(threads, method, mesh, selection.rules.as_ref(), &x)?;
+            prepared.leaves(threads, method, (mesh, options), selection.rules.as_ref(), &x)?;
             let scene = prepared.scene((mesh, options), selection, &x, WHOLE, false, stop);
             for (kind, lists) in
                 [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut())

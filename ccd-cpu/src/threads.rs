@@ -7,6 +7,7 @@ use ccd_core::model::options::Options;
 use rayon::prelude::*;
 use std::marker::PhantomData;
 use std::mem::MaybeUninit;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// What one worker owns, alone on its cache lines: workers that write into neighbouring ones would
@@ -174,6 +175,40 @@ impl Threads {
         let parts = Parts::new(out, n);
         // SAFETY: `calls` gives each number to one call.
         self.calls(parts.count(), usize::MAX, &|k| f(k * n, unsafe { parts.part(k) }));
+    }
+
+    /// As [`Threads::chunks`], of those items alone that are in `runs`, which are sorted and apart:
+    /// at the cost of what lies between the first and the last of them.
+    pub fn chunks_in<T: Send>(
+        &self,
+        out: &mut [T],
+        runs: &[Range<usize>],
+        f: &(dyn Fn(usize, &mut [T]) + Sync),
+    ) {
+        let (Some(first), Some(last)) = (runs.first(), runs.last()) else { return };
+        let start = first.start;
+        self.chunks(&mut out[start..last.end], &|from, chunk| {
+            let of = start + from..start + from + chunk.len();
+            let next = runs.partition_point(|run| run.end <= of.start);
+            for run in runs[next..].iter().take_while(|run| run.start < of.end) {
+                let part = run.start.max(of.start)..run.end.min(of.end);
+                f(part.start, &mut chunk[part.start - of.start..part.end - of.start]);
+            }
+        });
+    }
+
+    /// Fills `out[i] = f(i)` for every `i` in `runs`, see [`Threads::chunks_in`].
+    pub fn fill_in<T: Send>(
+        &self,
+        out: &mut [T],
+        runs: &[Range<usize>],
+        f: impl Fn(usize) -> T + Sync,
+    ) {
+        self.chunks_in(out, runs, &|first, part| {
+            for (i, slot) in part.iter_mut().enumerate() {
+                *slot = f(first + i);
+            }
+        });
     }
 
     /// Merges what `measure` says of parts of all sets, in the same order for any number of

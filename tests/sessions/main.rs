@@ -15,6 +15,7 @@ mod leaving;
 mod limits;
 mod moving_bodies;
 mod oriented_triangles;
+mod rigid_bodies;
 mod rules;
 mod send_sync;
 mod triangles;

@@ -1,12 +1,14 @@
 //! A mesh stepped frame by frame: every call of a session, once for all backends. What calls come
 //! down to is done by an [`Engine`], which each backend has.
 
+mod both_ends;
 mod candidates;
 mod changes;
 mod engine;
 mod first_contact;
 mod moving;
 
+pub use both_ends::{Rigid, Rigids};
 pub use candidates::{Candidates, Intersection};
 pub use engine::{Ask, Change, Engine, Filter, Intersects, State};
 pub use first_contact::Hit;

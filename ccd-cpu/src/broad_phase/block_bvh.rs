@@ -5,11 +5,12 @@
 //! 8 i + 8` of the level below as children, so there are no pointers, and refitting is one pass
 //! over the levels. Level 0, the leaves, is kept elsewhere: every method has it.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, block_of, get_lane, set_lane};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, block_of, get_lane, join, set_lane};
 use crate::broad_phase::worlds::Worlds;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
+use std::ops::Range;
 
 /// The levels above the leaves.
 #[derive(Debug, Default)]
@@ -33,6 +34,8 @@ pub struct BlockBvh {
     /// Per block of level 1: side lengths of the boxes that move in the leaves below it, and of its
     /// own.
     lengths: Vec<[f64; 2]>,
+    /// Runs of blocks of a level that change.
+    runs: Vec<Range<usize>>,
     build: u64,
 }
 
@@ -139,24 +142,24 @@ impl BlockBvh {
     }
 
     /// Computes all levels above these leaves, as far as these have changed. Returns how much
-    /// looser blocks of boxes that move have become since the first time after
+    /// looser blocks of boxes that move, and are not posed, have become since the first time after
     /// [`BlockBvh::begin`].
     pub fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
         self.gap = None;
-        let moving = leaves.n_moving();
-        let looseness = self.fit_blocks(threads, leaves.blocks(), [leaves.n_changed(), moving]);
+        let looseness =
+            self.fit_blocks(threads, leaves.blocks(), (leaves.changed(), leaves.n_free()));
         self.mix(leaves.blocks(), leaves.len() - leaves.n_still());
         looseness
     }
 
-    /// Takes boxes of leaves at both ends, of which the first `changed` blocks are others than when
-    /// they were taken last, and those from `moving` on stand still. Returns whether it took them:
+    /// Takes boxes of leaves at both ends, of which the blocks `changed` are others than when they
+    /// were taken last, and those from `moving` on stand still. Returns whether it took them:
     /// not where boxes around both ends are hardly longer than those at one, which spares nothing.
     pub fn take_ends(
         &mut self,
         threads: &Threads,
         leaves: &[[Block; 2]],
-        [mut changed, moving]: [usize; 2],
+        (changed, moving): (&[Range<usize>], usize),
         gap: f32,
     ) -> bool {
         let [mut around_both, mut at_start] = [0.0; 2];
@@ -174,11 +177,13 @@ impl BlockBvh {
         if self.ends.len() < n_levels {
             self.ends.resize_with(n_levels, Vec::new);
         }
-        let mut below = leaves;
+        let (mut below, runs) = (leaves, &mut self.runs);
+        runs.clear();
+        runs.extend_from_slice(changed);
         for here in &mut self.ends[..n_levels] {
-            changed = changed.div_ceil(WIDTH);
+            raise_runs(runs);
             here.resize(below.len().div_ceil(WIDTH), [EMPTY; 2]);
-            threads.fill(&mut here[..changed], |i| {
+            threads.fill_in(here, runs, |i| {
                 union_of_ends(&below[i * WIDTH..((i + 1) * WIDTH).min(below.len())])
             });
             below = here;
@@ -208,14 +213,17 @@ impl BlockBvh {
         }
     }
 
-    /// The same for blocks of which the first so many have changed, and the first so many may move.
+    /// The same for blocks of which these runs have changed, and looseness counts of the first
+    /// `free`.
     fn fit_blocks(
         &mut self,
         threads: &Threads,
         leaves: &[Block],
-        [mut changed, moving]: [usize; 2],
+        (changed, free): (&[Range<usize>], usize),
     ) -> f64 {
         self.height = 1;
+        self.runs.clear();
+        self.runs.extend_from_slice(changed);
         let mut n_below = leaves.len();
         while n_below > 1 {
             let level = self.height - 1;
@@ -226,25 +234,29 @@ impl BlockBvh {
             let below = below.last().map_or(leaves, Vec::as_slice);
             n_below = n_below.div_ceil(WIDTH);
             here[0].resize(n_below, EMPTY);
-            changed = changed.div_ceil(WIDTH);
-            let here = &mut here[0][..changed];
+            raise_runs(&mut self.runs);
+            let (here, mut runs) = (&mut here[0][..], &self.runs[..]);
             let children = |i: usize| i * WIDTH..((i + 1) * WIDTH).min(below.len());
             let block = |i: usize| block_of(below[children(i)].iter().map(union_of_lanes));
             if level == 0 {
                 self.lengths.resize(n_below, [0.0; 2]);
-                threads.fill_both(here, &mut self.lengths[..changed], |i| {
-                    let children = children(i);
-                    let moving = moving.clamp(children.start, children.end);
-                    let of_boxes = below[children.start..moving].iter().map(extent).sum();
-                    let block = block(i);
-                    (block, [of_boxes, extent(&block)])
-                });
-            } else {
-                threads.fill(here, block);
+                // Boxes that move and are not posed come first.
+                if let Some((first, others)) = runs.split_first().filter(|all| all.0.start == 0) {
+                    let (here, lengths) = (&mut here[..first.end], &mut self.lengths[..first.end]);
+                    threads.fill_both(here, lengths, |i| {
+                        let children = children(i);
+                        let free = free.clamp(children.start, children.end);
+                        let of_boxes = below[children.start..free].iter().map(extent).sum();
+                        let block = block(i);
+                        (block, [of_boxes, extent(&block)])
+                    });
+                    runs = others;
+                }
             }
+            threads.fill_in(here, runs, block);
             self.height += 1;
         }
-        let looseness = self.looseness(moving);
+        let looseness = self.looseness(free);
         let before = *self.looseness_at_build.get_or_insert(looseness);
         if before > 0.0 { looseness / before } else { 1.0 }
     }
@@ -266,15 +278,21 @@ impl BlockBvh {
     }
 
     /// Sum of the side lengths of all blocks of eight, relative to that of the boxes in them: what
-    /// a block costs its tests. Of the first `moving` blocks of leaves.
-    fn looseness(&self, moving: usize) -> f64 {
+    /// a block costs its tests. Of the first `free` blocks of leaves.
+    fn looseness(&self, free: usize) -> f64 {
         if self.height < 2 {
             return 1.0;
         }
-        let of_all = |k: usize| self.lengths[..moving.div_ceil(WIDTH)].iter().map(|l| l[k]).sum();
+        let of_all = |k: usize| self.lengths[..free.div_ceil(WIDTH)].iter().map(|l| l[k]).sum();
         let [boxes, blocks]: [f64; 2] = [of_all(0), of_all(1)];
         if boxes > 0.0 { blocks / boxes } else { 1.0 }
     }
+}
+
+/// Turns runs of blocks into those of the blocks above them.
+fn raise_runs(runs: &mut Vec<Range<usize>>) {
+    runs.iter_mut().for_each(|run| *run = run.start / WIDTH..run.end.div_ceil(WIDTH));
+    join(runs);
 }
 
 /// Boxes at both ends are compared where those around both are so many times longer than those at
@@ -363,7 +381,7 @@ mod tests {
             for b in &mut boxes {
                 b.max[1] += unit();
             }
-            let looseness = leaves.refit(&threads, &mut source, &boxes, false);
+            let looseness = leaves.refit(&threads, &mut source, &boxes);
             assert!(looseness.is_finite() && looseness > 0.0, "{looseness}");
             check_well_formed(&source.trees[0], &leaves, &boxes);
         }
@@ -378,13 +396,13 @@ mod tests {
         let of = |fixed| Marks { fixed: Some(fixed), ..Marks::default() };
         let mut bvh = BlockBvh::default();
         bvh.begin(&order, &of(&all));
-        bvh.fit_blocks(&threads, &blocks, [blocks.len(); 2]);
+        bvh.fit_blocks(&threads, &blocks, (&[0..blocks.len()], blocks.len()));
         let height = bvh.height();
         let any = |bvh: &BlockBvh| (0..height).any(|level| bvh.fixed(level, 0) != 0);
         assert!((0..height).all(|level| bvh.fixed(level, 0) == 0xff), "all boxes are fixed");
         // Fewer boxes and fewer levels, then as many levels as before.
         bvh.begin(&order[..WIDTH], &of(&none));
-        bvh.fit_blocks(&threads, &blocks[..1], [1; 2]);
+        bvh.fit_blocks(&threads, &blocks[..1], (&[0..1], 1));
         bvh.raise(height, &blocks[..1]);
         assert_eq!(bvh.height(), height);
         assert!(!any(&bvh), "lanes of an earlier build");

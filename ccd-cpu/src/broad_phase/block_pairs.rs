@@ -2,7 +2,7 @@
 //! against block, eight boxes a test.
 
 use crate::broad_phase::block_bvh::BlockBvh;
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Posed, Set, Sides};
 use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::broad_phase::pair_tree::PairTree;
@@ -57,8 +57,17 @@ impl Order for BlockSource {
         if self.trees.len() <= set.index {
             self.trees.resize_with(set.index + 1, BlockBvh::default);
         }
+        if marks.kept > 0 {
+            // The others are sorted as they are, each once.
+            let mut still = order.split_off(order.len() - marks.kept);
+            order.dedup();
+            order.append(&mut still);
+        }
         // What is fixed comes last, so that whole blocks are.
         self.morton.sort(threads, boxes, marks, order);
+        if let Some(posed) = marks.posed {
+            place_posed(order, marks, posed);
+        }
         if let Some(world) = marks.world {
             fill_blocks(order, world);
         }
@@ -74,11 +83,13 @@ impl Order for BlockSource {
         threads: &Threads,
         leaves: &LeafBoxes,
         ends: &[[Block; 2]],
-        changed: usize,
+        all: bool,
         gap: f32,
     ) -> bool {
         let tree = &mut self.trees[leaves.set().index];
-        tree.take_ends(threads, ends, [changed, leaves.n_moving()], gap)
+        let whole = [0..ends.len()];
+        let changed = if all { &whole[..] } else { leaves.changed() };
+        tree.take_ends(threads, ends, (changed, leaves.n_moving()), gap)
     }
 }
 
@@ -118,6 +129,19 @@ impl BlockSource {
         let second = BlockPairs::of(trees, second).map(|pairs| pairs.search(second_sink));
         tasks.run(threads, first, second, part, workers);
     }
+}
+
+/// Puts what is posed into its own order, between what moves otherwise and what stands still.
+fn place_posed(order: &mut Vec<u32>, marks: &Marks, posed: Posed) {
+    let is_still = |id: &u32| marks.fixed.is_some_and(|fixed| fixed(*id as usize));
+    let n_moving = order.partition_point(|id| !is_still(id));
+    let still = order.split_off(n_moving);
+    order.retain(|&id| !(posed.is)(id as usize));
+    if let Some(&last) = order.last() {
+        order.resize(order.len().next_multiple_of(WIDTH), last);
+    }
+    order.extend_from_slice(posed.order);
+    order.extend(still);
 }
 
 /// Makes trees equally high that are to be descended at once.
@@ -373,7 +397,7 @@ mod tests {
                 [0, 1].map(|end| block_of(ids.iter().map(|&id| ends[id as usize][end])))
             };
             let blocks: Vec<_> = leaves.order().chunks(WIDTH).map(block).collect();
-            assert!(source.take_ends(&threads, &leaves, &blocks, blocks.len(), GAP), "{n}");
+            assert!(source.take_ends(&threads, &leaves, &blocks, true, GAP), "{n}");
             let near = find(&mut source, &leaves);
             let apart = |[a, b]: [u32; 2]| {
                 let [a, b] = [a, b].map(|id| &ends[id as usize]);
@@ -393,7 +417,7 @@ mod tests {
                 left_out.len()
             );
             // The next boxes bring all pairs back.
-            leaves.refit(&threads, &mut source, &swept, false);
+            leaves.refit(&threads, &mut source, &swept);
             assert_eq!(find(&mut source, &leaves), all, "{n}");
         }
     }

@@ -9,6 +9,7 @@ use ccd_core::backend::rules::Rules;
 use ccd_core::model::tree_statistics::TreeStatistics;
 use ccd_core::{Aabb, Error};
 use std::fmt::Debug;
+use std::ops::Range;
 
 /// Which of the sets that a source keeps, and what for.
 #[derive(Clone, Copy, Debug)]
@@ -31,6 +32,27 @@ pub struct Marks<'a> {
     pub world_bits: u32,
     /// Number of boxes at the end of the previous order that stand still and keep their order.
     pub kept: usize,
+    /// Those that are posed.
+    pub posed: Option<Posed<'a>>,
+}
+
+/// Boxes of bodies that move rigidly: they come between those that move otherwise and those that
+/// stand still, in an order of their own, see [`LeafBoxes::pose`].
+#[derive(Clone, Copy)]
+pub struct Posed<'a> {
+    /// Whether box `i` is one.
+    pub is: &'a (dyn Fn(usize) -> bool + Sync),
+    /// Their ids in whole blocks: a box that is repeated is the last of its block.
+    pub order: &'a [u32],
+}
+
+/// What of the last call's boxes is as it was.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Keeps {
+    /// Boxes that stand still.
+    pub still: bool,
+    /// None are made of what is posed, before it is known which are needed.
+    pub posed: bool,
 }
 
 /// The sets of a search: one against another, or, without another, within one.
@@ -72,14 +94,14 @@ pub trait Order: Debug + Send + Sync {
 
     /// Takes boxes of a set at both ends of the times that matter, in the order of its leaves:
     /// until the next [`Order::fit`], pairs may be left out that an axis keeps further than `gap`
-    /// apart at both. `changed`: so many blocks from the first on are others than when it took them
-    /// last. Returns whether it took them.
+    /// apart at both. `all`: all are others than when it took them last, else those are that
+    /// [`LeafBoxes::changed`] says. Returns whether it took them.
     fn take_ends(
         &mut self,
         _threads: &Threads,
         _leaves: &LeafBoxes,
         _ends: &[[Block; 2]],
-        _changed: usize,
+        _all: bool,
         _gap: f32,
     ) -> bool {
         false
@@ -105,8 +127,13 @@ pub struct LeafBoxes {
     blocks: Vec<Block>,
     /// Boxes at the end of the order that stand still.
     n_still: usize,
-    /// Blocks from the first on that the last call has changed.
-    n_changed: usize,
+    /// Leaves before those that are posed.
+    n_posed: usize,
+    /// Runs of blocks that were changed.
+    changed: Vec<Range<usize>>,
+    /// Runs of posed blocks with boxes, and those that had some in the last call.
+    filled: Vec<Range<usize>>,
+    emptied: Vec<Range<usize>>,
 }
 
 impl LeafBoxes {
@@ -120,7 +147,10 @@ impl LeafBoxes {
             order: Vec::new(),
             blocks: Vec::new(),
             n_still: 0,
-            n_changed: 0,
+            n_posed: 0,
+            changed: Vec::new(),
+            filled: Vec::new(),
+            emptied: Vec::new(),
         }
     }
 
@@ -166,9 +196,24 @@ impl LeafBoxes {
         (self.len - self.n_still).div_ceil(WIDTH)
     }
 
-    /// Blocks from the first on that changed in the last call.
-    pub fn n_changed(&self) -> usize {
-        self.n_changed
+    /// Blocks with a box that may move and is not posed: the first ones.
+    pub fn n_free(&self) -> usize {
+        self.n_moving() - self.n_posed / WIDTH
+    }
+
+    /// Runs of blocks, sorted and apart, that the last call has changed.
+    pub fn changed(&self) -> &[Range<usize>] {
+        &self.changed
+    }
+
+    /// Runs of posed blocks that have boxes.
+    pub fn filled(&self) -> &[Range<usize>] {
+        &self.filled
+    }
+
+    /// Runs of posed blocks that had boxes before the last call; some may have one now.
+    pub fn emptied(&self) -> &[Range<usize>] {
+        &self.emptied
     }
 
     /// The box of a leaf.
@@ -194,6 +239,7 @@ impl LeafBoxes {
     ) {
         self.order.truncate(self.len);
         source.sort(threads, self.set, boxes, &marks, &mut self.order);
+        self.n_posed = marks.posed.map_or(0, |posed| posed.order.len());
         (self.n_boxes, self.len) = (boxes.len(), self.order.len());
         self.has_gaps = source.outlasts_motion() && self.len > self.n_boxes;
         self.n_still = match marks.fixed {
@@ -204,11 +250,16 @@ impl LeafBoxes {
         if let Some(&last) = self.order.last() {
             self.order.resize(self.len.next_multiple_of(WIDTH), last);
         }
-        self.place(threads, boxes, false);
+        self.blocks.clear();
+        self.filled.clear();
+        self.take(threads, boxes, Keeps { still: false, posed: self.n_posed > 0 });
+        // Also what is posed and has no boxes yet.
+        self.changed.clear();
+        self.changed.extend(Some(0..self.blocks.len()).filter(|run| !run.is_empty()));
         source.fit(threads, self);
     }
 
-    /// The same with what rules say of a vertex of each box; `kept`: see [`Marks::kept`].
+    /// The same with what rules say of a vertex of each box; `kept`, `posed`: see [`Marks`].
     pub fn build_by_rules(
         &mut self,
         threads: &Threads,
@@ -216,14 +267,14 @@ impl LeafBoxes {
         boxes: &[Aabb<f32>],
         rules: Option<&Rules>,
         vertex: impl Fn(usize) -> u32 + Sync,
-        kept: usize,
+        (kept, posed): (usize, Option<Posed>),
     ) {
         let Some(rules) = rules else {
             return self.build(threads, source, boxes, Marks::default());
         };
         let still = |i: usize| rules.is_still(vertex(i));
         let world = |i: usize| rules.world(vertex(i));
-        let mut marks = Marks { kept, ..Marks::default() };
+        let mut marks = Marks { kept, posed, ..Marks::default() };
         marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
         if let Some(n) = rules.worlds() {
             marks.world = Some(&world);
@@ -234,37 +285,92 @@ impl LeafBoxes {
 
     /// Keeps the order of the last build and takes new boxes, see [`LeafBoxes::take`]. Returns how
     /// much looser the source has become since the build, see [`Order::fit`].
-    pub fn refit(
-        &mut self,
-        threads: &Threads,
-        source: &mut dyn Order,
-        boxes: &[Aabb<f32>],
-        still: bool,
-    ) -> f64 {
-        self.take(threads, boxes, still);
+    pub fn refit(&mut self, threads: &Threads, source: &mut dyn Order, boxes: &[Aabb<f32>]) -> f64 {
+        self.take(threads, boxes, Keeps::default());
         source.fit(threads, self)
     }
 
-    /// Takes new boxes in the order of the last build, as many as then; `still`: those that stand
-    /// still are as in the last call. The source must fit them next.
-    pub fn take(&mut self, threads: &Threads, boxes: &[Aabb<f32>], still: bool) {
+    /// Takes new boxes in the order of the last build, as many as then. What is posed has none, if
+    /// it is not made of `boxes`. The source must fit them next.
+    pub fn take(&mut self, threads: &Threads, boxes: &[Aabb<f32>], keeps: Keeps) {
         assert_eq!(boxes.len(), self.n_boxes, "refit with another number of boxes");
-        self.place(threads, boxes, still);
-    }
-
-    fn place(&mut self, threads: &Threads, boxes: &[Aabb<f32>], still: bool) {
         let n = self.len.div_ceil(WIDTH);
-        self.n_changed = if still { self.n_moving() } else { n };
-        let Self { len, has_gaps, order, blocks, n_changed, .. } = self;
-        blocks.resize(n, EMPTY);
-        threads.fill(&mut blocks[..*n_changed], |i| {
+        self.blocks.resize(n, EMPTY);
+        let (free, moving) = (self.n_free(), self.n_moving());
+        let Self { len, has_gaps, order, blocks, changed, filled, emptied, .. } = self;
+        emptied.clear();
+        let ends = [if keeps.posed { free } else { moving }, if keeps.still { moving } else { n }];
+        changed.clear();
+        changed.extend([0..ends[0], moving..ends[1]].into_iter().filter(|run| !run.is_empty()));
+        threads.fill_in(blocks, changed, |i| {
             let ids = &order[i * WIDTH..((i + 1) * WIDTH).min(*len)];
             // A box that is repeated is the last of its block.
             let gap = ids.windows(2).position(|pair| *has_gaps && pair[0] == pair[1]);
             let ids = gap.map_or(ids, |last| &ids[..=last]);
             block_of(ids.iter().map(|&id| boxes[id as usize]))
         });
+        if keeps.posed {
+            std::mem::swap(filled, emptied);
+            emptied.iter().for_each(|run| blocks[run.clone()].fill(EMPTY));
+            self.add_changed(false);
+        } else if free < moving {
+            filled.clear();
+            filled.push(free..moving);
+        }
     }
+
+    /// Fills runs of posed blocks, numbered from the first one on, sorted and apart: boxes of ids,
+    /// and nothing where one is repeated. The source must fit these next; then
+    /// [`LeafBoxes::all_changed`] says all that have changed.
+    pub fn pose(
+        &mut self,
+        threads: &Threads,
+        runs: &[Range<usize>],
+        boxes: impl Fn(usize) -> [Aabb<f32>; WIDTH] + Sync,
+    ) {
+        let first = self.n_free();
+        let Self { order, blocks, changed, filled, .. } = self;
+        filled.clear();
+        filled.extend(runs.iter().map(|run| first + run.start..first + run.end));
+        threads.fill_in(blocks, filled, |i| {
+            let ids = &order[i * WIDTH..(i + 1) * WIDTH];
+            let n = ids.windows(2).position(|pair| pair[0] == pair[1]).map_or(WIDTH, |i| i + 1);
+            block_of(boxes(i).into_iter().take(n))
+        });
+        changed.clear();
+        changed.extend_from_slice(filled);
+    }
+
+    /// After [`LeafBoxes::pose`]: has [`LeafBoxes::changed`] say what changed since
+    /// [`LeafBoxes::take`] began, too.
+    pub fn all_changed(&mut self, still: bool) {
+        let (free, moving, n) = (self.n_free(), self.n_moving(), self.blocks.len());
+        self.changed.clear();
+        let ends = [0..free, moving..if still { moving } else { n }];
+        self.changed.extend(ends.into_iter().filter(|run| !run.is_empty()));
+        self.add_changed(true);
+    }
+
+    /// Adds what was emptied and filled to what has changed.
+    fn add_changed(&mut self, filled: bool) {
+        self.changed.extend_from_slice(&self.emptied);
+        if filled {
+            self.changed.extend_from_slice(&self.filled);
+        }
+        self.changed.sort_unstable_by_key(|run| run.start);
+        join(&mut self.changed);
+    }
+}
+
+/// Joins runs, sorted by where they begin, that touch or overlap.
+pub fn join(runs: &mut Vec<Range<usize>>) {
+    runs.dedup_by(|next, run| {
+        let joins = next.start <= run.end;
+        if joins {
+            run.end = run.end.max(next.end);
+        }
+        joins
+    });
 }
 
 /// The box in lane `j`.

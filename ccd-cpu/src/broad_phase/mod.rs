@@ -14,7 +14,7 @@
 //!
 //! Sessions, the broad phase and the tests of all methods then have it.
 
-mod block_bvh;
+pub mod block_bvh;
 mod block_pairs;
 #[cfg(feature = "catalogue")]
 mod block_workers;

@@ -56,7 +56,7 @@ impl MortonOrder {
             let [low, high] = morton_key::morton(i, boxes, &grid);
             (high as u64) << 32 | low as u64
         };
-        let Marks { fixed, world, world_bits: bits, kept } = *marks;
+        let Marks { fixed, world, world_bits: bits, kept, .. } = *marks;
         let is_fixed = |i: usize| fixed.is_some_and(|fixed| fixed(i)) as u64;
         match (world, fixed) {
             (None, None) => self.radix.sort(threads, boxes.len(), code, order),

@@ -124,7 +124,13 @@ impl Engine {
             let stop = &*threads.stop;
             prepared.boxes(threads, mesh, options, &x)?;
             stop.check()?;
-            prepared.edges_and_faces(threads, method, mesh, selection.rules.as_ref(), &x)?;
+            prepared.edges_and_faces(
+                threads,
+                method,
+                (mesh, options),
+                selection.rules.as_ref(),
+                &x,
+            )?;
             stop.check()?;
             let scene = &prepared.scene((mesh, options), selection, &x, WHOLE, true, stop);
             let (edges, faces) = (&prepared.edges.leaves, &prepared.faces.leaves);

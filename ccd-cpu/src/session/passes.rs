@@ -43,11 +43,14 @@ pub fn prepare(
     report: &mut Report,
 ) -> Result<(), Error> {
     let start = Instant::now();
+    if !x.again {
+        prepared.rigid(threads, mesh, selection.rules.as_ref(), method, x);
+    }
     prepared.boxes(threads, mesh, options, x)?;
     report.times.boxes += milliseconds(start);
     threads.stop.check()?;
     let start = Instant::now();
-    let rebuilt = prepared.leaves(threads, method, mesh, selection.rules.as_ref(), x)?;
+    let rebuilt = prepared.leaves(threads, method, (mesh, options), selection.rules.as_ref(), x)?;
     report.rebuilt = rebuilt || (report.rebuilt && x.again);
     report.times.build += milliseconds(start);
     threads.stop.check()

@@ -1,14 +1,16 @@
 //! What belongs to the leaves of one set of features, in the order of the method that was chosen:
 //! all that the filters read of a pair of leaves.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
+use crate::broad_phase::leaf_boxes::{Keeps, LeafBoxes, Posed, Set};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work};
+use crate::step::rigid::RigidTrees;
 use crate::step::selection::BlockBodies;
 use crate::threads::Threads;
 use ccd_core::backend::rules::Rules;
 use ccd_core::{Aabb, Num};
+use std::ops::Range;
 
 /// Boxes and leaves of one kind of feature with `N` vertices.
 #[derive(Debug)]
@@ -23,24 +25,30 @@ impl<const N: usize> Feature<N> {
         Self { boxes: Vec::new(), leaves: Leaves::new(Set { index, searched }) }
     }
 
-    /// Puts boxes in a new order; `keep`: but for those that stand still.
+    /// Puts boxes in a new order; `keep`: but for those that stand still. What is posed has an
+    /// order of its own.
     pub fn build(
         &mut self,
         threads: &Threads,
         method: &mut Method,
         rules: Option<&Rules>,
-        keep: bool,
+        (keep, rigid): (bool, &RigidTrees),
         features: impl Fn(u32) -> [u32; N] + Sync,
     ) {
-        let kept = if keep { self.leaves.boxes.n_still() } else { 0 };
+        let Self { boxes, leaves } = self;
+        let kept = if keep { leaves.boxes.n_still() } else { 0 };
         let vertex = |i: usize| features(i as u32)[0];
-        self.leaves.boxes.build_by_rules(threads, method.order(), &self.boxes, rules, vertex, kept);
-        self.leaves.order(threads, rules, &features);
+        let is = |i: usize| rigid.has(vertex(i));
+        let order = &rigid.orders[leaves.boxes.set().index];
+        let posed = rigid.is_there().then_some(Posed { is: &is, order });
+        let order = method.order();
+        leaves.boxes.build_by_rules(threads, order, boxes, rules, vertex, (kept, posed));
+        leaves.order(threads, rules, &features);
     }
 
     /// Takes boxes in the order that there is, see [`LeafBoxes::take`]; [`Feature::fit`] is next.
-    pub fn take_boxes(&mut self, threads: &Threads, still: bool) {
-        self.leaves.boxes.take(threads, &self.boxes, still);
+    pub fn take_boxes(&mut self, threads: &Threads, keeps: Keeps) {
+        self.leaves.boxes.take(threads, &self.boxes, keeps);
     }
 
     /// Has the method fit them, see [`Order::fit`](crate::broad_phase::leaf_boxes::Order::fit).
@@ -130,25 +138,48 @@ impl<const N: usize> Leaves<N> {
             std::array::from_fn(|k| features.map(|vertices| vertices[k]))
         });
         self.bodies.fill(rules, self.vertices.iter().map(|block| &block[0]));
+        self.ends.clear();
+    }
+
+    /// Makes boxes of these runs of posed blocks from those of vertices, see [`LeafBoxes::pose`].
+    pub fn pose(
+        &mut self,
+        threads: &Threads,
+        method: &mut Method,
+        runs: &[Range<usize>],
+        of_vertices: &[Aabb<f32>],
+        still: bool,
+    ) {
+        let Self { boxes, vertices, .. } = self;
+        boxes.pose(threads, runs, |i| {
+            std::array::from_fn(|lane| {
+                let of = |k: usize| &of_vertices[vertices[i][k][lane] as usize];
+                (1..N).fold(*of(0), |all, k| all.union(of(k)))
+            })
+        });
+        method.order().fit(threads, boxes);
+        boxes.all_changed(still);
     }
 
     /// Boxes at both ends, from the table of positions; `still`: the leaves that stand still, the
-    /// last ones, have theirs.
+    /// last ones, have theirs. Of what is posed those are made that have boxes.
     pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]], still: bool) {
-        let vertices = &self.vertices;
-        self.ends.resize(vertices.len(), [EMPTY; 2]);
-        self.taken &= still;
-        let n = if still { self.boxes.n_moving() } else { vertices.len() };
-        threads.chunks(&mut self.ends[..n], &|first, out| {
-            place(table, &vertices[first..first + out.len()], out);
-        });
+        let Self { boxes, vertices, ends, taken, .. } = self;
+        ends.resize(vertices.len(), [EMPTY; 2]);
+        *taken &= still;
+        boxes.emptied().iter().for_each(|run| ends[run.clone()].fill([EMPTY; 2]));
+        let last = if still { 0..0 } else { boxes.n_moving()..vertices.len() };
+        for runs in [&[0..boxes.n_free()], boxes.filled(), &[last]] {
+            threads.chunks_in(ends, runs, &|first, out| {
+                place(table, &vertices[first..first + out.len()], out);
+            });
+        }
     }
 
     /// Has the method leave out pairs that an axis keeps further than `gap` apart at both ends.
     pub fn hand_on_ends(&mut self, threads: &Threads, method: &mut Method, gap: f32) {
         let Self { boxes, ends, taken, .. } = self;
-        let changed = if *taken { boxes.n_moving() } else { ends.len() };
-        *taken |= method.order().take_ends(threads, boxes, ends, changed, gap);
+        *taken |= method.order().take_ends(threads, boxes, ends, !*taken, gap);
     }
 }
 

@@ -9,6 +9,7 @@ pub mod leaves;
 pub mod narrow_phase;
 pub mod positions;
 pub mod prepare;
+pub mod rigid;
 pub mod scans;
 pub mod selection;
 pub mod stand_ins;

@@ -1,12 +1,14 @@
 //! What a step prepares before anything is compared: checked coordinates, boxes, trees, the table
 //! that filters read.
 
+use crate::broad_phase::leaf_boxes::Keeps;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::simd::WIDTH;
 use crate::step::candidates::Scene;
 use crate::step::leaves::Feature;
 use crate::step::positions::{Ends, Positions};
+use crate::step::rigid::RigidTrees;
 use crate::step::scans::Scans;
 use crate::step::selection::Selection;
 use crate::step::still::Still;
@@ -50,6 +52,7 @@ pub struct Prepared {
     /// If pairs of triangles are looked for.
     pub triangles: Option<TriangleLeaves>,
     still: Still,
+    rigid: RigidTrees,
 }
 
 impl Prepared {
@@ -75,12 +78,14 @@ impl Prepared {
             faces: Feature::new(2, true),
             triangles,
             still: Still::default(),
+            rigid: RigidTrees::default(),
         }
     }
 
     /// Takes other rules; the next step sorts boxes anew.
     pub fn set_rules(&mut self, mesh: &Mesh, rules: Option<&Rules>) {
         self.still.set(mesh, rules);
+        self.rigid.clear();
         self.forget_order();
     }
 
@@ -92,6 +97,8 @@ impl Prepared {
     /// From now on steps of another mesh, or by another pipeline; buffers stay.
     pub fn set_mesh(&mut self, mesh: &Mesh, options: &Options) {
         self.forget_order();
+        self.rigid.clear();
+        self.still.set_posed(mesh, None, None);
         match (options.pipeline, &mut self.triangles) {
             (Pipeline::Triangles(args), Some(kept)) => {
                 kept.set_mesh(mesh, args, options.min_distance);
@@ -113,6 +120,29 @@ impl Prepared {
         }
     }
 
+    /// Takes what moves rigidly in a step, if the method keeps trees of it; first of all.
+    pub fn rigid(
+        &mut self,
+        threads: &Threads,
+        mesh: &Mesh,
+        rules: Option<&Rules>,
+        method: &Method,
+        x: &Positions,
+    ) {
+        let Self { rigid, still, .. } = self;
+        let takes = self.triangles.is_none() && matches!(method, Method::Blocks(_));
+        let changes = match x.moved.filter(|_| takes).map(|moved| moved.rigids) {
+            Some(Precision::F32(rigids)) => rigid.begin(threads, mesh, rules, rigids),
+            Some(Precision::F64(rigids)) => rigid.begin(threads, mesh, rules, rigids),
+            None => rigid.begin_plain(),
+        };
+        if changes {
+            let has = |v: u32| rigid.has(v);
+            still.set_posed(mesh, rules, rigid.is_there().then_some(&has));
+            self.forget_order();
+        }
+    }
+
     /// Checks coordinates, fills the table and sweeps all boxes.
     pub fn boxes(
         &mut self,
@@ -125,6 +155,10 @@ impl Prepared {
             self.forget_order();
             self.still.forget();
         }
+        if x.moved.is_none() {
+            self.rigid.pause();
+        }
+        self.still.skip_posed(self.rigid.is_on());
         let made = match x.given {
             Precision::F32([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, times: x }),
             Precision::F64([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, times: x }),
@@ -246,7 +280,7 @@ impl Prepared {
         &mut self,
         threads: &Threads,
         method: &mut Method,
-        mesh: &Mesh,
+        (mesh, options): (&Mesh, &Options),
         rules: Option<&Rules>,
         x: &Positions,
     ) -> Result<bool, Error> {
@@ -260,14 +294,14 @@ impl Prepared {
             self.whole = true;
             return Ok(rebuilt);
         }
-        let Self { whole, vertices, edges, faces, table, still, .. } = self;
-        let mut holds = still.holds();
+        let Self { whole, vertices, edges, faces, table, still, rigid, .. } = self;
+        let mut keeps = Keeps { still: still.holds(), posed: rigid.is_on() };
         let mut loose = !self.built || !method.order().outlasts_motion();
         if !loose {
             threads.together(
-                || vertices.take_boxes(threads, holds),
-                || edges.take_boxes(threads, holds),
-                || faces.take_boxes(threads, holds),
+                || vertices.take_boxes(threads, keeps),
+                || edges.take_boxes(threads, keeps),
+                || faces.take_boxes(threads, keeps),
             );
             let looseness = [
                 vertices.fit(threads, method),
@@ -280,14 +314,27 @@ impl Prepared {
             let sets: [&[_]; 3] = [&vertices.boxes, &edges.boxes, &faces.boxes];
             method.order().survey(threads, &sets)?;
             // What stands where it stood keeps its order.
-            let keep = self.built && holds;
+            let keep = (self.built && keeps.still, &*rigid);
             self.built = true;
             vertices.build(threads, method, rules, keep, |v| [v]);
             edges.build(threads, method, rules, keep, |e| mesh.edges()[e as usize]);
             faces.build(threads, method, rules, keep, |f| mesh.faces()[f as usize]);
-            holds = false;
+            keeps.still = false;
         }
-        holds &= still.holds_table();
+        if let (true, Some(rules), Some(moved)) = (keeps.posed, rules, &x.moved) {
+            if let (true, Method::Blocks(source)) = (first, &*method) {
+                let [v, e, f] = &source.trees[..] else { unreachable!("a tree for each set") };
+                let leaves = (&vertices.leaves.boxes, &edges.leaves.boxes, &faces.leaves.boxes);
+                let trees = [(v, leaves.0), (e, leaves.1), (f, leaves.2)];
+                rigid.look(rules, moved, options.min_distance, trees);
+            }
+            let ([v, e, f], still) = (&rigid.runs, keeps.still);
+            let Feature { boxes, leaves } = vertices;
+            edges.leaves.pose(threads, method, e, boxes, still);
+            faces.leaves.pose(threads, method, f, boxes, still);
+            leaves.pose(threads, method, v, boxes, still);
+        }
+        let holds = keeps.still && still.holds_table();
         let table = &table[..];
         threads.together(
             || vertices.leaves.place(threads, table, holds),
@@ -303,16 +350,16 @@ impl Prepared {
         &mut self,
         threads: &Threads,
         method: &mut Method,
-        mesh: &Mesh,
+        (mesh, options): (&Mesh, &Options),
         rules: Option<&Rules>,
         x: &Positions,
     ) -> Result<(), Error> {
         if !self.built || !method.order().outlasts_motion() {
-            return self.leaves(threads, method, mesh, rules, x).map(|_| ());
+            return self.leaves(threads, method, (mesh, options), rules, x).map(|_| ());
         }
-        self.edges.take_boxes(threads, false);
+        self.edges.take_boxes(threads, Keeps::default());
         self.edges.fit(threads, method);
-        self.faces.take_boxes(threads, false);
+        self.faces.take_boxes(threads, Keeps::default());
         self.faces.fit(threads, method);
         // Everything else is of an earlier step.
         self.still.forget();
@@ -364,9 +411,10 @@ impl Prepared {
 
     /// How many boxes were swept: those that a shorter time has anew.
     pub fn n_swept(&self) -> usize {
-        let Self { vertices, edges, faces, still, .. } = self;
+        let Self { vertices, edges, faces, still, rigid, .. } = self;
         let n = [vertices.boxes.len(), edges.boxes.len(), faces.boxes.len()];
-        n.into_iter().enumerate().map(|(set, n)| still.n_made(set, n)).sum()
+        let n_made = |(set, n)| still.n_made(set, n);
+        n.into_iter().enumerate().map(n_made).sum::<usize>() + rigid.n_near()
     }
 
     /// Swept boxes of all features.

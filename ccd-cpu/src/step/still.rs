@@ -31,6 +31,16 @@ pub struct Still {
     table: Option<Table>,
     holds: bool,
     holds_table: bool,
+    posed: Option<Box<Posed>>,
+    /// Whether this call skips what is posed.
+    skips: bool,
+}
+
+/// By set: what is made beside bodies that move rigidly, whose vertices are.
+#[derive(Debug)]
+struct Posed {
+    moving: [Vec<Range<usize>>; 3],
+    all: [Vec<Range<usize>>; 3],
 }
 
 impl Still {
@@ -41,24 +51,30 @@ impl Still {
         self.vertices = rules.still().to_vec();
         self.at = vec![[f64::NAN; 3]; self.vertices.len()];
         self.may_move = rules.may_move();
-        let moving = |n: usize, first: &dyn Fn(usize) -> u32| {
-            let mut runs: Vec<Range<usize>> = Vec::new();
-            for part in (0..n).step_by(PART).map(|from| from..(from + PART).min(n)) {
-                if part.clone().all(|i| rules.is_still(first(i))) {
-                    continue;
-                }
-                match runs.last_mut() {
-                    Some(run) if run.end == part.start => run.end = part.end,
-                    _ => runs.push(part),
-                }
-            }
-            runs
-        };
-        self.moving = [
-            moving(mesh.n_vertices(), &|i| i as u32),
-            moving(mesh.edges().len(), &|i| mesh.edges()[i][0]),
-            moving(mesh.faces().len(), &|i| mesh.faces()[i][0]),
-        ];
+        self.moving = runs_of_sets(mesh, |v| !rules.is_still(v));
+    }
+
+    /// From now on, in calls that skip them, no boxes are made of the edges and faces of these
+    /// vertices' bodies, which move rigidly.
+    pub fn set_posed(
+        &mut self,
+        mesh: &Mesh,
+        rules: Option<&Rules>,
+        posed: Option<&dyn Fn(u32) -> bool>,
+    ) {
+        self.posed = posed.map(|posed| {
+            let is_still = |v: u32| rules.is_some_and(|rules| rules.is_still(v));
+            let mut moving = runs_of_sets(mesh, |v| !is_still(v) && !posed(v));
+            let mut all = runs_of_sets(mesh, |v| !posed(v));
+            moving[0] = runs(mesh.n_vertices(), |v| !is_still(v as u32));
+            all[0] = runs(mesh.n_vertices(), |_| true);
+            Box::new(Posed { moving, all })
+        });
+    }
+
+    /// Whether boxes of what is posed are left out of this call.
+    pub fn skip_posed(&mut self, skips: bool) {
+        self.skips = skips;
     }
 
     /// Whether boxes of what stands still are those of the call before.
@@ -68,7 +84,7 @@ impl Still {
 
     /// Of `n` boxes of set `set`, how many are made anew.
     pub fn n_made(&self, set: usize, n: usize) -> usize {
-        if self.holds { self.moving[set].iter().map(Range::len).sum() } else { n }
+        self.made(set).map_or(n, |runs| runs.iter().map(Range::len).sum())
     }
 
     /// Whether what was made of the table is, too.
@@ -143,7 +159,7 @@ impl Still {
         (self.made, self.table) = (None, None);
     }
 
-    /// Boxes of set `set`, but for those that hold.
+    /// Boxes of set `set`, but for those that hold, and those of edges and faces that are posed.
     pub fn fill<B: Send>(
         &self,
         threads: &Threads,
@@ -151,7 +167,10 @@ impl Still {
         boxes: &mut [B],
         f: impl Fn(usize) -> B + Sync,
     ) {
-        fill(threads, self.holds.then_some(&self.moving[set]), boxes, f);
+        match self.made(set) {
+            Some(runs) => threads.fill_in(boxes, runs, f),
+            None => threads.fill(boxes, f),
+        }
     }
 
     /// The table, but for what holds of it.
@@ -161,28 +180,43 @@ impl Still {
         table: &mut [B],
         f: impl Fn(usize) -> B + Sync,
     ) {
-        fill(threads, self.holds_table.then_some(&self.moving[0]), table, f);
+        if self.holds_table {
+            threads.fill_in(table, &self.moving[0], f);
+        } else {
+            threads.fill(table, f);
+        }
+    }
+
+    /// The runs of elements of a set that are made anew; `None`: all.
+    fn made(&self, set: usize) -> Option<&[Range<usize>]> {
+        match self.posed.as_ref().filter(|_| self.skips) {
+            Some(posed) => Some(if self.holds { &posed.moving[set] } else { &posed.all[set] }),
+            None => self.holds.then_some(&self.moving[set]),
+        }
     }
 }
 
-/// Fills `out`, or the runs of it that do not hold: at the cost of what lies between the first and
-/// the last of them.
-fn fill<B: Send>(
-    threads: &Threads,
-    runs: Option<&Vec<Range<usize>>>,
-    out: &mut [B],
-    f: impl Fn(usize) -> B + Sync,
-) {
-    let Some(runs) = runs else { return threads.fill(out, f) };
-    let (Some(first), Some(last)) = (runs.first(), runs.last()) else { return };
-    let start = first.start;
-    threads.chunks(&mut out[start..last.end], &|first, chunk| {
-        let chunk_of = start + first..start + first + chunk.len();
-        let from = runs.partition_point(|run| run.end <= chunk_of.start);
-        for run in runs[from..].iter().take_while(|run| run.start < chunk_of.end) {
-            for i in run.start.max(chunk_of.start)..run.end.min(chunk_of.end) {
-                chunk[i - chunk_of.start] = f(i);
-            }
+/// The runs of `n` elements with `holds`, in whole parts: those that have one of these.
+fn runs(n: usize, holds: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for part in (0..n).step_by(PART).map(|from| from..(from + PART).min(n)) {
+        if !part.clone().any(&holds) {
+            continue;
         }
-    });
+        match runs.last_mut() {
+            Some(run) if run.end == part.start => run.end = part.end,
+            _ => runs.push(part),
+        }
+    }
+    runs
+}
+
+/// The same of sets, by the first vertex of an element.
+fn runs_of_sets(mesh: &Mesh, holds: impl Fn(u32) -> bool) -> [Vec<Range<usize>>; 3] {
+    let (edges, faces) = (mesh.edges(), mesh.faces());
+    [
+        runs(mesh.n_vertices(), |i| holds(i as u32)),
+        runs(edges.len(), |i| holds(edges[i][0])),
+        runs(faces.len(), |i| holds(faces[i][0])),
+    ]
 }

@@ -161,7 +161,7 @@ impl TriangleLeaves {
         method.order().survey(threads, &[&self.swept])?;
         let corners = self.triangles.all_corners();
         let vertex = |t: usize| corners[t][0];
-        self.boxes.build_by_rules(threads, method.order(), &self.swept, rules, vertex, 0);
+        self.boxes.build_by_rules(threads, method.order(), &self.swept, rules, vertex, (0, None));
         let Self { triangles, repeats, orphans, stand_ins, boxes, blocks, bodies, .. } = self;
         if let Some(sets) = orphans {
             stand_ins.order(sets, boxes);
@@ -174,7 +174,7 @@ impl TriangleLeaves {
 
     /// The same order for boxes that moved; returns how much looser the source has become.
     pub fn refit(&mut self, threads: &Threads, method: &mut Method) -> f64 {
-        self.boxes.refit(threads, method.order(), &self.swept, false)
+        self.boxes.refit(threads, method.order(), &self.swept)
     }
 
     /// Certifies regions for a whole step.

@@ -23,7 +23,7 @@ mod strided;
 
 #[cfg(feature = "alloc")]
 pub use gathered::{Chosen, Gathered};
-pub use posed::{Matrix, Posed};
+pub use posed::{Matrix, Pose, Posed, check_pose, moved, moved_box};
 pub use strided::Strided;
 
 use crate::model::precision::{Coordinate, Erased, Precision};

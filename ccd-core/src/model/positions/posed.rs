@@ -1,6 +1,8 @@
 //! Bodies that move as a whole: rest positions, and a matrix for each body at either end.
 
 use super::{AsPositions, Form, Point, PositionView, sealed::Sealed};
+use crate::math::aabb::Aabb;
+use crate::math::real::Num;
 use crate::model::error::Error;
 use crate::model::precision::Coordinate;
 
@@ -39,8 +41,11 @@ pub struct Posed<'a, T> {
     rest: &'a [[T; 3]],
     /// `None`: all have the first matrix.
     body_of_vertex: Option<&'a [u32]>,
-    poses: &'a [[[T; 4]; 4]],
+    poses: &'a [Pose<T>],
 }
+
+/// An affine matrix of four columns.
+pub type Pose<T> = [[T; 4]; 4];
 
 /// A matrix of four columns of four numbers: `[[f32; 4]; 4]`, `[[f64; 4]; 4]`, and with the feature
 /// `glam` its `Mat4` and `DMat4`.
@@ -61,7 +66,7 @@ pub trait Matrix: Sealed + Sized {
 
     /// The same memory.
     #[doc(hidden)]
-    fn cast(slice: &[Self]) -> &[[[Self::Scalar; 4]; 4]];
+    fn cast(slice: &[Self]) -> &[Pose<Self::Scalar>];
 }
 
 impl<T: Coordinate> Sealed for [[T; 4]; 4] {}
@@ -70,7 +75,7 @@ impl<T: Coordinate> Matrix for [[T; 4]; 4] {
     type Scalar = T;
 
     #[inline]
-    fn cast(slice: &[Self]) -> &[[[T; 4]; 4]] {
+    fn cast(slice: &[Self]) -> &[Pose<T>] {
         slice
     }
 }
@@ -118,11 +123,8 @@ impl<'a, T: Coordinate> Posed<'a, T> {
                 return Err(Error::Pose { time, vertex, body: bodies[vertex], n_poses });
             }
         }
-        for (body, columns) in poses.iter().enumerate() {
-            let row = columns.map(|column| column[3].to_f64());
-            if row != [0.0, 0.0, 0.0, 1.0] {
-                return Err(Error::Projection { time, body, row });
-            }
+        for (body, pose) in poses.iter().enumerate() {
+            check_pose(time, body, pose)?;
         }
         Ok((0..rest.len()).map(|v| self.at(v)))
     }
@@ -135,9 +137,36 @@ impl<'a, T: Coordinate> Posed<'a, T> {
     }
 }
 
+/// Refuses the matrix of a body that is not affine.
+///
+/// # Errors
+/// [`Error::Projection`].
+pub fn check_pose<T: Coordinate>(time: u8, body: usize, pose: &Pose<T>) -> Result<(), Error> {
+    let row = pose.map(|column| column[3].to_f64());
+    if row == [0.0, 0.0, 0.0, 1.0] { Ok(()) } else { Err(Error::Projection { time, body, row }) }
+}
+
 /// A point moved by a matrix.
-fn moved<T: Coordinate>([x, y, z, place]: &[[T; 4]; 4], p: &[T; 3]) -> [T; 3] {
+#[inline]
+pub fn moved<T: Coordinate>([x, y, z, place]: &Pose<T>, p: &[T; 3]) -> [T; 3] {
     core::array::from_fn(|k| x[k] * p[0] + y[k] * p[1] + z[k] * p[2] + place[k])
+}
+
+/// A box that holds where a matrix moves any point of a box, to the last bit: rounding to nearest
+/// is monotone, so that the terms of [`moved`], each with the corner that makes it least, add up in
+/// its order to no more than they do for any point. Not if a number is NaN, or the sum of terms
+/// beyond all numbers: then a bound is NaN, or none of the points is finite either.
+#[inline]
+pub fn moved_box<T: Coordinate>([x, y, z, place]: &Pose<T>, of: &Aabb<T>) -> Aabb<T> {
+    let terms = |axis: &[T; 4], k: usize, j: usize| [axis[k] * of.min[j], axis[k] * of.max[j]];
+    let sum = |k: usize, choose: fn(T, T) -> T| {
+        let term = |axis, j| {
+            let [a, b] = terms(axis, k, j);
+            choose(a, b)
+        };
+        term(x, 0) + term(y, 1) + term(z, 2) + place[k]
+    };
+    Aabb { min: [0, 1, 2].map(|k| sum(k, Num::min)), max: [0, 1, 2].map(|k| sum(k, Num::max)) }
 }
 
 impl<T: Coordinate> AsPositions for Posed<'_, T> {

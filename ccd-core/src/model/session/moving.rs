@@ -1,15 +1,16 @@
 //! Positions that a session keeps, so that a step is told only those of bodies that move.
 
+use super::both_ends::{BothEnds, Rigids, Way};
 use crate::model::bodies::Bodies;
 use crate::model::error::Error;
 use crate::model::mesh::Mesh;
-use crate::model::positions::{AsPositions, Ends, Gathered, ends};
-use crate::model::precision::{Coordinate, Given, Precision};
+use crate::model::positions::{AsPositions, Ends, Gathered, Matrix, Pose, ends};
+use crate::model::precision::{Coordinate, Erased, Given, Precision};
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// How one body moves in a step: the positions of its vertices at both ends, in the order of their
-/// ids.
+/// How one body moves in a step: by the positions of its vertices at both ends, in the order of
+/// their ids, or by its poses.
 ///
 /// ```
 /// use ccd::{BodyMotion, Posed};
@@ -18,16 +19,31 @@ use core::ops::Range;
 /// let before = [0, 1, 2, 3].map(|k| [0, 1, 2, 3].map(|i| (i == k) as u8 as f32));
 /// let mut after = before;
 /// after[3][1] = -0.5;
+/// // If the session was told by `set_positions` that the body is `crate_at_rest`:
+/// let motion = BodyMotion::posed(3, &before, &after);
+/// // The same positions, whatever it was told.
 /// let x0 = Posed::one(&crate_at_rest, &before);
 /// let x1 = Posed::one(&crate_at_rest, &after);
-/// let motion = BodyMotion::new(3, &x0, &x1);
-/// assert_eq!(motion.body, 3);
+/// assert_eq!(BodyMotion::new(3, &x0, &x1).body, motion.body);
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct BodyMotion<'a> {
     /// The body, by its name in [`Bodies`].
     pub body: u32,
-    ends: Ends<'a>,
+    to: To<'a>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum To<'a> {
+    Ends(Ends<'a>),
+    Poses(Poses),
+}
+
+/// The poses of a body at both ends of a step.
+type Poses = Precision<[Pose<f32>; 2], [Pose<f64>; 2]>;
+
+impl Erased for Poses {
+    type Of<T: 'static> = [Pose<T>; 2];
 }
 
 impl<'a> BodyMotion<'a> {
@@ -38,7 +54,19 @@ impl<'a> BodyMotion<'a> {
         A: AsPositions + ?Sized,
         B: AsPositions<Scalar = A::Scalar> + ?Sized,
     {
-        Self { body, ends: ends(x0, x1) }
+        Self { body, to: To::Ends(ends(x0, x1)) }
+    }
+
+    /// The body `body` moves rigidly: its vertices go from `pose0` to `pose1` times their positions
+    /// of [`Session::set_positions`](super::Session::set_positions), as
+    /// [`Posed`](crate::model::positions::Posed) says. Poses in `f32` fit positions in `f64` too,
+    /// which are computed in `f64` then.
+    ///
+    /// A CPU keeps the trees of such a body and moves their boxes, see
+    /// [`Session::step_bodies`](super::Session::step_bodies).
+    pub fn posed<M: Matrix>(body: u32, pose0: &M, pose1: &M) -> Self {
+        let poses = [pose0, pose1].map(|pose| M::cast(core::slice::from_ref(pose))[0]);
+        Self { body, to: To::Poses(M::Scalar::erase::<Poses>(poses)) }
     }
 }
 
@@ -50,6 +78,8 @@ pub struct Moved<'a> {
     pub runs: &'a [Range<u32>],
     /// The number of this call. The one before it has the number before.
     pub call: u64,
+    /// What moves rigidly, in the precision of the step's positions.
+    pub rigids: Precision<Rigids<'a, f32>, Rigids<'a, f64>>,
 }
 
 impl Moved<'_> {
@@ -64,7 +94,7 @@ impl Moved<'_> {
 #[derive(Debug, Default)]
 pub struct Kept {
     /// `None`: nobody has said where vertices are.
-    x: Option<Precision<Both<f32>, Both<f64>>>,
+    x: Option<Precision<BothEnds<f32>, BothEnds<f64>>>,
     gathered: Gathered,
     /// By the number of a body: its vertices in runs. Made when they are needed.
     runs: Option<Runs>,
@@ -75,14 +105,8 @@ pub struct Kept {
     /// What the next call finds in other places than the last one did.
     changed: Vec<Range<u32>>,
     calls: u64,
-}
-
-/// Positions at both ends; what does not move is equal in both.
-#[derive(Debug, Default)]
-struct Both<T> {
-    ends: [Vec<[T; 3]>; 2],
-    /// Positions before this call of what moves in it, in the order in which it was written.
-    before: Vec<[T; 3]>,
+    version: u64,
+    placed: u64,
 }
 
 /// Vertices of bodies.
@@ -125,9 +149,11 @@ impl Kept {
     pub fn set(&mut self, mesh: &Mesh, x: Ends) -> Result<(), Error> {
         let given = super::given(mesh, &mut self.gathered, x)?;
         self.x = Some(match given {
-            Precision::F32([x, _]) => Precision::F32(Both::at(x)),
-            Precision::F64([x, _]) => Precision::F64(Both::at(x)),
+            Precision::F32([x, _]) => Precision::F32(BothEnds::at(x)),
+            Precision::F64([x, _]) => Precision::F64(BothEnds::at(x)),
         });
+        self.version += 1;
+        self.placed = self.version;
         self.last.clear();
         // No engine has seen the call before the next one.
         self.calls += 2;
@@ -137,10 +163,17 @@ impl Kept {
     /// Forgets the vertices of bodies, and with `positions` where vertices are.
     pub fn forget(&mut self, positions: bool) {
         self.runs = None;
+        match &mut self.x {
+            Some(Precision::F32(x)) => x.forget_rigids(),
+            Some(Precision::F64(x)) => x.forget_rigids(),
+            None => {}
+        }
         if positions {
             self.x = None;
         }
         self.calls += 2;
+        self.version += 1;
+        self.placed = self.version;
     }
 
     /// Positions of a step in which these bodies move, and what is in other places than before.
@@ -153,7 +186,7 @@ impl Kept {
         bodies: Option<&Bodies>,
         motions: &[BodyMotion],
     ) -> Result<(Given<'_>, Moved<'_>), Error> {
-        let Self { x, gathered, runs, names, last, changed, calls } = self;
+        let Self { x, gathered, runs, names, last, changed, calls, version, placed } = self;
         let x = x.as_mut().ok_or(Error::NoPositions)?;
         changed.clear();
         changed.append(last);
@@ -173,14 +206,20 @@ impl Kept {
             let bodies = bodies.ok_or(Error::NoBody { body })?;
             let number = bodies.number(body).ok_or(Error::NoBody { body })?;
             let runs = runs.get_or_insert_with(|| Runs::new(bodies)).of(number);
-            let to = gathered.slices(motion.ends)?;
+            let way = match motion.to {
+                To::Poses(Precision::F32(poses)) => Precision::F32(Way::Poses(poses)),
+                To::Poses(Precision::F64(poses)) => Precision::F64(Way::Poses(poses)),
+                To::Ends(ends) => match gathered.slices(ends)? {
+                    Precision::F32(x) => Precision::F32(Way::Ends(x)),
+                    Precision::F64(x) => Precision::F64(Way::Ends(x)),
+                },
+            };
             last.extend_from_slice(runs);
-            match (&mut *x, to) {
-                (Precision::F32(x), Precision::F32(to)) => x.go(body, runs, to, |p| p)?,
-                (Precision::F64(x), Precision::F64(to)) => x.go(body, runs, to, |p| p)?,
-                (Precision::F64(x), Precision::F32(to)) => {
-                    x.go(body, runs, to, |p| p.map(f64::from))?
-                }
+            let of = (body, number, runs);
+            match (&mut *x, way) {
+                (Precision::F32(x), Precision::F32(way)) => x.go(of, way, |c| c, version)?,
+                (Precision::F64(x), Precision::F64(way)) => x.go(of, way, |c| c, version)?,
+                (Precision::F64(x), Precision::F32(way)) => x.go(of, way, f64::from, version)?,
                 (Precision::F32(x), Precision::F64(_)) => {
                     x.stay(runs);
                     return Err(Error::MixedPrecision { body });
@@ -188,18 +227,19 @@ impl Kept {
             }
         }
         changed.extend_from_slice(last);
-        let given = match x {
-            Precision::F32(x) => Precision::F32(x.ends.each_ref().map(Vec::as_slice)),
-            Precision::F64(x) => Precision::F64(x.ends.each_ref().map(Vec::as_slice)),
+        let version = [*version, *placed];
+        let (given, rigids) = match x {
+            Precision::F32(x) => (Precision::F32(x.ends()), Precision::F32(x.rigids(version))),
+            Precision::F64(x) => (Precision::F64(x.ends()), Precision::F64(x.rigids(version))),
         };
-        Ok((given, Moved { runs: changed, call: *calls }))
+        Ok((given, Moved { runs: changed, call: *calls, rigids }))
     }
 
     /// After a call: bodies have moved or, if it failed, have not.
     pub fn end(&mut self, failed: bool) {
         match &mut self.x {
-            Some(Precision::F32(x)) => x.end(&self.last, failed),
-            Some(Precision::F64(x)) => x.end(&self.last, failed),
+            Some(Precision::F32(x)) => x.end(&self.last, failed, &mut self.version),
+            Some(Precision::F64(x)) => x.end(&self.last, failed, &mut self.version),
             None => {}
         }
         if failed {
@@ -207,63 +247,5 @@ impl Kept {
             self.last.clear();
             self.calls += 2;
         }
-    }
-}
-
-impl<T: Coordinate> Both<T> {
-    fn at(x: &[[T; 3]]) -> Self {
-        Self { ends: [x.to_vec(), x.to_vec()], before: Vec::new() }
-    }
-
-    /// What moved in the last call stands where it went.
-    fn arrive(&mut self, runs: &[Range<u32>]) {
-        let [x0, x1] = &mut self.ends;
-        for run in runs {
-            let run = run.start as usize..run.end as usize;
-            x0[run.clone()].copy_from_slice(&x1[run]);
-        }
-    }
-
-    /// Keeps where a body is.
-    fn stay(&mut self, runs: &[Range<u32>]) {
-        let [x0, _] = &self.ends;
-        self.before.extend(runs.iter().flat_map(|run| &x0[run.start as usize..run.end as usize]));
-    }
-
-    /// Has a body move.
-    fn go<U: Copy>(
-        &mut self,
-        body: u32,
-        runs: &[Range<u32>],
-        to: [&[[U; 3]]; 2],
-        exact: impl Fn([U; 3]) -> [T; 3],
-    ) -> Result<(), Error> {
-        self.stay(runs);
-        let expected = runs.iter().map(|run| run.len()).sum();
-        for (time, (x, to)) in self.ends.iter_mut().zip(to).enumerate() {
-            if to.len() != expected {
-                let (time, found) = (time as u8, to.len());
-                return Err(Error::BodyPositions { body, time, expected, found });
-            }
-            let mut to = to.iter();
-            for run in runs {
-                let slots = &mut x[run.start as usize..run.end as usize];
-                slots.iter_mut().zip(&mut to).for_each(|(slot, &p)| *slot = exact(p));
-            }
-        }
-        Ok(())
-    }
-
-    fn end(&mut self, runs: &[Range<u32>], failed: bool) {
-        if failed {
-            let mut rest = &self.before[..];
-            for run in runs {
-                let (positions, others) = rest.split_at(run.len());
-                let run = run.start as usize..run.end as usize;
-                self.ends.iter_mut().for_each(|x| x[run.clone()].copy_from_slice(positions));
-                rest = others;
-            }
-        }
-        self.before.clear();
     }
 }

@@ -121,7 +121,7 @@ fn oriented_boxes_hold_all_leaves_below() {
                         }
                     }
                     boxes.iter_mut().for_each(|b| b.max[1] += 0.25);
-                    threads.enter(|| leaves.refit(&threads, &mut source, &boxes, false));
+                    threads.enter(|| leaves.refit(&threads, &mut source, &boxes));
                 }
             }
         }
@@ -169,7 +169,7 @@ fn trees_of_every_builder_are_well_formed() {
                     let mut moved = boxes.clone();
                     moved.iter_mut().for_each(|b| b.max[1] += unit());
                     let threads = Threads::new(n_threads).unwrap();
-                    threads.enter(|| leaves.refit(&threads, &mut source, &moved, false));
+                    threads.enter(|| leaves.refit(&threads, &mut source, &moved));
                     check(&source, &leaves, &moved);
                     (source.tree(0).branches.clone(), leaves.order().to_vec())
                 });

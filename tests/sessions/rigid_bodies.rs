@@ -1,0 +1,238 @@
+//! Steps in which bodies move by poses find, to the last bit, what plain steps find of the same
+//! positions: whatever else moves or stands still, changes in between, or is refused.
+
+use ccd::scenes::{Random, grid, sphere};
+use ccd::{Bodies, BodyMotion, Coordinate, Mesh, Options, Posed, Session};
+
+type Pose<T> = [[T; 4]; 4];
+
+/// Vertices along a side of each ball.
+const BALL: usize = 12;
+/// Bodies: a floor that is fixed, a cloth, particles and rods, a plate with self-contact, a die, and
+/// balls without.
+const FLOOR: u32 = 0;
+const CLOTH: u32 = 1;
+const LOOSE: u32 = 2;
+const SELF: u32 = 3;
+const DIE: u32 = 4;
+const FIRST: u32 = 5;
+const N_BODIES: u32 = 14;
+
+/// A mesh whose bodies' vertices are spread over the ids, its bodies, and where they are.
+fn scene() -> (Mesh, Bodies, Vec<[f64; 3]>) {
+    let (mut x, mut body, mut faces, mut edges) = (vec![], vec![], vec![], vec![]);
+    let sheet = |n: usize, side: f64, y: f64| -> Vec<[f64; 3]> {
+        let at = |k: usize| side * (k as f64 / (n - 1) as f64 - 0.5);
+        (0..n * n).map(|i| [at(i % n), y, at(i / n)]).collect()
+    };
+    let mut add = |of: u32, points: Vec<[f64; 3]>, n: usize| {
+        let first = x.len() as u32;
+        body.resize(x.len() + points.len(), of);
+        x.extend(points);
+        if n > 0 {
+            grid(&mut faces, n, first);
+        }
+        first
+    };
+    add(FLOOR, sheet(20, 6.0, -1.0), 20);
+    add(CLOTH, sheet(14, 2.0, 0.3), 14);
+    let loose = add(LOOSE, sheet(5, 3.0, 0.0), 0);
+    edges.extend((0..10).map(|k| [loose + k, loose + k + 10]));
+    for of in FIRST..N_BODIES {
+        // In a row, so that some have room.
+        let x = 0.85 * (of as f64 - 0.5 * N_BODIES as f64);
+        let ball =
+            sphere(BALL).iter().map(|p| [x + 0.3 * p[0], 1.0 + 0.3 * p[1], 0.3 * p[2]]).collect();
+        let first = add(of, ball, BALL);
+        // A strut that is no edge of a face.
+        edges.push([first, first + (BALL * BALL / 2) as u32]);
+    }
+    add(DIE, sheet(2, 0.3, 2.0), 2);
+    add(SELF, sheet(12, 0.8, 3.0), 12);
+    // Ids in runs of five that are mixed.
+    let mut random = Random::new(5);
+    let mut runs: Vec<Vec<usize>> =
+        (0..x.len()).collect::<Vec<_>>().chunks(5).map(<[_]>::to_vec).collect();
+    for i in 1..runs.len() {
+        runs.swap(i, random.below(i as u32 + 1) as usize);
+    }
+    let old: Vec<usize> = runs.concat();
+    let mut new = vec![0; old.len()];
+    old.iter().enumerate().for_each(|(id, &was)| new[was] = id as u32);
+    let faces: Vec<[u32; 3]> = faces.iter().map(|face| face.map(|v| new[v as usize])).collect();
+    let edges: Vec<[u32; 2]> = edges.iter().map(|edge| edge.map(|v| new[v as usize])).collect();
+    let names: Vec<u32> = old.iter().map(|&was| body[was]).collect();
+    let mut bodies = Bodies::new(&names).with_fixed(FLOOR, true);
+    for of in [DIE].into_iter().chain(FIRST..N_BODIES) {
+        bodies = bodies.with_self_contact(of, false);
+    }
+    // Two balls that go through each other.
+    bodies = bodies.with_excluded_bodies(&[[FIRST, FIRST + 1]]);
+    let mesh = Mesh::with_edges(x.len(), &faces, &edges).unwrap();
+    let at = old.iter().map(|&was| x[was].map(|c| c as f32 as f64)).collect();
+    (mesh, bodies, at)
+}
+
+/// A turn by up to `angle` about some axis through the point `at` on all axes, and a shift.
+fn pose<T: Coordinate>(random: &mut Random, angle: f64, shift: [f64; 3], at: f64) -> Pose<T> {
+    let axis = random.point().map(|c| c - 0.5);
+    let length = axis.iter().map(|c| c * c).sum::<f64>().sqrt().max(1e-3);
+    let [x, y, z] = axis.map(|c| c / length);
+    let (sin, cos) = (angle * random.unit()).sin_cos();
+    let versine = 1.0 - cos;
+    let columns = [
+        [cos + x * x * versine, y * x * versine + z * sin, z * x * versine - y * sin, 0.0],
+        [x * y * versine - z * sin, cos + y * y * versine, z * y * versine + x * sin, 0.0],
+        [x * z * versine + y * sin, y * z * versine - x * sin, cos + z * z * versine, 0.0],
+        [0.0, 0.0, 0.0, 1.0],
+    ];
+    let turned = |k: usize| at * (columns[0][k] + columns[1][k] + columns[2][k]);
+    let place = [0, 1, 2].map(|k| shift[k] + at - turned(k));
+    let columns = [columns[0], columns[1], columns[2], [place[0], place[1], place[2], 1.0]];
+    columns.map(|column| column.map(T::from_f64))
+}
+
+/// Compares two sessions over many steps; of one bodies are moved.
+fn check<T: Coordinate>(what: &str, mesh: &Mesh, options: &Options, at_rest: &[[T; 3]]) {
+    let session = || Session::new(mesh, options.clone()).unwrap();
+    let (mut told, mut plain, mut random) = (session(), session(), Random::new(3));
+    let bodies = options.bodies.clone().expect("bodies");
+    let of = bodies.body_of_vertex();
+    let vertices = |name: u32| (0..of.len()).filter(move |&v| of[v] == name);
+    // The scene is around this point.
+    let at = (at_rest[0][0].to_f64() / 1e3).round() * 1e3;
+    let mut x = at_rest.to_vec();
+    told.set_positions(&x).unwrap();
+    let mut n_contacts = 0;
+    for k in 0..45 {
+        let (mut from, mut to) = (x.clone(), x.clone());
+        let mut posed: Vec<(u32, [Pose<T>; 2])> = Vec::new();
+        let mut given: Vec<(u32, [Vec<[T; 3]>; 2])> = Vec::new();
+        // Of some steps all, of others none; the first moves one alone.
+        let chance = if k == 0 { 0.0 } else { [0.3, 1.0, 0.1, 0.0][k % 4] };
+        for name in CLOTH..N_BODIES {
+            if random.unit() >= chance && !(k == 0 && name == FIRST) {
+                continue;
+            }
+            let shift = random.point().map(|c| if k % 3 == 0 { 3.0 } else { 9.0 } * (c - 0.5));
+            let end = random.point();
+            let end = [0, 1, 2].map(|i| shift[i] + 0.6 * (end[i] - 0.5));
+            let by_positions = name <= LOOSE || random.unit() < 0.04;
+            let [pose0, pose1] =
+                [pose::<T>(&mut random, 3.0, shift, at), pose(&mut random, 0.3, end, at)];
+            let rest: Vec<[T; 3]> = vertices(name).map(|v| at_rest[v]).collect();
+            let ends = [pose0, pose1].map(|pose| moved(&rest, &pose));
+            for (i, v) in vertices(name).enumerate() {
+                (from[v], to[v]) = (ends[0][i], ends[1][i]);
+            }
+            if by_positions {
+                given.push((name, ends));
+            } else {
+                posed.push((name, [pose0, pose1]));
+            }
+        }
+        let moves = posed.iter().map(|(name, [a, b])| BodyMotion::posed(*name, a, b));
+        let others = given.iter().map(|(name, [a, b])| BodyMotion::new(*name, a, b));
+        let motions: Vec<BodyMotion> = moves.chain(others).collect();
+        match k % 11 {
+            3 => check_refused(&mut told, &motions, &posed),
+            4 => _ = told.candidates(&to, &from).unwrap(),
+            5 => _ = told.step(&to, &from).unwrap(),
+            6 => _ = told.has_intersections(&x).unwrap(),
+            7 => {
+                let other = if told.options().min_distance > 0.0 { 0.0 } else { 0.02 };
+                told.set_min_distance(other).unwrap();
+                plain.set_min_distance(other).unwrap();
+            }
+            8 if k % 2 == 0 => {
+                let now = told.options().bodies.clone().expect("bodies");
+                let now = now.with_self_contact(FIRST + 2, k % 4 == 0);
+                told.set_bodies(now.clone()).unwrap();
+                plain.set_bodies(now).unwrap();
+            }
+            // So often that trees of rigid bodies go.
+            9 => (0..10).for_each(|_| _ = told.earliest_toi(&x, &to).unwrap()),
+            10 => {
+                told.set_positions(at_rest).unwrap();
+                (from, to) = (at_rest.to_vec(), at_rest.to_vec());
+                for (name, ends) in posed
+                    .iter()
+                    .map(|(name, poses)| {
+                        (
+                            *name,
+                            poses.map(|pose| {
+                                let rest: Vec<[T; 3]> =
+                                    vertices(*name).map(|v| at_rest[v]).collect();
+                                moved(&rest, &pose)
+                            }),
+                        )
+                    })
+                    .chain(given.iter().cloned())
+                {
+                    for (i, v) in vertices(name).enumerate() {
+                        (from[v], to[v]) = (ends[0][i], ends[1][i]);
+                    }
+                }
+            }
+            _ => {}
+        }
+        let toi = told.earliest_toi_of_bodies(&motions).unwrap();
+        assert_eq!(toi, plain.earliest_toi(&from, &to).unwrap(), "{what}, step {k}");
+        let hit = told.first_contact_of_bodies(&motions).unwrap();
+        let report = told.step_bodies(&motions).unwrap();
+        let want = plain.step(&from, &to).unwrap();
+        assert!(report.contacts == want.contacts, "{what}, step {k}: other contacts");
+        assert_eq!(report.candidates, want.candidates, "{what}, step {k}");
+        assert_eq!(hit.map(|hit| hit.toi), want.toi, "{what}, step {k}");
+        n_contacts += want.contacts.len();
+        x = to;
+    }
+    assert!(n_contacts > 2000, "{what}: {n_contacts} contacts");
+}
+
+fn moved<T: Coordinate>(rest: &[[T; 3]], pose: &Pose<T>) -> Vec<[T; 3]> {
+    let x = Posed::one(rest, pose);
+    let view = ccd::AsPositions::as_positions(&x);
+    (0..rest.len()).map(|v| view.at(v)).collect()
+}
+
+/// Calls that are refused leave all bodies where they were.
+fn check_refused<T: Coordinate>(
+    session: &mut Session,
+    motions: &[BodyMotion],
+    posed: &[(u32, [Pose<T>; 2])],
+) {
+    let Some((name, [pose0, pose1])) = posed.first() else { return };
+    let mut refused = |pose1: &Pose<T>, want: &str| {
+        let others = motions.iter().filter(|of| of.body != *name).copied();
+        let all: Vec<BodyMotion> = others.chain([BodyMotion::posed(*name, pose0, pose1)]).collect();
+        let error = session.step_bodies(&all).expect_err("refused");
+        assert!(format!("{error:?}").contains(want), "{error:?} for {want}");
+    };
+    let mut bad = *pose1;
+    bad[1][3] = T::from_f64(0.5);
+    refused(&bad, "Projection");
+    bad = *pose1;
+    bad[3][2] = T::from_f64(f64::NAN);
+    refused(&bad, "Coordinate");
+    bad[3][2] = T::from_f64(f64::INFINITY);
+    refused(&bad, "Coordinate");
+}
+
+#[test]
+fn steps_by_poses_are_plain_steps() {
+    let (mesh, bodies, x) = scene();
+    let narrow: Vec<[f32; 3]> = x.iter().map(|p| p.map(|c| c as f32)).collect();
+    let plain = Options::default().with_bodies(bodies);
+    // Far away, so that boxes and tables are rounded.
+    let far: Vec<[f64; 3]> = x.iter().map(|p| p.map(|c| c + 1e5 + 0.1)).collect();
+    for threads in [1, 2] {
+        let options = plain.clone().with_threads(threads);
+        check(&format!("f32, {threads} threads"), &mesh, &options, &narrow);
+        check(&format!("f64, {threads} threads"), &mesh, &options, &x);
+    }
+    check("far away", &mesh, &plain, &far);
+    check("a distance", &mesh, &plain.clone().with_min_distance(0.02), &x);
+    let sweep = plain.with_broad_phase(ccd::method::BroadPhaseMethod::SweepAndPrune);
+    check("a sweep", &mesh, &sweep, &x);
+}
