@@ -5,7 +5,9 @@
 //! 8 i + 8` of the level below as children, so there are no pointers, and refitting is one pass
 //! over the levels. Level 0, the leaves, is kept elsewhere: every method has it.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, block_of, get_lane, join, set_lane};
+use crate::broad_phase::leaf_boxes::{
+    LeafBoxes, Marks, NO_BODY, block_of, get_lane, join, set_lane,
+};
 use crate::broad_phase::worlds::Worlds;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
@@ -21,6 +23,10 @@ pub struct BlockBvh {
     /// Per level and block: the lanes that hold fixed boxes only; empty where none was marked.
     fixed: Vec<Vec<u8>>,
     any_fixed: bool,
+    /// Per level and block: the one body of all that is in it, see [`Marks::alone`]; empty where no
+    /// body is marked.
+    alone: Vec<Vec<u32>>,
+    any_alone: bool,
     /// Per level above the leaves.
     mixed: Vec<Mixed>,
     /// Per level above the leaves: boxes at the first and at the last time that matters.
@@ -77,6 +83,23 @@ impl BlockBvh {
         }
     }
 
+    /// Whether block `i` of a level, and block `j` of the same level of another tree or this one,
+    /// have boxes of one body alone, pairs within which are not wanted.
+    #[inline(always)]
+    pub fn within_one_body(&self, level: usize, i: usize, other: &Self, j: usize) -> bool {
+        let body = |tree: &Self, i: usize| match tree.alone.get(level) {
+            Some(bodies) if i < bodies.len() => bodies[i],
+            _ => NO_BODY,
+        };
+        let of = body(self, i);
+        of != NO_BODY && of == body(other, j)
+    }
+
+    /// Whether any block has boxes of one body alone, pairs within which are not wanted.
+    pub fn any_alone(&self) -> bool {
+        self.any_alone
+    }
+
     /// If lane and block `i` of a level are those where boxes that move and fixed ones meet: that
     /// lane, and in it what moves.
     #[inline(always)]
@@ -118,6 +141,7 @@ impl BlockBvh {
         if let Some(world) = marks.world {
             self.worlds.fill(order, world);
         }
+        self.mark_alone(order, marks);
         self.any_fixed = fixed.is_some();
         // Levels beyond those of this build, too: `raise` may need them, and they are not marked.
         self.fixed.iter_mut().for_each(Vec::clear);
@@ -138,6 +162,36 @@ impl BlockBvh {
                 break;
             }
             level += 1;
+        }
+    }
+
+    /// Marks blocks of one body, level by level.
+    fn mark_alone(&mut self, order: &[u32], marks: &Marks) {
+        self.any_alone = false;
+        self.alone.iter_mut().for_each(Vec::clear);
+        let Some(alone) = marks.alone else { return };
+        for level in 0.. {
+            if self.alone.len() == level {
+                self.alone.push(Vec::new());
+            }
+            let (below, here) = self.alone.split_at_mut(level);
+            let here = &mut here[0];
+            match below.last() {
+                None => here.extend(order.chunks(WIDTH).map(|ids| {
+                    let body = alone(ids[0] as usize);
+                    if ids.iter().all(|&id| alone(id as usize) == body) { body } else { NO_BODY }
+                })),
+                Some(below) => here.extend(below.chunks(WIDTH).map(|bodies| {
+                    let body = bodies[0];
+                    if bodies.iter().all(|&other| other == body) { body } else { NO_BODY }
+                })),
+            }
+            if level == 0 {
+                self.any_alone = here.iter().any(|&body| body != NO_BODY);
+            }
+            if here.len() <= 1 {
+                break;
+            }
         }
     }
 

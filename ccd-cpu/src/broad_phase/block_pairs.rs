@@ -182,10 +182,14 @@ impl PairTree for BlockPairs<'_> {
         if let Some(gap) = self.gap {
             masks &= !self.apart_at_ends(simd, pair, masks, gap);
         }
+        let any_alone = self.a.any_alone();
         while masks != 0 {
             let bit = masks.trailing_zeros();
             masks &= masks - 1;
-            out.push(child(pair, bit).packed());
+            let child = child(pair, bit);
+            if !(any_alone && self.within_one_body(child)) {
+                out.push(child.packed());
+            }
         }
     }
 
@@ -270,6 +274,12 @@ impl<'a> BlockPairs<'a> {
     #[inline(always)]
     pub fn in_one_world(self, BlockPair { level, a, b }: BlockPair) -> u64 {
         self.a.worlds().meet(a as usize, self.b.worlds(), b as usize, level as usize)
+    }
+
+    /// Whether all pairs below are within one body that is not looked at by itself.
+    #[inline(always)]
+    pub fn within_one_body(self, BlockPair { level, a, b }: BlockPair) -> bool {
+        self.a.within_one_body(level as usize, a as usize, self.b, b as usize)
     }
 
     /// Byte `i`, bit `j`: whether everything in box `i` of one block and box `j` of the other is

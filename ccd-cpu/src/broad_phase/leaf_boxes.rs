@@ -5,6 +5,7 @@
 
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
+use ccd_core::backend::broad_phase::candidate::bodies_meet;
 use ccd_core::backend::rules::Rules;
 use ccd_core::model::tree_statistics::TreeStatistics;
 use ccd_core::{Aabb, Error};
@@ -28,6 +29,8 @@ pub struct Marks<'a> {
     pub fixed: Option<&'a (dyn Fn(usize) -> bool + Sync)>,
     /// The world of box `i`; pairs of boxes of two worlds need not be emitted.
     pub world: Option<&'a (dyn Fn(usize) -> u32 + Sync)>,
+    /// The body of box `i`, if pairs within it need not be emitted, else [`NO_BODY`].
+    pub alone: Option<&'a (dyn Fn(usize) -> u32 + Sync)>,
     /// Bits of the greatest world.
     pub world_bits: u32,
     /// Number of boxes at the end of the previous order that stand still and keep their order.
@@ -35,6 +38,9 @@ pub struct Marks<'a> {
     /// Those that are posed.
     pub posed: Option<Posed<'a>>,
 }
+
+/// See [`Marks::alone`].
+pub const NO_BODY: u32 = u32::MAX;
 
 /// Boxes of bodies that move rigidly: they come between those that move otherwise and those that
 /// stand still, in an order of their own, see [`LeafBoxes::pose`].
@@ -274,7 +280,11 @@ impl LeafBoxes {
         };
         let still = |i: usize| rules.is_still(vertex(i));
         let world = |i: usize| rules.world(vertex(i));
-        let mut marks = Marks { kept, posed, ..Marks::default() };
+        let alone = |i: usize| {
+            let word = rules.word(vertex(i));
+            if bodies_meet(word, word) { NO_BODY } else { word }
+        };
+        let mut marks = Marks { kept, posed, alone: Some(&alone), ..Marks::default() };
         marks.fixed = if rules.still().is_empty() { None } else { Some(&still) };
         if let Some(n) = rules.worlds() {
             marks.world = Some(&world);

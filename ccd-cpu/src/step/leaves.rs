@@ -39,7 +39,7 @@ impl<const N: usize> Feature<N> {
         let kept = if keep { leaves.boxes.n_still() } else { 0 };
         let vertex = |i: usize| features(i as u32)[0];
         let is = |i: usize| rigid.has(vertex(i));
-        let order = &rigid.orders[leaves.boxes.set().index];
+        let order = rigid.order(leaves.boxes.set().index);
         let posed = rigid.is_there().then_some(Posed { is: &is, order });
         let order = method.order();
         leaves.boxes.build_by_rules(threads, order, boxes, rules, vertex, (kept, posed));

@@ -326,9 +326,9 @@ impl Prepared {
                 let [v, e, f] = &source.trees[..] else { unreachable!("a tree for each set") };
                 let leaves = (&vertices.leaves.boxes, &edges.leaves.boxes, &faces.leaves.boxes);
                 let trees = [(v, leaves.0), (e, leaves.1), (f, leaves.2)];
-                rigid.look(rules, moved, options.min_distance, trees);
+                rigid.look(threads, rules, moved, options.min_distance, trees);
             }
-            let ([v, e, f], still) = (&rigid.runs, keeps.still);
+            let ([v, e, f], still) = (rigid.runs(), keeps.still);
             let Feature { boxes, leaves } = vertices;
             edges.leaves.pose(threads, method, e, boxes, still);
             faces.leaves.pose(threads, method, f, boxes, still);
