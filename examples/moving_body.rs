@@ -11,7 +11,7 @@
 
 use ccd::any::{Backend, Session};
 use ccd::scenes::grid;
-use ccd::{Bodies, BodyMotion, Hit, Mesh, Options, Posed};
+use ccd::{Bodies, BodyMotion, Hit, Mesh, Options};
 use glam::{Mat4, Quat, Vec3};
 use std::sync::Arc;
 
@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let choice = Backend::Auto.choose(mesh.edges().len())?;
     let mut session = Session::new(&choice, mesh.clone(), options)?;
 
-    // The box is where its rest positions are until a step moves it.
+    // Poses move these positions; until a step does, the box is here.
     session.set_positions(&rest)?;
     let box_at_rest = rest.split_off(first as usize);
 
@@ -52,9 +52,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         Mat4::from_rotation_translation(turn, place)
     };
     let first_contact = |session: &mut Session, t: f32, step: f32| {
-        let poses = [pose(t), pose(t + step)];
-        let [x0, x1] = poses.each_ref().map(|pose| Posed::one(&box_at_rest, pose));
-        session.first_contact_of_bodies(&[BodyMotion::new(BOX_BODY, &x0, &x1)])
+        let motion = BodyMotion::posed(BOX_BODY, &pose(t), &pose(t + step));
+        session.first_contact_of_bodies(&[motion])
     };
     // Seconds, and the step: 2 degrees of a turn, between which a body shrinks by 0.02 %.
     let (mut t, mut step, mut n_steps) = (0.0f32, 1.0 / 40.0, 0);

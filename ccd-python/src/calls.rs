@@ -191,13 +191,19 @@ impl Shared {
         call: fn(&mut any::Session, &[BodyMotion]) -> Result<R, any::Error>,
     ) -> PyResult<(R, Arc<Py<Mesh>>)> {
         let positions = motions.iter().map(|(_, x0, x1)| {
-            Floats::new([("x0", x0), ("x1", x1)], &[3])?.in_rows(["x0", "x1"], &[3])
+            let given = [("x0", x0), ("x1", x1)];
+            let arrays = Floats::new(given, &[])?;
+            if [0, 1].iter().all(|&i| arrays.shape(i) == [4, 4]) {
+                return Ok(arrays);
+            }
+            Floats::new(given, &[3])?.in_rows(["x0", "x1"], &[3])
         });
         let positions: Vec<Floats<'_, 2>> = positions.collect::<PyResult<_>>()?;
         let motions = motions.iter().zip(&positions).map(|(&(body, ..), positions)| {
+            let posed = positions.shape(0) == [4, 4];
             Ok(match positions {
-                Floats::F32([x0, x1]) => motion(body, [numbers(x0)?, numbers(x1)?]),
-                Floats::F64([x0, x1]) => motion(body, [numbers(x0)?, numbers(x1)?]),
+                Floats::F32([x0, x1]) => motion(body, posed, [numbers(x0)?, numbers(x1)?]),
+                Floats::F64([x0, x1]) => motion(body, posed, [numbers(x0)?, numbers(x1)?]),
             })
         });
         let motions: Vec<BodyMotion> = motions.collect::<PyResult<_>>()?;
@@ -213,7 +219,13 @@ impl Shared {
     }
 }
 
-fn motion<'a, T: Coordinate>(body: u32, x: [&'a [T]; 2]) -> BodyMotion<'a> {
+/// The motion of a body between positions, or between poses: matrices of four rows.
+fn motion<'a, T: Coordinate>(body: u32, posed: bool, x: [&'a [T]; 2]) -> BodyMotion<'a> {
+    if posed {
+        let pose = |x: &[T]| [0, 1, 2, 3].map(|k| [0, 1, 2, 3].map(|i| x[4 * i + k]));
+        let [pose0, pose1] = x.map(pose);
+        return BodyMotion::posed(body, &pose0, &pose1);
+    }
     let [x0, x1] = x.map(|x| x.as_chunks::<3>().0);
     BodyMotion::new(body, x0, x1)
 }

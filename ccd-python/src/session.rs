@@ -178,8 +178,9 @@ impl Session {
     }
 
     /// Every contact of a step in which some bodies move, and all others stand where they are: a
-    /// list of `(body, x0, x1)` with the positions of the vertices of that body. On a CPU what is
-    /// fixed costs nothing then.
+    /// list of `(body, x0, x1)` with the positions of the vertices of that body, or with the poses
+    /// that move them from where `set_positions` has them: matrices of shape (4, 4) for columns
+    /// `(x, y, z, 1)`. On a CPU what is fixed costs nothing then, and what moves by poses little.
     fn step_bodies(&self, py: Python<'_>, motions: Motions<'_>) -> PyResult<Report> {
         let (columns, mesh) = self.shared.with_bodies(py, &motions, |session, motions| {
             session.step_bodies(motions)?;

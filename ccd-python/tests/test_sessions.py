@@ -140,6 +140,13 @@ def test_bodies_move_while_others_stand():
     assert len(session.step_bodies([])) == 0
     with pytest.raises(ValueError, match="x1|3"):
         session.step_bodies([(1, X0[4:], X1)])
+    # By poses, which move positions from where they were given.
+    session.set_positions(X0)
+    down = np.eye(4)
+    down[:3, 3] = np.subtract(X1, X0)[4]
+    assert same(session.step_bodies([(1, np.eye(4), down)]), want)
+    with pytest.raises(ValueError, match="0, 0, 0, 1"):
+        session.step_bodies([(1, np.eye(4), np.ones((4, 4)))])
 
 
 def test_a_filter_says_which_pairs_count():

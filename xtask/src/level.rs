@@ -1,5 +1,6 @@
 //! `cargo xtask report --level`: an octahedron and a ball of 1,024 vertices that fall on a level of
-//! a million, beside the shape cast of parry3d, in one run.
+//! a million, beside the shape cast of parry3d, in one run; and many balls that pass each other, by
+//! positions and by poses.
 //!
 //! Ours is told the positions of the body alone and finds its first contact, or all contacts of the
 //! step; theirs casts a convex polyhedron, or a `TriMesh`, against a `TriMesh` built before. All
@@ -9,7 +10,7 @@ use crate::markdown::{Table, digits};
 use crate::measure::{Place, median_of};
 use ccd::any::Session;
 use ccd::scenes::{grid, sphere};
-use ccd::{Bodies, BodyMotion, Mesh, Options};
+use ccd::{Bodies, BodyMotion, Mesh, Options, Posed};
 use parry3d::math::{Pose, Vector};
 use parry3d::query::{ShapeCastOptions, cast_shapes};
 use parry3d::shape::{ConvexPolyhedron, Shape, TriMesh};
@@ -23,6 +24,13 @@ const BALL: usize = 32;
 const FALL: f32 = 2.0;
 /// Every row is the median of so many steps.
 const RUNS: usize = 200;
+/// Balls that pass each other, vertices along a side of the grid that each is, and how far apart
+/// they are in units of their radius.
+const MANY: usize = 100;
+const OF_MANY: usize = 100;
+const SPACING: f64 = 2.5;
+/// Those rows are medians of so many steps.
+const RUNS_OF_MANY: usize = 20;
 /// The times of impact may differ by so much: single precision over a fall of [`FALL`].
 const TOLERANCE: f64 = 1e-4;
 
@@ -58,7 +66,69 @@ pub fn run() -> Result<(), String> {
         (&level, &faces),
         &ball.map(placed).collect::<Vec<_>>(),
         &of_ball,
-    )
+    )?;
+    pass()
+}
+
+/// Many balls that pass each other: steps that are told positions, and steps that are told poses.
+fn pass() -> Result<(), String> {
+    let side = MANY.isqrt();
+    let (mut rest, mut faces, mut names) = (Vec::new(), Vec::new(), Vec::new());
+    let of_ball = sphere(OF_MANY);
+    for ball in 0..MANY {
+        grid(&mut faces, OF_MANY, rest.len() as u32);
+        let middle = [ball % side, 0, ball / side].map(|k| SPACING * k as f64);
+        let placed = |p: &[f64; 3]| [0, 1, 2].map(|k| (middle[k] + p[k]) as f32);
+        rest.extend(of_ball.iter().map(placed));
+        names.resize(rest.len(), ball as u32);
+    }
+    let mesh = Arc::new(Mesh::new(rest.len(), &faces).map_err(|e| e.to_string())?);
+    let bodies = Bodies::new(&names).with_self_contacts(false);
+    // Every other row moves, by less than the room between its balls.
+    let pose = |ball: usize, t: f32| {
+        let mut pose = [0, 1, 2, 3].map(|k| [0, 1, 2, 3].map(|i| (i == k) as u8 as f32));
+        pose[3][0] = if ball / side % 2 == 0 { 0.4 * t } else { 0.0 };
+        pose
+    };
+    let mut table = Table::new([
+        format!("{MANY} balls of {} vertices, none near another", of_ball.len()),
+        "by positions, ms".into(),
+        "by poses, ms".into(),
+    ]);
+    let threads = std::thread::available_parallelism().map_or(1, |n| n.get()).min(2);
+    for place in [1, threads].map(|threads| Place::Cpu { threads }) {
+        let options = Options::default().with_bodies(bodies.clone()).with_threads(place.threads());
+        let poses: Vec<[_; 2]> = (0..MANY).map(|ball| [pose(ball, 0.0), pose(ball, 1.0)]).collect();
+        let of = |ball: usize| &rest[ball * of_ball.len()..(ball + 1) * of_ball.len()];
+        let at = |t: usize| (0..MANY).map(move |ball| (ball, t));
+        let posed = |(ball, t): (usize, usize)| Posed::one(of(ball), &poses[ball][t]);
+        let ends: [Vec<Posed<f32>>; 2] = [0, 1].map(|t| at(t).map(posed).collect());
+        let by_positions =
+            |ball: usize| BodyMotion::new(ball as u32, &ends[0][ball], &ends[1][ball]);
+        let by_poses =
+            |ball: usize| BodyMotion::posed(ball as u32, &poses[ball][0], &poses[ball][1]);
+        let motions: [Vec<BodyMotion>; 2] =
+            [(0..MANY).map(by_positions).collect(), (0..MANY).map(by_poses).collect()];
+        let (mut row, mut found) = (vec![place.name()], Vec::new());
+        for motions in &motions {
+            let mut session =
+                ccd::Session::new(mesh.clone(), options.clone()).map_err(|e| e.to_string())?;
+            session.set_positions(&rest).map_err(|e| e.to_string())?;
+            let (ms, counts) = median_of(RUNS_OF_MANY, || {
+                let report = session.step_bodies(motions).map_err(|e| e.to_string())?;
+                Ok::<_, String>((report.contacts.len(), report.candidates.total()))
+            })?;
+            row.push(digits(ms));
+            found.push(counts);
+        }
+        if found[0] != found[1] {
+            return Err(format!("{}: {found:?} contacts and candidates", place.name()));
+        }
+        let row: [String; 3] = row.try_into().map_err(|_| "a row of three")?;
+        table.row(row);
+    }
+    println!("{table}");
+    Ok(())
 }
 
 /// One body, by its vertices and faces, that falls on the level.

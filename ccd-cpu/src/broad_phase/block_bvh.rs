@@ -5,10 +5,8 @@
 //! 8 i + 8` of the level below as children, so there are no pointers, and refitting is one pass
 //! over the levels. Level 0, the leaves, is kept elsewhere: every method has it.
 
-use crate::broad_phase::leaf_boxes::{
-    LeafBoxes, Marks, NO_BODY, block_of, get_lane, join, set_lane,
-};
-use crate::broad_phase::worlds::Worlds;
+use crate::broad_phase::leaf_boxes::{LeafBoxes, block_of, get_lane, join, set_lane};
+use crate::broad_phase::marks::{BlockMarks, Marks};
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -20,13 +18,8 @@ pub struct BlockBvh {
     /// `upper[0]` is level 1, `upper[height - 2]` one block; those above are kept for their memory.
     upper: Vec<Vec<Block>>,
     height: usize,
-    /// Per level and block: the lanes that hold fixed boxes only; empty where none was marked.
-    fixed: Vec<Vec<u8>>,
-    any_fixed: bool,
-    /// Per level and block: the one body of all that is in it, see [`Marks::alone`]; empty where no
-    /// body is marked.
-    alone: Vec<Vec<u32>>,
-    any_alone: bool,
+    /// What blocks have in common besides their bounds.
+    pub marks: BlockMarks,
     /// Per level above the leaves.
     mixed: Vec<Mixed>,
     /// Per level above the leaves: boxes at the first and at the last time that matters.
@@ -35,7 +28,6 @@ pub struct BlockBvh {
     n_ends: usize,
     /// See [`BlockBvh::gap`].
     gap: Option<f32>,
-    worlds: Worlds,
     looseness_at_build: Option<f64>,
     /// Per block of level 1: side lengths of the boxes that move in the leaves below it, and of its
     /// own.
@@ -73,33 +65,6 @@ impl BlockBvh {
         &self.upper[level - 1]
     }
 
-    /// Lanes of block `i` of a level that hold fixed boxes only.
-    #[inline(always)]
-    pub fn fixed(&self, level: usize, i: usize) -> u8 {
-        if level < self.fixed.len() && i < self.fixed[level].len() {
-            self.fixed[level][i]
-        } else {
-            0
-        }
-    }
-
-    /// Whether block `i` of a level, and block `j` of the same level of another tree or this one,
-    /// have boxes of one body alone, pairs within which are not wanted.
-    #[inline(always)]
-    pub fn within_one_body(&self, level: usize, i: usize, other: &Self, j: usize) -> bool {
-        let body = |tree: &Self, i: usize| match tree.alone.get(level) {
-            Some(bodies) if i < bodies.len() => bodies[i],
-            _ => NO_BODY,
-        };
-        let of = body(self, i);
-        of != NO_BODY && of == body(other, j)
-    }
-
-    /// Whether any block has boxes of one body alone, pairs within which are not wanted.
-    pub fn any_alone(&self) -> bool {
-        self.any_alone
-    }
-
     /// If lane and block `i` of a level are those where boxes that move and fixed ones meet: that
     /// lane, and in it what moves.
     #[inline(always)]
@@ -121,78 +86,11 @@ impl BlockBvh {
         if level <= self.n_ends { Some(&self.ends[level - 1][i]) } else { None }
     }
 
-    /// Whether any box is fixed.
-    pub fn any_fixed(&self) -> bool {
-        self.any_fixed
-    }
-
-    /// The worlds in its blocks.
-    #[inline(always)]
-    pub fn worlds(&self) -> &Worlds {
-        &self.worlds
-    }
-
-    /// Forgets the boxes of before; marks those of the new order that are fixed, and their worlds.
+    /// Forgets the boxes of before; marks those of the new order.
     pub fn begin(&mut self, order: &[u32], marks: &Marks) {
-        let fixed = marks.fixed;
         self.looseness_at_build = None;
         self.build += 1;
-        self.worlds.clear();
-        if let Some(world) = marks.world {
-            self.worlds.fill(order, world);
-        }
-        self.mark_alone(order, marks);
-        self.any_fixed = fixed.is_some();
-        // Levels beyond those of this build, too: `raise` may need them, and they are not marked.
-        self.fixed.iter_mut().for_each(Vec::clear);
-        let Some(fixed) = fixed else { return };
-        let mut level = 0;
-        loop {
-            if self.fixed.len() == level {
-                self.fixed.push(Vec::new());
-            }
-            let (below, here) = self.fixed.split_at_mut(level);
-            match below.last() {
-                None => here[0]
-                    .extend(order.chunks(WIDTH).map(|ids| all_of(ids, |&id| fixed(id as usize)))),
-                Some(below) => here[0]
-                    .extend(below.chunks(WIDTH).map(|masks| all_of(masks, |&mask| mask == 0xff))),
-            }
-            if here[0].len() <= 1 {
-                break;
-            }
-            level += 1;
-        }
-    }
-
-    /// Marks blocks of one body, level by level.
-    fn mark_alone(&mut self, order: &[u32], marks: &Marks) {
-        self.any_alone = false;
-        self.alone.iter_mut().for_each(Vec::clear);
-        let Some(alone) = marks.alone else { return };
-        for level in 0.. {
-            if self.alone.len() == level {
-                self.alone.push(Vec::new());
-            }
-            let (below, here) = self.alone.split_at_mut(level);
-            let here = &mut here[0];
-            match below.last() {
-                None => here.extend(order.chunks(WIDTH).map(|ids| {
-                    let body = alone(ids[0] as usize);
-                    if ids.iter().all(|&id| alone(id as usize) == body) { body } else { NO_BODY }
-                })),
-                Some(below) => here.extend(below.chunks(WIDTH).map(|bodies| {
-                    let body = bodies[0];
-                    if bodies.iter().all(|&other| other == body) { body } else { NO_BODY }
-                })),
-            }
-            if level == 0 {
-                self.any_alone = here.iter().any(|&body| body != NO_BODY);
-            }
-            if here.len() <= 1 {
-                break;
-            }
-        }
+        self.marks.fill(order, marks);
     }
 
     /// Computes all levels above these leaves, as far as these have changed. Returns how much
@@ -206,8 +104,9 @@ impl BlockBvh {
         looseness
     }
 
-    /// Takes boxes of leaves at both ends, of which the blocks `changed` are others than when they
-    /// were taken last, and those from `moving` on stand still. Returns whether it took them:
+    /// Takes boxes of leaves at both ends, of which the blocks `changed` are new, and those from
+    /// `moving` on stand still. A block that is neither is as it was taken, or has become empty,
+    /// which leaves the boxes above it larger than they need to be. Returns whether it took them:
     /// not where boxes around both ends are hardly longer than those at one, which spares nothing.
     pub fn take_ends(
         &mut self,
@@ -217,12 +116,15 @@ impl BlockBvh {
         gap: f32,
     ) -> bool {
         let [mut around_both, mut at_start] = [0.0; 2];
-        let parts = leaves[..moving].chunks(WIDTH);
-        for part in parts.step_by((moving / WIDTH / SAMPLES).max(1)) {
+        let runs = changed.iter().filter(|run| run.start < moving);
+        let runs = runs.map(|run| run.start..run.end.min(moving));
+        let n: usize = runs.clone().map(|run| run.len()).sum();
+        let parts = runs.flat_map(|run| leaves[run].chunks(WIDTH));
+        for part in parts.step_by((n / WIDTH / SAMPLES).max(1)) {
             let [start, end] = union_of_ends(part);
-            at_start += extent(&start);
+            at_start += extent(&start, WIDTH);
             let both = |j: usize| get_lane(&start, j).union(&get_lane(&end, j));
-            around_both += extent(&block_of((0..WIDTH).map(both)));
+            around_both += extent(&block_of((0..WIDTH).map(both)), WIDTH);
         }
         if around_both <= LONG * at_start {
             return false;
@@ -249,7 +151,7 @@ impl BlockBvh {
     /// Finds the lanes where the first `moving` leaves end.
     fn mix(&mut self, leaves: &[Block], moving: usize) {
         self.mixed.clear();
-        if !self.any_fixed {
+        if !self.marks.any_fixed() {
             return;
         }
         let (mut node, mut below) = (moving, Aabb::EMPTY);
@@ -300,9 +202,10 @@ impl BlockBvh {
                     threads.fill_both(here, lengths, |i| {
                         let children = children(i);
                         let free = free.clamp(children.start, children.end);
-                        let of_boxes = below[children.start..free].iter().map(extent).sum();
+                        let of_boxes = below[children.start..free].iter();
+                        let of_boxes = of_boxes.map(|boxes| extent(boxes, WIDTH)).sum();
                         let block = block(i);
-                        (block, [of_boxes, extent(&block)])
+                        (block, [of_boxes, extent(&block, free - children.start)])
                     });
                     runs = others;
                 }
@@ -355,8 +258,8 @@ const LONG: f64 = 1.25;
 /// About so many blocks of eight are measured for [`LONG`].
 const SAMPLES: usize = 64;
 
-/// Sum of the side lengths of the boxes of a block.
-fn extent(block: &Block) -> f64 {
+/// Sum of the side lengths of the first `n` boxes of a block.
+fn extent(block: &Block, n: usize) -> f64 {
     let side = |k: usize, j: usize| {
         if block.min[k].0[j] <= block.max[k].0[j] {
             block.max[k].0[j] as f64 - block.min[k].0[j] as f64
@@ -364,15 +267,7 @@ fn extent(block: &Block) -> f64 {
             0.0
         }
     };
-    (0..WIDTH).map(|j| side(0, j) + side(1, j) + side(2, j)).sum()
-}
-
-/// The items for which `f`, as bits; a lane past the last item counts as fixed.
-fn all_of<T>(items: &[T], f: impl Fn(&T) -> bool) -> u8 {
-    items
-        .iter()
-        .enumerate()
-        .fold(0xff, |mask, (j, item)| if f(item) { mask } else { mask & !(1 << j) })
+    (0..n).map(|j| side(0, j) + side(1, j) + side(2, j)).sum()
 }
 
 /// The boxes of up to eight blocks at both ends, each block one lane.
@@ -452,8 +347,8 @@ mod tests {
         bvh.begin(&order, &of(&all));
         bvh.fit_blocks(&threads, &blocks, (&[0..blocks.len()], blocks.len()));
         let height = bvh.height();
-        let any = |bvh: &BlockBvh| (0..height).any(|level| bvh.fixed(level, 0) != 0);
-        assert!((0..height).all(|level| bvh.fixed(level, 0) == 0xff), "all boxes are fixed");
+        let any = |bvh: &BlockBvh| (0..height).any(|level| bvh.marks.fixed(level, 0) != 0);
+        assert!((0..height).all(|level| bvh.marks.fixed(level, 0) == 0xff), "all boxes are fixed");
         // Fewer boxes and fewer levels, then as many levels as before.
         bvh.begin(&order[..WIDTH], &of(&none));
         bvh.fit_blocks(&threads, &blocks[..1], (&[0..1], 1));

@@ -2,7 +2,8 @@
 //! against block, eight boxes a test.
 
 use crate::broad_phase::block_bvh::BlockBvh;
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Posed, Set, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Set, Sides};
+use crate::broad_phase::marks::Marks;
 use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::broad_phase::pair_tree::PairTree;
@@ -57,17 +58,8 @@ impl Order for BlockSource {
         if self.trees.len() <= set.index {
             self.trees.resize_with(set.index + 1, BlockBvh::default);
         }
-        if marks.kept > 0 {
-            // The others are sorted as they are, each once.
-            let mut still = order.split_off(order.len() - marks.kept);
-            order.dedup();
-            order.append(&mut still);
-        }
         // What is fixed comes last, so that whole blocks are.
         self.morton.sort(threads, boxes, marks, order);
-        if let Some(posed) = marks.posed {
-            place_posed(order, marks, posed);
-        }
         if let Some(world) = marks.world {
             fill_blocks(order, world);
         }
@@ -131,19 +123,6 @@ impl BlockSource {
     }
 }
 
-/// Puts what is posed into its own order, between what moves otherwise and what stands still.
-fn place_posed(order: &mut Vec<u32>, marks: &Marks, posed: Posed) {
-    let is_still = |id: &u32| marks.fixed.is_some_and(|fixed| fixed(*id as usize));
-    let n_moving = order.partition_point(|id| !is_still(id));
-    let still = order.split_off(n_moving);
-    order.retain(|&id| !(posed.is)(id as usize));
-    if let Some(&last) = order.last() {
-        order.resize(order.len().next_multiple_of(WIDTH), last);
-    }
-    order.extend_from_slice(posed.order);
-    order.extend(still);
-}
-
 /// Makes trees equally high that are to be descended at once.
 pub fn raise(trees: &mut [BlockBvh], (a, b): Sides) {
     let Some(b) = b.filter(|b| !a.is_empty() && !b.is_empty()) else { return };
@@ -173,21 +152,22 @@ impl PairTree for BlockPairs<'_> {
     fn expand<S: RowSimd>(self, simd: S, pair: NodePair, out: &mut Vec<NodePair>) {
         let pair = BlockPair::unpacked(pair);
         let mut masks = self.overlaps(simd, pair) & self.wanted(pair);
-        if self.a.any_fixed() {
+        if self.a.marks.any_fixed() {
             masks &= !self.apart_from_fixed(simd, pair);
         }
-        if self.a.worlds().are_known() && masks != 0 {
+        if self.a.marks.worlds().are_known() && masks != 0 {
             masks &= self.in_one_world(pair);
         }
         if let Some(gap) = self.gap {
             masks &= !self.apart_at_ends(simd, pair, masks, gap);
         }
-        let any_alone = self.a.any_alone();
+        let any_alone = self.a.marks.any_alone();
         while masks != 0 {
             let bit = masks.trailing_zeros();
             masks &= masks - 1;
             let child = child(pair, bit);
-            if !(any_alone && self.within_one_body(child)) {
+            let [level, i, j] = [child.level, child.a, child.b].map(|n| n as usize);
+            if !(any_alone && self.a.marks.within_one_body(level, i, &self.b.marks, j)) {
                 out.push(child.packed());
             }
         }
@@ -205,7 +185,7 @@ impl PairTree for BlockPairs<'_> {
         let (a, b) = (pair.a as usize, pair.b as usize);
         let mut masks =
             overlaps(simd, &self.leaves_a[a], &self.leaves_b[b]) & !self.both_fixed(pair);
-        if self.a.worlds().are_known() && masks != 0 {
+        if self.a.marks.worlds().are_known() && masks != 0 {
             masks &= self.in_one_world(pair);
         }
         if self.within && a == b {
@@ -273,30 +253,16 @@ impl<'a> BlockPairs<'a> {
     /// Byte `i`, bit `j`: whether there may be a pair of one world below child `i` and child `j`.
     #[inline(always)]
     pub fn in_one_world(self, BlockPair { level, a, b }: BlockPair) -> u64 {
-        self.a.worlds().meet(a as usize, self.b.worlds(), b as usize, level as usize)
-    }
-
-    /// Whether all pairs below are within one body that is not looked at by itself.
-    #[inline(always)]
-    pub fn within_one_body(self, BlockPair { level, a, b }: BlockPair) -> bool {
-        self.a.within_one_body(level as usize, a as usize, self.b, b as usize)
+        self.a.marks.worlds().meet(a as usize, self.b.marks.worlds(), b as usize, level as usize)
     }
 
     /// Byte `i`, bit `j`: whether everything in box `i` of one block and box `j` of the other is
     /// fixed.
     #[inline(always)]
-    fn both_fixed(self, pair: BlockPair) -> u64 {
-        if !self.a.any_fixed() {
-            return 0;
-        }
-        let rows = self.a.fixed(pair.level as usize, pair.a as usize);
-        let row = self.b.fixed(pair.level as usize, pair.b as usize) as u64;
-        (0..WIDTH)
-            .fold(0, |masks, i| if rows >> i & 1 == 1 { masks | row << (8 * i) } else { masks })
+    fn both_fixed(self, BlockPair { level, a, b }: BlockPair) -> u64 {
+        self.a.marks.both_fixed(level as usize, a as usize, &self.b.marks, b as usize)
     }
-}
 
-impl BlockPairs<'_> {
     /// Of a pair above the leaves, byte `i`, bit `j`: whether one of child `i` and child `j` is
     /// fixed, and what moves in the other is apart from it.
     #[inline(always)]
@@ -305,11 +271,11 @@ impl BlockPairs<'_> {
         let mut apart = 0;
         if let Some((lane, moving)) = self.a.mixed(level, a) {
             let met = simd.overlaps(moving, lane, &self.b.level(level)[b]);
-            apart |= ((self.b.fixed(level, b) as u32 & !met) as u64) << (8 * lane);
+            apart |= ((self.b.marks.fixed(level, b) as u32 & !met) as u64) << (8 * lane);
         }
         if let Some((lane, moving)) = self.b.mixed(level, b) {
             let met = simd.overlaps(moving, lane, &self.a.level(level)[a]);
-            let rows = self.a.fixed(level, a) as u32 & !met;
+            let rows = self.a.marks.fixed(level, a) as u32 & !met;
             apart |=
                 (0..WIDTH).fold(0, |bits, i| bits | ((rows >> i & 1) as u64) << (8 * i + lane));
         }

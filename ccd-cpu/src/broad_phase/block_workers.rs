@@ -56,7 +56,7 @@ impl FrontTree for BlockPairs<'_> {
     ) {
         let pair = BlockPair::unpacked(pair);
         let (met, mut masks) = (self.overlaps(simd, pair), self.wanted(pair));
-        if self.a.worlds().are_known() {
+        if self.a.marks.worlds().are_known() {
             masks &= self.in_one_world(pair);
         }
         let below = pair.level as usize - 1;

@@ -5,7 +5,8 @@
 //! The only limit is time: `n (n - 1) / 2` tests within one set, some 10^9 a second and thread.
 //! For a few hundred boxes it is also fast, because nothing is built.
 
-use crate::broad_phase::leaf_boxes::{Marks, Order, Set, Sides};
+use crate::broad_phase::leaf_boxes::{Order, Set, Sides};
+use crate::broad_phase::marks::Marks;
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{RowSimd, WIDTH, Work};
 use crate::threads::Threads;

@@ -3,6 +3,7 @@
 //!
 //! Twin: none; a GPU keeps boxes in the buffers of each method.
 
+use crate::broad_phase::marks::{Marks, NO_BODY, Posed};
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::candidate::bodies_meet;
@@ -20,36 +21,6 @@ pub struct Set {
     /// Whether pairs are sought within it or with it as the second of two. Of a set that is only
     /// ever the first of two, a source may need the order alone.
     pub searched: bool,
-}
-
-/// Properties of boxes besides their bounds.
-#[derive(Clone, Copy, Default)]
-pub struct Marks<'a> {
-    /// Whether box `i` stands still; pairs of two such boxes need not be emitted.
-    pub fixed: Option<&'a (dyn Fn(usize) -> bool + Sync)>,
-    /// The world of box `i`; pairs of boxes of two worlds need not be emitted.
-    pub world: Option<&'a (dyn Fn(usize) -> u32 + Sync)>,
-    /// The body of box `i`, if pairs within it need not be emitted, else [`NO_BODY`].
-    pub alone: Option<&'a (dyn Fn(usize) -> u32 + Sync)>,
-    /// Bits of the greatest world.
-    pub world_bits: u32,
-    /// Number of boxes at the end of the previous order that stand still and keep their order.
-    pub kept: usize,
-    /// Those that are posed.
-    pub posed: Option<Posed<'a>>,
-}
-
-/// See [`Marks::alone`].
-pub const NO_BODY: u32 = u32::MAX;
-
-/// Boxes of bodies that move rigidly: they come between those that move otherwise and those that
-/// stand still, in an order of their own, see [`LeafBoxes::pose`].
-#[derive(Clone, Copy)]
-pub struct Posed<'a> {
-    /// Whether box `i` is one.
-    pub is: &'a (dyn Fn(usize) -> bool + Sync),
-    /// Their ids in whole blocks: a box that is repeated is the last of its block.
-    pub order: &'a [u32],
 }
 
 /// What of the last call's boxes is as it was.
@@ -100,8 +71,8 @@ pub trait Order: Debug + Send + Sync {
 
     /// Takes boxes of a set at both ends of the times that matter, in the order of its leaves:
     /// until the next [`Order::fit`], pairs may be left out that an axis keeps further than `gap`
-    /// apart at both. `all`: all are others than when it took them last, else those are that
-    /// [`LeafBoxes::changed`] says. Returns whether it took them.
+    /// apart at both. `all`: all may be others than when it took them last, else those that
+    /// [`LeafBoxes::changed`] says, or that are empty now. Returns whether it took them.
     fn take_ends(
         &mut self,
         _threads: &Threads,
@@ -258,7 +229,8 @@ impl LeafBoxes {
         }
         self.blocks.clear();
         self.filled.clear();
-        self.take(threads, boxes, Keeps { still: false, posed: self.n_posed > 0 });
+        let posed = marks.posed.is_some_and(|posed| posed.wait);
+        self.take(threads, boxes, Keeps { still: false, posed });
         // Also what is posed and has no boxes yet.
         self.changed.clear();
         self.changed.extend(Some(0..self.blocks.len()).filter(|run| !run.is_empty()));

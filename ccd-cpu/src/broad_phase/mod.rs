@@ -27,6 +27,7 @@ pub mod descent_times;
 #[cfg(feature = "catalogue")]
 mod front;
 pub mod leaf_boxes;
+pub mod marks;
 pub mod method;
 mod morton_order;
 pub mod pair_list;
@@ -64,7 +65,8 @@ use ccd_core::model::report::FrontCounts;
 use ccd_core::model::scheduling::Scheduling;
 use ccd_core::model::tree_statistics::TreeStatistics;
 use ccd_core::{Aabb, Coordinate, Error, Real};
-use leaf_boxes::{LeafBoxes, Marks, Set};
+use leaf_boxes::{LeafBoxes, Set};
+use marks::Marks;
 use method::Method;
 use pair_list::{Lister, Pairs, Run, order_runs};
 use pair_source::{Overlaps, PairSink, PairSource};

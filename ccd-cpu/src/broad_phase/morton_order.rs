@@ -2,7 +2,8 @@
 //!
 //! Twin: none; on a GPU a sort of keys, as any other.
 
-use crate::broad_phase::leaf_boxes::Marks;
+use crate::broad_phase::marks::Marks;
+use crate::simd::WIDTH;
 use crate::sort::RadixSort;
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -42,8 +43,8 @@ impl MortonOrder {
     }
 
     /// Fills `order` with the ids of the boxes: one world after the other, in each those that stand
-    /// still after all others. Those that are kept stay where they are. Returns the grid of the
-    /// codes.
+    /// still after all others, and before these what is posed. Those that are kept stay where they
+    /// are. Returns the grid of the codes.
     pub fn sort(
         &mut self,
         threads: &Threads,
@@ -61,9 +62,10 @@ impl MortonOrder {
         match (world, fixed) {
             (None, None) => self.radix.sort(threads, boxes.len(), code, order),
             (None, Some(_)) if kept > 0 => {
-                // The others are all that is sorted.
+                // The others are all that is sorted, each once.
                 self.moving.clear();
                 self.moving.extend_from_slice(&order[..order.len() - kept]);
+                self.moving.dedup();
                 self.still.clear();
                 self.still.extend_from_slice(&order[order.len() - kept..]);
                 let moving = &self.moving;
@@ -80,7 +82,24 @@ impl MortonOrder {
                 self.radix.sort(threads, boxes.len(), key, order);
             }
         }
+        self.place_posed(order, marks);
         grid
+    }
+
+    /// Puts what is posed into its own order, between what moves otherwise, in whole blocks, and
+    /// what stands still.
+    fn place_posed(&mut self, order: &mut Vec<u32>, marks: &Marks) {
+        let Some(posed) = marks.posed else { return };
+        let is_still = |id: u32| marks.fixed.is_some_and(|fixed| fixed(id as usize));
+        let n_moving = order.partition_point(|&id| !is_still(id));
+        self.still.clear();
+        self.still.extend(order.drain(n_moving..));
+        order.retain(|&id| !(posed.is)(id as usize));
+        if let Some(&last) = order.last() {
+            order.resize(order.len().next_multiple_of(WIDTH), last);
+        }
+        order.extend_from_slice(posed.order);
+        order.extend_from_slice(&self.still);
     }
 
     /// The same of one world where all moves; fills `codes` with the codes of the sorted boxes.

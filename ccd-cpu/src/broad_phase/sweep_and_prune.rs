@@ -9,7 +9,8 @@
 //! the second axis all eight rows are tested before any branch: of boxes that fill a cube few are
 //! left, and only those are tested whole.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Set, Sides};
+use crate::broad_phase::marks::Marks;
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{Block, Mask, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;

@@ -14,7 +14,8 @@
 //! block of eight that is its next. On a CPU, where nobody waits, the queue is what it costs: it is
 //! here for comparison.
 
-use crate::broad_phase::leaf_boxes::{Marks, Order, Set, Sides};
+use crate::broad_phase::leaf_boxes::{Order, Set, Sides};
+use crate::broad_phase::marks::Marks;
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::broad_phase::sweep_and_prune::{Sweep, SweepAndPrune, TASK, emit};
 use crate::simd::{RowSimd, WIDTH, Work};

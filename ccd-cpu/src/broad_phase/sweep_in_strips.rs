@@ -9,7 +9,8 @@
 //! begin in their strip is a bit a leaf, eight side by side as boxes are, so that the rule is two
 //! operations on the mask of a row.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Set, Sides};
+use crate::broad_phase::marks::Marks;
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::broad_phase::sweep_and_prune::{Role, emit, moments};
 use crate::broad_phase::uniform_grid::lanes;

@@ -10,7 +10,8 @@
 //! around them, so that where each row begins and ends in the sorted boxes only moves on. Rows of
 //! another grid are found by bisection. Boxes of a cell are compared with a row eight at a time.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Set, Sides};
+use crate::broad_phase::marks::Marks;
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::simd::{Block, RowSimd, WIDTH, Work};
 use crate::sort::RadixSort;

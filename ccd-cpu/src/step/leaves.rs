@@ -1,7 +1,8 @@
 //! What belongs to the leaves of one set of features, in the order of the method that was chosen:
 //! all that the filters read of a pair of leaves.
 
-use crate::broad_phase::leaf_boxes::{Keeps, LeafBoxes, Posed, Set};
+use crate::broad_phase::leaf_boxes::{Keeps, LeafBoxes, Set};
+use crate::broad_phase::marks::Posed;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work};
@@ -40,7 +41,7 @@ impl<const N: usize> Feature<N> {
         let vertex = |i: usize| features(i as u32)[0];
         let is = |i: usize| rigid.has(vertex(i));
         let order = rigid.order(leaves.boxes.set().index);
-        let posed = rigid.is_there().then_some(Posed { is: &is, order });
+        let posed = rigid.is_there().then_some(Posed { is: &is, order, wait: rigid.is_on() });
         let order = method.order();
         leaves.boxes.build_by_rules(threads, order, boxes, rules, vertex, (kept, posed));
         leaves.order(threads, rules, &features);

@@ -46,7 +46,7 @@ pub struct RigidTrees {
     on: bool,
     n_plain: u32,
     call: u64,
-    /// Boxes of bodies, from left to right.
+    /// Boxes of bodies, along an axis.
     sorted: Vec<(Aabb<f32>, u32)>,
     /// Clumps that something is near.
     near: Vec<u32>,
@@ -214,9 +214,11 @@ impl RigidTrees {
         for (k, body) in (0..).zip(bodies.iter_mut()) {
             sorted.push((body.swept(way(body.given)), k));
         }
-        sorted.sort_unstable_by(|a, b| a.0.min[0].total_cmp(&b.0.min[0]).then(a.1.cmp(&b.1)));
+        let axis = axis_of(sorted);
+        let begin = |of: &(Aabb<f32>, u32)| of.0.min[axis];
+        sorted.sort_unstable_by(|a, b| begin(a).total_cmp(&begin(b)).then(a.1.cmp(&b.1)));
         for (k, (of_a, a)) in sorted.iter().enumerate() {
-            let begins = |next: &&(Aabb<f32>, u32)| next.0.min[0] <= of_a.max[0];
+            let begins = |next: &&(Aabb<f32>, u32)| begin(next) <= of_a.max[axis];
             for (_, b) in
                 sorted[k + 1..].iter().take_while(begins).filter(|of| !of.0.separated(of_a))
             {
@@ -228,4 +230,14 @@ impl RigidTrees {
             }
         }
     }
+}
+
+/// The axis along which boxes are furthest apart, by their sizes.
+fn axis_of(boxes: &[(Aabb<f32>, u32)]) -> usize {
+    let all = boxes.iter().fold(Aabb::EMPTY, |all, of| all.union(&of.0));
+    let room = |k: usize| {
+        let side = |of: &Aabb<f32>| of.max[k] as f64 - of.min[k] as f64;
+        side(&all) / boxes.iter().map(|of| side(&of.0)).sum::<f64>()
+    };
+    [1, 2].into_iter().fold(0, |best, k| if room(k) > room(best) { k } else { best })
 }

@@ -268,7 +268,8 @@ class Session:
     def set_positions(self, x: _Array) -> None:
         """From now on all vertices stand there, until step_bodies moves some."""
     def step_bodies(self, motions: Sequence[tuple[int, _Array, _Array]]) -> Report:
-        """Every contact of a step in which these bodies move: (body, x0, x1) of each."""
+        """Every contact of a step in which these bodies move: (body, x0, x1) of each, positions
+        of its vertices, or poses (4, 4) that move them from those of set_positions."""
     def earliest_toi_of_bodies(
         self, motions: Sequence[tuple[int, _Array, _Array]]
     ) -> float | None:

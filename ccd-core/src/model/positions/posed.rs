@@ -152,10 +152,10 @@ pub fn moved<T: Coordinate>([x, y, z, place]: &Pose<T>, p: &[T; 3]) -> [T; 3] {
     core::array::from_fn(|k| x[k] * p[0] + y[k] * p[1] + z[k] * p[2] + place[k])
 }
 
-/// A box that holds where a matrix moves any point of a box, to the last bit: rounding to nearest
-/// is monotone, so that the terms of [`moved`], each with the corner that makes it least, add up in
-/// its order to no more than they do for any point. Not if a number is NaN, or the sum of terms
-/// beyond all numbers: then a bound is NaN, or none of the points is finite either.
+/// A box that holds where [`moved`] puts any point of a box, to the last bit: rounding to nearest
+/// is monotone, so its terms, each at the corner that makes it least, add up in its order to no
+/// more than they do for any point. Only for matrices that move the points whose coordinates bound
+/// the box to finite numbers: then each term is finite, and no bound is NaN.
 #[inline]
 pub fn moved_box<T: Coordinate>([x, y, z, place]: &Pose<T>, of: &Aabb<T>) -> Aabb<T> {
     let terms = |axis: &[T; 4], k: usize, j: usize| [axis[k] * of.min[j], axis[k] * of.max[j]];

@@ -147,7 +147,7 @@ impl Kept {
     /// # Errors
     /// Those of [`Session::set_positions`](super::Session::set_positions).
     pub fn set(&mut self, mesh: &Mesh, x: Ends) -> Result<(), Error> {
-        let given = super::given(mesh, &mut self.gathered, x)?;
+        let given = given(mesh, &mut self.gathered, x)?;
         self.x = Some(match given {
             Precision::F32([x, _]) => Precision::F32(BothEnds::at(x)),
             Precision::F64([x, _]) => Precision::F64(BothEnds::at(x)),
@@ -248,4 +248,22 @@ impl Kept {
             self.calls += 2;
         }
     }
+}
+
+/// Positions as slices, one position for every vertex at both ends of a step.
+///
+/// # Errors
+/// What [`Gathered::slices`] and [`Mesh::check_positions`] say.
+#[inline(never)]
+pub fn given<'a>(
+    mesh: &Mesh,
+    gathered: &'a mut Gathered,
+    ends: Ends<'a>,
+) -> Result<Given<'a>, Error> {
+    let given = gathered.slices(ends)?;
+    match given {
+        Precision::F32([x0, x1]) => mesh.check_positions(x0, x1)?,
+        Precision::F64([x0, x1]) => mesh.check_positions(x0, x1)?,
+    }
+    Ok(given)
 }

@@ -14,7 +14,8 @@ mod traversal;
 
 #[cfg(feature = "catalogue")]
 use crate::broad_phase::descend::{Pairs, PairsOfNodes};
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Order, Set, Sides};
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Set, Sides};
+use crate::broad_phase::marks::Marks;
 use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::threads::Threads;

@@ -17,7 +17,8 @@
 use super::TreeBuilder;
 use super::bottom_up::{Joins, Subtree};
 use super::ploc_search::{Search, fill_boxes};
-use crate::broad_phase::leaf_boxes::{Marks, get_lane};
+use crate::broad_phase::leaf_boxes::get_lane;
+use crate::broad_phase::marks::Marks;
 use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::tree::shared_words::Shared;
 use crate::simd::{Block, WIDTH};

@@ -135,7 +135,8 @@ impl Traverse for Cut {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::broad_phase::leaf_boxes::{LeafBoxes, Marks, Set};
+    use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
+    use crate::broad_phase::marks::Marks;
     use crate::broad_phase::tree::TreeSource;
     use ccd_core::Aabb;
     use ccd_core::model::method::TreeOptions;
