@@ -3,7 +3,7 @@
 #![deny(unsafe_code)]
 
 use ccd::method::{BroadPhaseMethod, Builder, Front, Pipeline, Scheduling, Traversal, TreeOptions};
-use ccd::{CancelToken, Error, Options, Posed, Session, Strided};
+use ccd::{Bodies, BodyMotion, CancelToken, Error, Options, Posed, Session, Strided};
 use ccd_testkit::generate::crumpled_sheet;
 use ccd_testkit::methods::is_near_default;
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -115,6 +115,49 @@ fn check_forms_and_changes() {
     assert!(calls.iter().all(|&n| n == 0), "forms and changes: {calls:?}");
 }
 
+/// Bodies that are moved by poses: a warm session allocates nothing, and holds no more than the
+/// estimate for its mesh.
+fn check_poses() {
+    const N_BODIES: u32 = 3;
+    let (step, bodies) = ccd::scenes::copies(&crumpled_sheet(20, 1), N_BODIES as usize);
+    let names: Vec<u32> = (0..step.x0.len()).map(|v| bodies.name(v as u32)).collect();
+    let bodies = Bodies::new(&names).with_self_contacts(false);
+    let options = Options::default().with_threads(1).with_bodies(bodies);
+    let mesh = std::sync::Arc::new(step.mesh);
+    let limited = options.clone().with_max_memory(0);
+    let Some(Error::Memory { bytes, .. }) = Session::new(mesh.clone(), limited).err() else {
+        panic!("no memory was enough");
+    };
+    let before = LIVE.load(Ordering::Relaxed);
+    let mut session = Session::new(mesh, options).unwrap();
+    session.set_positions(&step.x0).unwrap();
+    // Apart at first, then one on the other.
+    let pose = |body: u32, time: usize| {
+        let mut pose = [0, 1, 2, 3].map(|k| [0, 1, 2, 3].map(|i| (i == k) as u8 as f64));
+        pose[3][1] = if time.is_multiple_of(4) { 4.0 } else { 0.01 } * f64::from(body);
+        pose
+    };
+    let apart = |body| BodyMotion::posed(body, &pose(body, 0), &pose(body, 0));
+    for _ in 0..3 {
+        let motions: Vec<BodyMotion> = (0..N_BODIES).map(apart).collect();
+        assert!(session.step_bodies(&motions).unwrap().contacts.is_empty());
+    }
+    let held = (LIVE.load(Ordering::Relaxed) - before) as u64;
+    assert!(held <= bytes, "poses: {held} bytes, not {bytes}");
+    let mut one = |time: usize| {
+        let before = CALLS.load(Ordering::Relaxed);
+        for body in 0..N_BODIES {
+            let motion = BodyMotion::posed(body, &pose(body, time), &pose(body, time + 1));
+            session.step_bodies(&[motion]).unwrap();
+            session.earliest_toi_of_bodies(&[motion]).unwrap();
+        }
+        CALLS.load(Ordering::Relaxed) - before
+    };
+    (0..12).for_each(|time| _ = one(time));
+    let calls: Vec<usize> = (12..24).map(one).collect();
+    assert!(calls.iter().all(|&n| n == 0), "poses: {calls:?}");
+}
+
 /// Steps with few pairs hold what the mesh needs: no more than the estimate, and not so little that
 /// it would be a bad one.
 fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Scheduling) {
@@ -177,6 +220,7 @@ fn warm_sessions_allocate_nothing() {
         }
     }
     check_forms_and_changes();
+    check_poses();
     // The counter counts.
     let before = CALLS.load(Ordering::Relaxed);
     drop(std::hint::black_box(vec![1u8; 100]));
