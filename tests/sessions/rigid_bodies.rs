@@ -281,6 +281,11 @@ fn what_keeps_less_than_the_distance_is_near() {
                 let report = session.step_bodies(&[motion(0), motion(1)]).unwrap();
                 assert_eq!(report.toi.is_some(), gap < DISTANCE, "{posed:?}, {gap}");
             }
+            // They stay where they are, whatever they are called.
+            let swapped: Vec<u32> = names.iter().map(|name| 1 - name).collect();
+            session.set_bodies(Bodies::new(&swapped).with_self_contacts(false)).unwrap();
+            let toi = session.earliest_toi_of_bodies(&[]).unwrap();
+            assert_eq!(toi.is_some(), gap < DISTANCE, "{posed:?}, {gap}, with other names");
         }
     }
 }
