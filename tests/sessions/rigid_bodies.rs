@@ -101,10 +101,19 @@ fn check<T: Coordinate>(what: &str, n: usize, mesh: &Mesh, options: &Options, at
     let vertices = |name: u32| (0..of.len()).filter(move |&v| of[v] == name);
     // The scene is around this point.
     let at = (at_rest[0][0].to_f64() / 1e3).round() * 1e3;
-    let mut x = at_rest.to_vec();
+    let mut rest = at_rest.to_vec();
+    let mut x = rest.clone();
     told.set_positions(&x).unwrap();
     let mut n_contacts = 0;
     for k in 0..n {
+        if k % 11 == 10 {
+            // Bodies of another shape.
+            let by = [1.4, 0.8][k / 11 % 2];
+            let stretched = |y: T| T::from_f64(at + by * (y.to_f64() - at));
+            rest = at_rest.iter().map(|&[x, y, z]| [x, stretched(y), z]).collect();
+            x.clone_from(&rest);
+            told.set_positions(&x).unwrap();
+        }
         let (mut from, mut to) = (x.clone(), x.clone());
         let mut posed: Vec<(u32, [Pose<T>; 2])> = Vec::new();
         let mut given: Vec<(u32, [Vec<[T; 3]>; 2])> = Vec::new();
@@ -120,8 +129,8 @@ fn check<T: Coordinate>(what: &str, n: usize, mesh: &Mesh, options: &Options, at
             let by_positions = name <= LOOSE || random.unit() < 0.04;
             let [pose0, pose1] =
                 [pose::<T>(&mut random, 3.0, shift, at), pose(&mut random, 0.3, end, at)];
-            let rest: Vec<[T; 3]> = vertices(name).map(|v| at_rest[v]).collect();
-            let ends = [pose0, pose1].map(|pose| moved(&rest, &pose));
+            let of_body: Vec<[T; 3]> = vertices(name).map(|v| rest[v]).collect();
+            let ends = [pose0, pose1].map(|pose| moved(&of_body, &pose));
             for (i, v) in vertices(name).enumerate() {
                 (from[v], to[v]) = (ends[0][i], ends[1][i]);
             }
@@ -166,28 +175,6 @@ fn check<T: Coordinate>(what: &str, n: usize, mesh: &Mesh, options: &Options, at
                 let toi = told.earliest_toi(&x, &to).unwrap();
                 assert_eq!(toi, plain.earliest_toi(&x, &to).unwrap(), "{what}, step {k}");
             }),
-            10 => {
-                told.set_positions(at_rest).unwrap();
-                (from, to) = (at_rest.to_vec(), at_rest.to_vec());
-                for (name, ends) in posed
-                    .iter()
-                    .map(|(name, poses)| {
-                        (
-                            *name,
-                            poses.map(|pose| {
-                                let rest: Vec<[T; 3]> =
-                                    vertices(*name).map(|v| at_rest[v]).collect();
-                                moved(&rest, &pose)
-                            }),
-                        )
-                    })
-                    .chain(given.iter().cloned())
-                {
-                    for (i, v) in vertices(name).enumerate() {
-                        (from[v], to[v]) = (ends[0][i], ends[1][i]);
-                    }
-                }
-            }
             _ => {}
         }
         let toi = told.earliest_toi_of_bodies(&motions).unwrap();
@@ -259,4 +246,46 @@ fn steps_by_poses_are_plain_steps() {
     check("a distance", 23, &mesh, &plain.clone().with_min_distance(0.02), &x);
     let sweep = plain.with_broad_phase(ccd::method::BroadPhaseMethod::SweepAndPrune);
     check("a sweep", 12, &mesh, &sweep, &x);
+}
+
+/// Two plates that pass each other at nearly the minimum distance, or a little more: by poses both,
+/// one of them, or neither.
+#[test]
+fn what_keeps_less_than_the_distance_is_near() {
+    const DISTANCE: f64 = 0.1;
+    let (mut x, mut faces) = (Vec::new(), Vec::new());
+    for plate in 0..2 {
+        grid(&mut faces, 8, x.len() as u32);
+        x.extend((0..64).map(|i| [(i % 8) as f32, plate as f32, (i / 8) as f32]));
+    }
+    let names: Vec<u32> = (0..x.len() as u32).map(|v| v / 64).collect();
+    let mesh = Mesh::new(x.len(), &faces).unwrap();
+    let bodies = Bodies::new(&names).with_self_contacts(false);
+    let options = Options::default().with_bodies(bodies).with_min_distance(DISTANCE);
+    let pose = |height: f64| {
+        let mut pose = [0, 1, 2, 3].map(|k| [0, 1, 2, 3].map(|i| (i == k) as u8 as f32));
+        pose[3][1] = height as f32;
+        pose
+    };
+    for posed in [[true, true], [true, false], [false, true], [false, false]] {
+        for gap in [0.99 * DISTANCE, 1.01 * DISTANCE] {
+            let mut session = Session::new(&mesh, options.clone()).unwrap();
+            session.set_positions(&x).unwrap();
+            let poses = [pose(0.0), pose(gap - 1.0)];
+            let ends = [0, 1].map(|plate| moved(&x[64 * plate..64 * (plate + 1)], &poses[plate]));
+            let motion = |plate: usize| match posed[plate] {
+                true => BodyMotion::posed(plate as u32, &poses[plate], &poses[plate]),
+                false => BodyMotion::new(plate as u32, &ends[plate], &ends[plate]),
+            };
+            for _ in 0..2 {
+                let report = session.step_bodies(&[motion(0), motion(1)]).unwrap();
+                assert_eq!(report.toi.is_some(), gap < DISTANCE, "{posed:?}, {gap}");
+            }
+            // They stay where they are, whatever they are called.
+            let swapped: Vec<u32> = names.iter().map(|name| 1 - name).collect();
+            session.set_bodies(Bodies::new(&swapped).with_self_contacts(false)).unwrap();
+            let toi = session.earliest_toi_of_bodies(&[]).unwrap();
+            assert_eq!(toi.is_some(), gap < DISTANCE, "{posed:?}, {gap}, with other names");
+        }
+    }
 }
