@@ -1,9 +1,9 @@
 //! From the caller's positions to what kernels read: paths in `f32` and, where those or boxes are
 //! rounded, the exact numbers besides.
 
+use super::scans::{CHUNK, Look, Seen, look_at_all, scan_chunks};
 use crate::device::Device;
 use crate::error::Error;
-use super::scans::{CHUNK, Look, Seen, look_at_all, scan_chunks};
 use crate::staging::Staging;
 use ccd_core::backend::broad_phase::{placement, swept_box};
 use ccd_core::backend::layout::{Frame, Path, Placing, split};
@@ -189,7 +189,9 @@ impl Positions {
             Path { t0, t1 }
         };
         let (scan, are_written) = match chosen {
-            Some(Chosen { look, .. }) => self.look(device, n, |v| path(&Table::AS_GIVEN, v), look)?,
+            Some(Chosen { look, .. }) => {
+                self.look(device, n, |v| path(&Table::AS_GIVEN, v), look)?
+            }
             None => (self.scan(x, runs), false),
         };
         scan.check(x[0], x[1])?;
