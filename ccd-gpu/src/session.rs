@@ -10,7 +10,6 @@ use crate::step::Goal;
 use crate::step::codimensional::Codimensional;
 use crate::step::cpu_fallback::{self, Host, Summary};
 use crate::step::frame::{Found, Frames};
-use crate::step::scans::look_at_all;
 use crate::step::upload::Input;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
@@ -229,7 +228,6 @@ impl Engine {
             || self.codimensional.is_some()
             || self.frames.buffers.source.triangles().is_some();
         if host {
-            look_at_all(chosen.vertices.len(), chosen.look)?;
             let mut gathered = std::mem::take(&mut self.gathered);
             let found = self.find(gathered.choose(given, chosen.vertices), None, ask);
             self.gathered = gathered;

@@ -51,31 +51,17 @@ impl Staging {
         n: usize,
         item: impl Fn(usize) -> T + Sync,
     ) -> Result<(), Error> {
-        self.write_and(device, what, (to, at), n, item, &|_| ())
-    }
-
-    /// The same; `then` is told the numbers of items that were written, in parts, while what they
-    /// were made of is still at hand.
-    pub fn write_and<T: Pod>(
-        &mut self,
-        device: &Device,
-        what: &'static str,
-        (to, at): (&wgpu::Buffer, u64),
-        n: usize,
-        item: impl Fn(usize) -> T + Sync,
-        then: &(dyn Fn(Range<usize>) + Sync),
-    ) -> Result<(), Error> {
         const { assert!(size_of::<T>().is_multiple_of(wgpu::MAP_ALIGNMENT as usize)) };
         let bytes = (n * size_of::<T>()) as u64;
         // A browser maps a buffer when it likes to.
         if bytes < LEAST || !BLOCKS {
-            return write_once(device, what, (to, at), n, (&item, then));
+            return write_once(device, what, (to, at), n, item);
         }
         device.run_callbacks();
         let mapped = self.free(device, bytes)?.clone();
         let Mapped { buffer, is_free } = &mapped;
         let written = device.guarded(what, bytes, || {
-            fill(buffer.get_mapped_range_mut(0..bytes)?.slice(..), n, (&item, then));
+            fill(buffer.get_mapped_range_mut(0..bytes)?.slice(..), n, &item);
             buffer.unmap();
             is_free.store(false, Relaxed);
             let new = || device.wgpu().create_command_encoder(&Default::default());
@@ -141,26 +127,19 @@ fn write_once<T: Pod>(
     what: &'static str,
     (to, at): (&wgpu::Buffer, u64),
     n: usize,
-    items: Items<impl Fn(usize) -> T + Sync>,
+    item: impl Fn(usize) -> T + Sync,
 ) -> Result<(), Error> {
     let bytes = (n * size_of::<T>()) as u64;
     let Some(size) = wgpu::BufferSize::new(bytes) else { return Ok(()) };
     device.guarded(what, bytes, || {
         // Without a view there is an error, which is noticed around this.
         let view = device.queue().write_buffer_with(to, at, size);
-        view.into_iter().for_each(|mut view| fill(view.slice(..), n, items));
+        view.into_iter().for_each(|mut view| fill(view.slice(..), n, &item));
     })
 }
 
-/// What makes an item, and what is told of those that were written.
-type Items<'a, F> = (&'a F, &'a (dyn Fn(Range<usize>) + Sync));
-
 /// Writes all items, on several threads.
-fn fill<T: Pod>(
-    to: wgpu::WriteOnly<[u8]>,
-    n: usize,
-    (item, then): Items<impl Fn(usize) -> T + Sync>,
-) {
+fn fill<T: Pod>(to: wgpu::WriteOnly<[u8]>, n: usize, item: &(impl Fn(usize) -> T + Sync)) {
     const { assert!(PART.is_multiple_of(size_of::<T>())) };
     let share = PART / size_of::<T>();
     let (parts, rest) = to.into_chunks::<PART>();
@@ -169,10 +148,8 @@ fn fill<T: Pod>(
     let parts: Vec<_> = parts.into_iter().enumerate().collect();
     threads::copy(parts.into_iter(), |(i, part)| {
         write_items(part.into(), i * share..(i + 1) * share, item);
-        then(i * share..(i + 1) * share);
     });
     write_items(rest, first_of_rest..n, item);
-    then(first_of_rest..n);
 }
 
 /// Writes the items of these numbers.

@@ -6,7 +6,6 @@ use ccd_core::backend::quantization::Scan;
 use ccd_core::model::positions::{Chosen, Gathered};
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Candidates};
-use std::ops::Range;
 
 /// An engine that can be a member.
 pub trait Member: session::Engine<On: Clone + Sync, Error: Send> + Send {
@@ -14,7 +13,7 @@ pub trait Member: session::Engine<On: Clone + Sync, Error: Send> + Send {
     /// these positions.
     ///
     /// # Errors
-    /// Those of [`session::Engine::find`]; any, if the part is not for these positions.
+    /// Those of [`session::Engine::find`].
     fn find_chosen(&mut self, given: Given, chosen: Chosen, ask: Ask) -> Result<(), Self::Error>;
 
     /// Candidates in lists.
@@ -42,7 +41,6 @@ impl Member for ccd_gpu::Engine {
 
 impl Member for ccd_cpu::Engine {
     fn find_chosen(&mut self, given: Given, chosen: Chosen, ask: Ask) -> Result<(), Error> {
-        (chosen.look)(0..chosen.vertices.len()).ok_or(Error::Cancelled)?;
         let mut gathered = Gathered::default();
         session::Engine::find(self, gathered.choose(given, chosen.vertices), None, ask)
     }
@@ -53,9 +51,6 @@ impl Member for ccd_cpu::Engine {
         Ok(Candidates::new(lists, [found.ve.to_vec(), found.vv.to_vec()]))
     }
 }
-
-/// What positions of some vertices of a part say together; nothing, if it is not for these.
-pub type Look<'a> = dyn Fn(Range<usize>) -> Option<Scan> + Sync + 'a;
 
 /// A member, and its candidates.
 pub struct InGroup<E> {
@@ -76,14 +71,13 @@ impl<E: Member> InGroup<E> {
     pub fn find(
         &mut self,
         given: Given,
-        (part, look): (&Part, &Look),
+        (part, scan): (&Part, &Scan),
         ask: Asked,
     ) -> Result<(), E::Error> {
-        let chosen = Chosen { vertices: part.vertices(), look };
+        let chosen = Chosen { vertices: part.vertices(), scan };
         match ask {
             Asked::Step(ask) => self.engine.find_chosen(given, chosen, ask)?,
             Asked::Candidates => {
-                look(0..chosen.vertices.len()).ok_or(Error::Cancelled)?;
                 let found = self.engine.list(self.gathered.choose(given, chosen.vertices))?;
                 self.lists = [found.vf, found.ee, found.ve, found.vv];
                 for (list, kind) in self.lists.iter_mut().zip(Kind::ALL) {

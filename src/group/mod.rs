@@ -12,6 +12,7 @@ mod threads;
 
 use crate::positions::Precision;
 use crate::{CancelToken, Contact, Error, Kind, Mesh, Options, Pair, Report};
+use ccd_core::backend::quantization::Scan;
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Kept, Moved, State};
 use elements::Elements;
@@ -19,10 +20,7 @@ pub use member::Member;
 use member::{Asked, InGroup};
 use merge::merge;
 use parts::{Part, Parts};
-use std::ops::Range;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-use std::sync::atomic::Ordering::Relaxed;
 use std::time::Instant;
 use threads::{Threads, each_alone};
 
@@ -136,9 +134,12 @@ impl<E: Member> session::Engine for Engine<E> {
     fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), E::Error> {
         self.clear();
         let start = Instant::now();
-        if self.each(given, Asked::Step(ask))? == 0 {
+        let scans = self.place(given)?;
+        if let Division::Whole = self.division {
             return self.members[0].engine.find(given, moved, ask);
         }
+        let placed = start.elapsed();
+        self.each(given, &scans, Asked::Step(ask))?;
         let Self { state: State { mesh, report, .. }, members, threads, division, .. } = self;
         let Division::Parts(Parts { all: parts, .. }) = division else { return Ok(()) };
         report.set_mesh(mesh);
@@ -148,16 +149,18 @@ impl<E: Member> session::Engine for Engine<E> {
         let ids = |of: usize, c: &Contact| parts[of].ids(c.kind, [c.a, c.b]);
         report.contacts = std::mem::take(&mut self.joined);
         report.undecided = merge(threads, &lists, ids, &mut report.contacts);
+        report.times.boxes += placed.as_secs_f64() * 1e3;
         report.times.total = start.elapsed().as_secs_f64() * 1e3;
         Ok(())
     }
 
     fn candidates(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, E::Error> {
         self.clear();
-        let n_parts = self.each(given, Asked::Candidates)?;
-        if n_parts == 0 {
+        let scans = self.place(given)?;
+        if let Division::Whole = self.division {
             return self.members[0].engine.list(given);
         }
+        let n_parts = self.each(given, &scans, Asked::Candidates)?;
         let lists = [0, 1, 2, 3].map(|kind| {
             let of = self.members[..n_parts].iter_mut().map(|member| &mut member.lists[kind]);
             let mut all: Vec<Pair> = of.flat_map(std::mem::take).collect();
@@ -273,9 +276,8 @@ impl<E: Member> Engine<E> {
         members.try_for_each(|(i, member)| member.engine.change(change(i)))
     }
 
-    /// All parts at once, which are made anew where they do not hold; how many there are, 0 if the
-    /// mesh is whole, of which nothing is asked.
-    fn each(&mut self, given: Given, ask: Asked) -> Result<usize, E::Error> {
+    /// Makes parts anew where they do not hold. Returns what the positions of each say together.
+    fn place(&mut self, given: Given) -> Result<Vec<Scan>, E::Error> {
         // Of a whole mesh its engine says so.
         if !matches!(self.division, Division::Whole)
             && let Some(bodies) = &self.state.options.bodies
@@ -286,41 +288,10 @@ impl<E: Member> Engine<E> {
         {
             return Err(Error::FixedMoves { vertex }.into());
         }
-        if let Some(done) = self.each_if_they_hold(given, ask) {
-            return done;
+        let (scans, holds) = self.look(given);
+        if holds {
+            return Ok(scans);
         }
-        self.divide(given)?;
-        // Parts have room for what they were made of.
-        self.each_if_they_hold(given, ask).unwrap_or(Err(Error::Cancelled.into()))
-    }
-
-    /// The same; nothing, if parts do not hold.
-    fn each_if_they_hold(&mut self, given: Given, ask: Asked) -> Option<Result<usize, E::Error>> {
-        let parts = match &self.division {
-            Division::None => return None,
-            Division::Whole => return Some(Ok(0)),
-            Division::Parts(parts) => parts,
-        };
-        let by = parts.common_motion(given)?;
-        let hold = AtomicBool::new(true);
-        let find = |(member, part): (&mut InGroup<E>, &Arc<Part>)| {
-            let look = |these: Range<usize>| {
-                let scan = part.look(these, given, by);
-                if scan.is_none() {
-                    hold.store(false, Relaxed);
-                }
-                scan
-            };
-            member.find(given, (part, &look), ask)
-        };
-        let done = each_alone(self.members.iter_mut().zip(&parts.all), find);
-        let n_parts = parts.all.len();
-        // Otherwise members have failed, or found something in parts of it.
-        hold.into_inner().then(|| done.into_iter().collect::<Result<(), _>>().map(|()| n_parts))
-    }
-
-    /// Makes parts.
-    fn divide(&mut self, given: Given) -> Result<(), E::Error> {
         self.division = Division::None;
         let State { mesh, options, .. } = &self.state;
         let elements = Elements::new(mesh);
@@ -331,7 +302,7 @@ impl<E: Member> Engine<E> {
             engine.change(Change::Mesh(mesh.clone(), options.clone()))?;
             engine.change(Change::Filter(self.filter.clone()))?;
             self.division = Division::Whole;
-            return Ok(());
+            return Ok(Vec::new());
         }
         let parts = Parts::new(&elements, given, n_parts, options.min_distance)?;
         for (member, part) in self.members.iter_mut().zip(&parts.all) {
@@ -348,7 +319,29 @@ impl<E: Member> Engine<E> {
             member.engine.change(Change::Filter(filter))?;
         }
         self.division = Division::Parts(parts);
-        Ok(())
+        // They have room for these positions.
+        Ok(self.look(given).0)
+    }
+
+    /// What the positions of each part say together, and whether the division holds for them.
+    fn look(&self, given: Given) -> (Vec<Scan>, bool) {
+        match (&self.division, given) {
+            (Division::None, _) => (Vec::new(), false),
+            (Division::Whole, _) => (Vec::new(), true),
+            (Division::Parts(parts), Precision::F32(x)) => parts.look(&self.threads, x),
+            (Division::Parts(parts), Precision::F64(x)) => parts.look(&self.threads, x),
+        }
+    }
+
+    /// All parts at once; how many there are.
+    fn each(&mut self, given: Given, scans: &[Scan], ask: Asked) -> Result<usize, E::Error> {
+        let Division::Parts(Parts { all, .. }) = &self.division else { return Ok(0) };
+        let members = self.members.iter_mut().zip(all.iter().zip(scans));
+        let find = |(member, (part, scan)): (&mut InGroup<E>, (&Arc<Part>, &Scan))| {
+            member.find(given, (part, scan), ask)
+        };
+        each_alone(members, find).into_iter().collect::<Result<(), _>>()?;
+        Ok(all.len())
     }
 }
 

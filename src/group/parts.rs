@@ -14,7 +14,7 @@
 //! so that features and their vertices have the same order.
 
 use super::elements::Elements;
-use super::threads::each_alone;
+use super::threads::{Threads, each_alone};
 use crate::method::BroadPhaseMethod;
 use crate::positions::Precision;
 use crate::{Aabb, Bodies, BroadPhase, Coordinate, Error, Kind, Mesh};
@@ -116,18 +116,29 @@ impl Parts {
         Ok(Self { all, min_distance, farthest: greatest, samples })
     }
 
-    /// How far all vertices went together since parts were made; nothing, if that is too far. Such
-    /// a motion does not count: they are as near to each other as they were.
-    pub fn common_motion(&self, given: Given) -> Option<[f64; 3]> {
-        let by = match given {
-            Precision::F32(x) => self.motion(x),
-            Precision::F64(x) => self.motion(x),
-        };
-        by.iter().all(|by| by.abs() <= self.farthest).then_some(by)
+    /// What the positions of each part say together, and whether all are where they may be. A
+    /// motion that all vertices have in common does not count: they are as near to each other as
+    /// they were.
+    pub fn look<T: Coordinate>(&self, threads: &Threads, x: [&[[T; 3]]; 2]) -> (Vec<Scan>, bool) {
+        let common = self.common_motion(x);
+        let mut shares: Vec<(usize, Range<usize>)> = Vec::new();
+        for (p, Part { vertices, .. }) in self.all.iter().map(Arc::as_ref).enumerate() {
+            let firsts = (0..vertices.len()).step_by(SHARE);
+            shares.extend(firsts.map(|first| (p, first..vertices.len().min(first + SHARE))));
+        }
+        let looked = threads
+            .at_once(shares.into_iter(), |(p, these)| (p, self.all[p].look(these, x, common)));
+        let mut holds = common.iter().all(|by| by.abs() <= self.farthest);
+        let mut scans = vec![Scan::NONE; self.all.len()];
+        for (p, (scan, these_hold)) in looked {
+            scans[p] = scans[p].merged(&scan);
+            holds &= these_hold;
+        }
+        (scans, holds)
     }
 
     /// How far most of the scene went since parts were made.
-    fn motion<T: Coordinate>(&self, [x0, x1]: [&[[T; 3]]; 2]) -> [f64; 3] {
+    fn common_motion<T: Coordinate>(&self, [x0, x1]: [&[[T; 3]]; 2]) -> [f64; 3] {
         [0, 1, 2].map(|k| {
             let by = |&(v, room): &(u32, Room)| {
                 let [p, q] = [x0, x1].map(|x| x[v as usize][k].to_f64());
@@ -276,21 +287,14 @@ impl Part {
         &self.vertices
     }
 
-    /// What the positions of these vertices say together; nothing, if one is not in its room, which
-    /// went `by` from where it was.
-    pub fn look(&self, these: Range<usize>, given: Given, by: [f64; 3]) -> Option<Scan> {
-        match given {
-            Precision::F32(x) => self.scan(these, x, by),
-            Precision::F64(x) => self.scan(these, x, by),
-        }
-    }
-
-    fn scan<T: Coordinate>(
+    /// What the positions of these vertices say together, and whether all are in their rooms, which
+    /// went `by` from where they were.
+    fn look<T: Coordinate>(
         &self,
         these: Range<usize>,
         [x0, x1]: [&[[T; 3]]; 2],
         by: [f64; 3],
-    ) -> Option<Scan> {
+    ) -> (Scan, bool) {
         // Copied first: a scan takes slices.
         let mut some = [[[T::splat(0.0); 3]; BATCH]; 2];
         let (mut scan, mut holds) = (Scan::NONE, true);
@@ -308,9 +312,11 @@ impl Part {
             }
             scan.take_all(&some0[..vertices.len()], &some1[..vertices.len()]);
         }
-        holds.then_some(scan)
+        (scan, holds)
     }
 }
 
+/// Vertices that are worth a thread.
+const SHARE: usize = 1 << 15;
 /// Vertices whose positions are copied together.
 const BATCH: usize = 128;

@@ -12,7 +12,6 @@ mod kept_order;
 pub mod lists;
 mod part_limits;
 mod passes;
-pub mod scans;
 pub mod source;
 pub mod triangle_pairs;
 pub mod upload;

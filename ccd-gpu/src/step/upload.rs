@@ -1,10 +1,10 @@
 //! From the caller's positions to what kernels read: paths in `f32` and, where those or boxes are
 //! rounded, the exact numbers besides.
 
-use super::scans::{CHUNK, Look, Seen, look_at_all, scan_chunks};
 use crate::device::Device;
 use crate::error::Error;
 use crate::staging::Staging;
+use crate::threads;
 use ccd_core::backend::broad_phase::{placement, swept_box};
 use ccd_core::backend::layout::{Frame, Path, Placing, split};
 use ccd_core::backend::quantization::{Scan, Table, margin};
@@ -66,6 +66,10 @@ impl<'a> Input<'a> {
     }
 }
 
+/// Vertices that are scanned together.
+const CHUNK: usize = 2048;
+/// Chunks that are worth another thread.
+const SHARE: usize = 4;
 /// From this many runs on, one copy of all paths takes less than one of each.
 const MANY_RUNS: usize = 64;
 
@@ -180,19 +184,9 @@ impl Positions {
         let n = chosen.map_or(x[0].len(), |chosen| chosen.vertices.len());
         let id = |v: usize| chosen.map_or(v, |chosen| chosen.vertices[v] as usize);
         let ends = |v: usize| x.map(|x| x[id(v)]);
-        let path = |table: &Table, v: usize| {
-            let path_end = |p: &[T; 3]| {
-                let p = table.place([p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]);
-                [p[0], p[1], p[2], 0.0]
-            };
-            let [t0, t1] = ends(v).each_ref().map(path_end);
-            Path { t0, t1 }
-        };
-        let (scan, are_written) = match chosen {
-            Some(Chosen { look, .. }) => {
-                self.look(device, n, |v| path(&Table::AS_GIVEN, v), look)?
-            }
-            None => (self.scan(x, runs), false),
+        let scan = match chosen {
+            Some(chosen) => *chosen.scan,
+            None => self.scan(x, runs),
         };
         scan.check(x[0], x[1])?;
         let table = scan.table(true);
@@ -221,17 +215,22 @@ impl Positions {
             let replaced = reserve(device, "keys of exact boxes", &mut self.keys, keys)? | replaced;
             return Ok(replaced);
         }
-        if are_written && self.exact && !are_new {
-            // They are those that were expected.
-        } else if let Some(runs) = runs.filter(|runs| paths_before && runs.len() < MANY_RUNS) {
+        let path_end = |p: &[T; 3]| {
+            let p = table.place([p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]);
+            [p[0], p[1], p[2], 0.0]
+        };
+        let path = |v: usize| {
+            let [t0, t1] = ends(v).each_ref().map(path_end);
+            Path { t0, t1 }
+        };
+        if let Some(runs) = runs.filter(|runs| paths_before && runs.len() < MANY_RUNS) {
             for run in runs {
                 let (first, n) = (run.start as usize, run.len());
                 let at = (first * size_of::<Path>()) as u64;
-                let path = |i: usize| path(&table, first + i);
-                self.staging.write(device, "paths", (&self.own, at), n, path)?;
+                self.staging.write(device, "paths", (&self.own, at), n, |i| path(first + i))?;
             }
         } else {
-            self.staging.write(device, "paths", (&self.own, 0), n, |v| path(&table, v))?;
+            self.staging.write(device, "paths", (&self.own, 0), n, path)?;
         }
         if self.boxes == Boxes::OfPaths {
             return Ok(replaced);
@@ -252,27 +251,6 @@ impl Positions {
         self.staging.write(device, what, (&self.keys, 0), n, key)?;
         self.staging.write(device, "boxes", (boxes, 0), n, |v| exact(v).round_out())?;
         Ok(replaced)
-    }
-
-    /// What positions of a part of a mesh say together, and whether their paths were written
-    /// meanwhile: as they are given, which is how the last ones were, so that it is likely.
-    ///
-    /// # Errors
-    /// Cancelled, where the part is not for these.
-    fn look(
-        &mut self,
-        device: &Device,
-        n: usize,
-        path: impl Fn(usize) -> Path + Sync,
-        look: &Look,
-    ) -> Result<(Scan, bool), Error> {
-        if self.boxes != Boxes::OfPaths || !self.exact || *self.lends.get_mut() {
-            return Ok((look_at_all(n, look)?, false));
-        }
-        let seen = Seen::new(look);
-        let own = (&self.own, 0);
-        self.staging.write_and(device, "paths", own, n, path, &|these| seen.look(these))?;
-        Ok((seen.all()?, true))
     }
 
     /// Sends positions in `f64`. Returns whether the buffer was replaced.
@@ -339,6 +317,17 @@ impl Positions {
         frame.flags |= if self.exact { Frame::FLAG_EXACT } else { 0 };
         frame.flags |= if self.slack > 0.0 { Frame::FLAG_CONFIRM } else { 0 };
     }
+}
+
+/// Scans chunks of vertices, of which the first has this number.
+fn scan_chunks<T: Coordinate>(first: usize, scans: &mut [Scan], [x0, x1]: [&[[T; 3]]; 2]) {
+    threads::copy(scans.chunks_mut(SHARE).enumerate(), |(part, scans)| {
+        for (scan, i) in scans.iter_mut().zip(first + part * SHARE..) {
+            let chunk = i * CHUNK..((i + 1) * CHUNK).min(x0.len());
+            *scan = Scan::NONE;
+            scan.take_all(&x0[chunk.clone()], &x1[chunk]);
+        }
+    });
 }
 
 /// Replaces a buffer that is too small. Returns whether it was.

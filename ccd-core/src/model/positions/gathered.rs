@@ -5,7 +5,6 @@ use crate::backend::quantization::Scan;
 use crate::model::error::Error;
 use crate::model::precision::{Coordinate, Given, Precision};
 use alloc::vec::Vec;
-use core::ops::Range;
 
 /// Room for both ends of a step, in either precision; empty until it is needed.
 #[derive(Debug, Default)]
@@ -55,13 +54,12 @@ impl Gathered {
 }
 
 /// Vertices of a mesh, which are those of a part of it.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Chosen<'a> {
     /// By the number that they have in the part.
     pub vertices: &'a [u32],
-    /// What positions of some of them say together; nothing, if the part is not for these. To be
-    /// asked of each once, by any thread.
-    pub look: &'a (dyn Fn(Range<usize>) -> Option<Scan> + Sync),
+    /// What their positions say together.
+    pub scan: &'a Scan,
 }
 
 /// The positions of one end.
