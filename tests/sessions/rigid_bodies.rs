@@ -146,6 +146,9 @@ fn check<T: Coordinate>(what: &str, n: usize, mesh: &Mesh, options: &Options, at
         match k % 11 {
             3 => {
                 check_refused(&mut told, &motions, &posed);
+                let report = told.step_bodies(&[]).unwrap();
+                let want = plain.step(&x, &x).unwrap();
+                assert!(report.contacts == want.contacts, "{what}, step {k}: after a refusal");
                 check_others(&format!("{what}, step {k}"), [&mut told, &mut plain], [&x, &to]);
             }
             4 => check_others(&format!("{what}, step {k}"), [&mut told, &mut plain], [&to, &from]),
@@ -281,7 +284,14 @@ fn what_keeps_less_than_the_distance_is_near() {
                 let report = session.step_bodies(&[motion(0), motion(1)]).unwrap();
                 assert_eq!(report.toi.is_some(), gap < DISTANCE, "{posed:?}, {gap}");
             }
-            // They stay where they are, whatever they are called.
+            // They stay where they are if a call is refused, and whatever they are called.
+            let mut bad = poses[1];
+            bad[3][0] = f32::NAN;
+            let refused = [(0, pose(5.0)), (1, bad)];
+            let refused = refused.each_ref().map(|(plate, to)| BodyMotion::posed(*plate, to, to));
+            assert!(session.step_bodies(&refused).is_err());
+            let toi = session.step_bodies(&[]).unwrap().toi;
+            assert_eq!(toi.is_some(), gap < DISTANCE, "{posed:?}, {gap}, refused");
             let swapped: Vec<u32> = names.iter().map(|name| 1 - name).collect();
             session.set_bodies(Bodies::new(&swapped).with_self_contacts(false)).unwrap();
             let toi = session.earliest_toi_of_bodies(&[]).unwrap();

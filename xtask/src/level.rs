@@ -87,7 +87,7 @@ fn pass() -> Result<(), String> {
     // Every other row moves, by less than the room between its balls.
     let pose = |ball: usize, t: f32| {
         let mut pose = [0, 1, 2, 3].map(|k| [0, 1, 2, 3].map(|i| (i == k) as u8 as f32));
-        pose[3][0] = if ball / side % 2 == 0 { 0.4 * t } else { 0.0 };
+        pose[3][0] = if (ball / side).is_multiple_of(2) { 0.4 * t } else { 0.0 };
         pose
     };
     let mut table = Table::new([

@@ -79,8 +79,8 @@ impl Order for BlockSource {
         gap: f32,
     ) -> bool {
         let tree = &mut self.trees[leaves.set().index];
-        let whole = [0..ends.len()];
-        let changed = if all { &whole[..] } else { leaves.changed() };
+        let whole = 0..ends.len();
+        let changed = if all { std::slice::from_ref(&whole) } else { leaves.changed() };
         tree.take_ends(threads, ends, (changed, leaves.n_moving()), gap)
     }
 }

@@ -12,6 +12,7 @@ use crate::threads::Threads;
 use ccd_core::backend::rules::Rules;
 use ccd_core::{Aabb, Num};
 use std::ops::Range;
+use std::slice;
 
 /// Boxes and leaves of one kind of feature with `N` vertices.
 #[derive(Debug)]
@@ -169,8 +170,9 @@ impl<const N: usize> Leaves<N> {
         ends.resize(vertices.len(), [EMPTY; 2]);
         *taken &= still;
         boxes.emptied().iter().for_each(|run| ends[run.clone()].fill([EMPTY; 2]));
+        let free = 0..boxes.n_free();
         let last = if still { 0..0 } else { boxes.n_moving()..vertices.len() };
-        for runs in [&[0..boxes.n_free()], boxes.filled(), &[last]] {
+        for runs in [slice::from_ref(&free), boxes.filled(), slice::from_ref(&last)] {
             threads.chunks_in(ends, runs, &|first, out| {
                 place(table, &vertices[first..first + out.len()], out);
             });
@@ -187,7 +189,7 @@ impl<const N: usize> Leaves<N> {
 /// The boxes of eight features at both ends, from the table of positions.
 pub fn ends<const N: usize>(table: &[[f32; WIDTH]], vertices: &[[u32; WIDTH]; N]) -> [Block; 2] {
     let mut out = [[EMPTY; 2]];
-    place(table, std::slice::from_ref(vertices), &mut out);
+    place(table, slice::from_ref(vertices), &mut out);
     out[0]
 }
 

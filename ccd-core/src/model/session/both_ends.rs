@@ -9,7 +9,7 @@ use core::ops::Range;
 /// A body that moves rigidly, and its poses at both ends of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Rigid<T> {
-    /// Its number in [`Bodies`].
+    /// Its number in [`Bodies`](crate::model::bodies::Bodies).
     pub number: u32,
     /// The same where it does not move in this step.
     pub poses: [Pose<T>; 2],
