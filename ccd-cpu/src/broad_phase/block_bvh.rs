@@ -345,14 +345,14 @@ mod tests {
         let of = |fixed| Marks { fixed: Some(fixed), ..Marks::default() };
         let mut bvh = BlockBvh::default();
         bvh.begin(&order, &of(&all));
-        let all = |n: usize| [Range { start: 0, end: n }];
-        bvh.fit_blocks(&threads, &blocks, (&all(blocks.len()), blocks.len()));
+        let first = |n: usize| [Range { start: 0, end: n }];
+        bvh.fit_blocks(&threads, &blocks, (&first(blocks.len()), blocks.len()));
         let height = bvh.height();
         let any = |bvh: &BlockBvh| (0..height).any(|level| bvh.marks.fixed(level, 0) != 0);
         assert!((0..height).all(|level| bvh.marks.fixed(level, 0) == 0xff), "all boxes are fixed");
         // Fewer boxes and fewer levels, then as many levels as before.
         bvh.begin(&order[..WIDTH], &of(&none));
-        bvh.fit_blocks(&threads, &blocks[..1], (&all(1), 1));
+        bvh.fit_blocks(&threads, &blocks[..1], (&first(1), 1));
         bvh.raise(height, &blocks[..1]);
         assert_eq!(bvh.height(), height);
         assert!(!any(&bvh), "lanes of an earlier build");
