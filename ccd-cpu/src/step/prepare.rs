@@ -32,6 +32,10 @@ use ccd_core::{Aabb, Error};
 /// building costs about a tenth of a step, and traversal grows with looseness.
 pub const MAX_LOOSENESS: f64 = 1.15;
 
+/// Whether bodies that move rigidly have trees of their own. On WebAssembly they are moved as any:
+/// the npm package, whose size counts, has no call that moves them.
+const HAS_RIGID: bool = !cfg!(target_family = "wasm");
+
 /// Boxes, leaves and tables of a mesh; buffers are kept between steps.
 #[derive(Debug)]
 pub struct Prepared {
@@ -130,7 +134,7 @@ impl Prepared {
         x: &Positions,
     ) {
         let Self { rigid, still, .. } = self;
-        let takes = self.triangles.is_none() && matches!(method, Method::Blocks(_));
+        let takes = HAS_RIGID && self.triangles.is_none() && matches!(method, Method::Blocks(_));
         let changes = match x.moved.filter(|_| takes).map(|moved| moved.rigids) {
             Some(Precision::F32(rigids)) => rigid.begin(threads, mesh, rules, rigids),
             Some(Precision::F64(rigids)) => rigid.begin(threads, mesh, rules, rigids),
@@ -263,7 +267,7 @@ impl Prepared {
             faces.build(threads, method, rules, keep, |f| mesh.faces()[f as usize]);
             keeps.still = false;
         }
-        if let (true, Some(rules), Some(moved)) = (keeps.posed, rules, &x.moved) {
+        if HAS_RIGID && let (true, Some(rules), Some(moved)) = (keeps.posed, rules, &x.moved) {
             if let (true, Method::Blocks(source)) = (first, &*method) {
                 let [v, e, f] = &source.trees[..] else { unreachable!("a tree for each set") };
                 let leaves = (&vertices.leaves.boxes, &edges.leaves.boxes, &faces.leaves.boxes);
