@@ -215,7 +215,7 @@ impl<E: Engine, P> Session<E, P> {
     /// On a CPU it costs what the bodies cost that are not fixed and do not sleep, and a logarithm
     /// of what does: positions, boxes and trees of what stands still are not looked at again. Of a
     /// body without self-contact that moves by poses ([`BodyMotion::posed`]) or has arrived there,
-    /// positions alone are made anew: its tree is kept, boxes in it are moved where something is
+    /// vertices alone are made anew: its tree is kept, boxes in it are moved where something is
     /// near, and features have boxes where it is very near. That holds for bodies of 32 vertices or
     /// more, by the default method and pipeline, in one world.
     ///

@@ -104,7 +104,7 @@ pub struct LeafBoxes {
     blocks: Vec<Block>,
     /// Boxes at the end of the order that stand still.
     n_still: usize,
-    /// Leaves before those that are posed.
+    /// Leaves of what is posed, before these.
     n_posed: usize,
     /// Runs of blocks that were changed.
     changed: Vec<Range<usize>>,

@@ -95,6 +95,7 @@ impl RigidTrees {
     /// Has a call make all boxes.
     pub fn pause(&mut self) {
         self.on = false;
+        self.runs.iter_mut().for_each(Vec::clear);
     }
 
     /// Begins a call without poses. Returns what [`RigidTrees::begin`] does.
