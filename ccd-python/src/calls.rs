@@ -192,9 +192,12 @@ impl Shared {
     ) -> PyResult<(R, Arc<Py<Mesh>>)> {
         let positions = motions.iter().map(|(_, x0, x1)| {
             let given = [("x0", x0), ("x1", x1)];
-            let arrays = Floats::new(given, &[])?;
-            if [0, 1].iter().all(|&i| arrays.shape(i) == [4, 4]) {
-                return Ok(arrays);
+            // So few rows may be made into an array twice.
+            if x0.len().is_ok_and(|n| n == 4) {
+                let arrays = Floats::new(given, &[])?;
+                if [0, 1].iter().all(|&i| arrays.shape(i) == [4, 4]) {
+                    return Ok(arrays);
+                }
             }
             Floats::new(given, &[3])?.in_rows(["x0", "x1"], &[3])
         });

@@ -29,8 +29,8 @@ pub struct BlockBvh {
     /// See [`BlockBvh::gap`].
     gap: Option<f32>,
     looseness_at_build: Option<f64>,
-    /// Per block of level 1: side lengths of the boxes that move in the leaves below it, and of its
-    /// own.
+    /// Per block of level 1: side lengths of the boxes in the leaves below it that move and are not
+    /// posed, and of its own around them.
     lengths: Vec<[f64; 2]>,
     /// Runs of blocks of a level that change.
     runs: Vec<Range<usize>>,

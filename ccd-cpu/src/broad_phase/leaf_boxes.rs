@@ -23,12 +23,12 @@ pub struct Set {
     pub searched: bool,
 }
 
-/// What of the last call's boxes is as it was.
+/// Of which boxes a call makes none: those of the last call hold, or none are needed yet.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Keeps {
     /// Boxes that stand still.
     pub still: bool,
-    /// None are made of what is posed, before it is known which are needed.
+    /// Boxes of what is posed, which wait for [`LeafBoxes::pose`].
     pub posed: bool,
 }
 

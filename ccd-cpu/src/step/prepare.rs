@@ -1,9 +1,9 @@
 //! What a step prepares before anything is compared: checked coordinates, boxes, trees, the table
 //! that filters read.
 
-use crate::broad_phase::leaf_boxes::Keeps;
 mod vertices;
 
+use crate::broad_phase::leaf_boxes::Keeps;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::simd::WIDTH;

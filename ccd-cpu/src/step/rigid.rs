@@ -200,13 +200,13 @@ impl RigidTrees {
         (given, margin): (&[Rigid<T>], T),
         others: [(&BlockBvh, &LeafBoxes); 3],
     ) {
-        let Self { trees: Trees { bodies, loose, .. }, sorted, call, .. } = self;
+        let Self { trees: Trees { bodies, searched, .. }, sorted, call, .. } = self;
         let call = *call;
         let way = |place: u32| Way { poses: &given[place as usize].poses, margin, call };
         threads.each(bodies, &|_, body| {
             let way = way(body.given);
-            for (&loose, (tree, leaves)) in loose.iter().zip(others) {
-                if loose && !leaves.is_empty() {
+            for (&searched, (tree, leaves)) in searched.iter().zip(others) {
+                if searched && !leaves.is_empty() {
                     body.beside(way, tree, leaves);
                 }
             }
@@ -238,7 +238,8 @@ fn axis_of(boxes: &[(Aabb<f32>, u32)]) -> usize {
     let all = boxes.iter().fold(Aabb::EMPTY, |all, of| all.union(&of.0));
     let room = |k: usize| {
         let side = |of: &Aabb<f32>| of.max[k] as f64 - of.min[k] as f64;
-        side(&all) / boxes.iter().map(|of| side(&of.0)).sum::<f64>()
+        // None where all are flat and in one plane, which parts nothing.
+        (side(&all) / boxes.iter().map(|of| side(&of.0)).sum::<f64>()).max(0.0)
     };
     [1, 2].into_iter().fold(0, |best, k| if room(k) > room(best) { k } else { best })
 }

@@ -30,9 +30,9 @@ pub struct Trees {
     pub blocks: Vec<[Range<u32>; 3]>,
     /// By set: ids in the order of leaves, in whole blocks for each clump.
     pub orders: [Vec<u32>; 3],
-    /// By set: whether another body may have features there that are in no box of a face. Faces
-    /// themselves are.
-    pub loose: [bool; 3],
+    /// By set: whether its tree must be searched for what is near. That of faces always, since
+    /// their boxes hold those of their vertices and edges; the others where there are more.
+    pub searched: [bool; 3],
 }
 
 impl Trees {
@@ -116,7 +116,7 @@ impl Trees {
         firsts.iter().for_each(|&[number, ..]| has[number as usize] = true);
         let mut has_face = vec![false; mesh.n_vertices()];
         mesh.faces().iter().flatten().for_each(|&v| has_face[v as usize] = true);
-        let loose = [has_face.contains(&false), !edges_of_no_face(mesh).is_empty(), true];
-        Self { bodies, has, clump_of, blocks, orders, loose }
+        let searched = [has_face.contains(&false), !edges_of_no_face(mesh).is_empty(), true];
+        Self { bodies, has, clump_of, blocks, orders, searched }
     }
 }
