@@ -115,6 +115,8 @@ pub struct Engine {
     runs: [Vec<Run>; 2],
     order: ContactOrder,
     codimensional: Option<Box<Codimensional>>,
+    /// Whether the last step found few candidates, see [`FEW`].
+    is_light: bool,
 }
 
 impl session::Engine for Engine {
@@ -144,6 +146,7 @@ impl session::Engine for Engine {
             listers: Default::default(),
             runs: Default::default(),
             order: ContactOrder::default(),
+            is_light: false,
         })
     }
 
@@ -287,10 +290,18 @@ impl Engine {
         let (window, earliest) = ([x.from, x.until], !matches!(ask, Ask::Contacts { .. }));
         let Self { state, threads, prepared, method, workers, order, codimensional, .. } = self;
         let State { mesh, options, report, .. } = state;
-        let (threads, mesh, options, selection) = (&*threads, &*mesh, &*options, &self.selection);
+        workers.resize_with(threads.count(), Worker::default);
+        let n_moving = match x.moved {
+            Some(moved) => moved.runs.iter().map(|run| run.len()).sum(),
+            None => mesh.n_vertices(),
+        };
+        let alone =
+            (std::mem::take(&mut self.is_light) && n_moving <= FEW).then(|| threads.alone());
+        let threads = alone.as_ref().unwrap_or(threads);
+        let (mesh, options, selection) = (&*mesh, &*options, &self.selection);
+        let is_light = &mut self.is_light;
         threads.enter(|| {
             let start = Instant::now();
-            workers.resize_with(threads.count(), Worker::default);
             workers.iter_mut().for_each(Worker::reset);
             report.set_mesh(mesh);
             let stop = &*threads.stop;
@@ -359,10 +370,15 @@ impl Engine {
             report.times.narrow += milliseconds(joined);
             report.front = method.front();
             report.times.total = milliseconds(start);
+            *is_light = report.candidates.total() <= FEW as u64;
             Ok(())
         })
     }
 }
+
+/// A step in which at most so many vertices move, after one that found at most so many candidates,
+/// is done in the calling thread before another would have begun.
+const FEW: usize = 1024;
 
 /// All times of a step.
 const WHOLE: [f64; 2] = [0.0, 1.0];

@@ -55,6 +55,11 @@ impl Threads {
         Self { pool: self.pool.clone(), count: self.count, stop }
     }
 
+    /// The calling thread alone, for work that ends with these.
+    pub fn alone(&self) -> Self {
+        Self { pool: None, count: 1, stop: self.stop.clone() }
+    }
+
     /// Number of threads.
     pub fn count(&self) -> usize {
         self.count

@@ -107,6 +107,29 @@ pub fn median_of<T, E>(runs: usize, mut call: impl FnMut() -> Result<T, E>) -> R
     Ok((median(times), last.expect("a warm-up calls at least once")))
 }
 
+/// As [`median_of`], of several calls that take turns: `rounds` of `runs` each, after half as many
+/// that aren't measured. What slows the machine down for a while slows down all of them.
+pub fn by_turns<N, T, E>(
+    rounds: usize,
+    runs: usize,
+    calls: &mut [(N, Box<dyn FnMut() -> Result<T, E> + '_>)],
+) -> Result<Vec<(f64, T)>, E> {
+    let mut times = vec![Vec::with_capacity(rounds * runs); calls.len()];
+    let mut last: Vec<Option<T>> = calls.iter().map(|_| None).collect();
+    for _ in 0..rounds {
+        for (k, (_, call)) in calls.iter_mut().enumerate() {
+            for i in 0..runs / 2 + runs {
+                let (ms, result) = timed(&mut *call);
+                if i >= runs / 2 {
+                    times[k].push(ms);
+                }
+                last[k] = Some(result?);
+            }
+        }
+    }
+    Ok(times.into_iter().map(median).zip(last.into_iter().flatten()).collect())
+}
+
 /// Works before a measurement: a device that was idle needs about this long to reach its clock
 /// again.
 const WARM_UP: Duration = Duration::from_millis(300);

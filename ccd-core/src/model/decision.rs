@@ -48,6 +48,11 @@ impl Decider {
         Self { search: options.search(window), mode: options.mode }
     }
 
+    /// The same, but that contacts of a later time of impact than `latest` may be missed.
+    pub fn up_to(&self, latest: f64) -> Self {
+        Self { search: Search { latest, ..self.search }, ..*self }
+    }
+
     /// The contact of a pair, if it has one, from positions as given at both ends of the step.
     pub fn contact<T: Real>(
         &self,

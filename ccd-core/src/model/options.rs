@@ -227,7 +227,8 @@ impl Options {
     pub fn search(&self, [from, until]: [f64; 2]) -> Search<f64> {
         let Self { min_distance, tolerance, leave_contact: leaves, .. } = *self;
         // No time is a negative zero.
-        Search { min_distance, tolerance, from: from + 0.0, until: until + 0.0, leaves }
+        let (from, until) = (from + 0.0, until + 0.0);
+        Search { min_distance, tolerance, from, until, latest: until, leaves }
     }
 
     /// Checks the options for steps of `mesh`.

@@ -176,6 +176,23 @@ impl<R: Real> Cubic<R> {
         Interval { lo, hi, crosses }
     }
 
+    /// Whether [`Cubic::zero_in_piece`] says of `[from, to]` that an interval in it starts after
+    /// `latest`, which is before `to`: cheaper, and `false` where that is not sure.
+    ///
+    /// Two widths later the value is beyond twice the band, on the side of the start. Then it was
+    /// beyond the band at all times before: rounding of two values and what the piece turns back
+    /// are less than the band, `252 u max|c|`. So all those times are below the bracket in which
+    /// the interval starts, which is a width wide in the end.
+    pub fn is_nonzero_until(&self, latest: R, from: R, to: R) -> bool {
+        let t = latest + (self.width + self.width);
+        if !(t < to) {
+            return false;
+        }
+        let (f0, f) = (self.value(from), self.value(t.max(from)));
+        let twice = self.band + self.band;
+        f0.abs() > self.band && f.abs() > twice && (f0 > R::splat(0.0)) == (f > R::splat(0.0))
+    }
+
     /// The last time, up to the width, at which `f` is still certainly on the side where it is at
     /// `from`.
     fn enter_band(&self, from: R, to: R, negative: bool) -> R {

@@ -45,6 +45,7 @@ pub fn search_of(frame: &Frame) -> Search<f32> {
         tolerance: frame.tolerance,
         from: frame.from,
         until: frame.until,
+        latest: frame.until,
         leaves: frame.has(Frame::FLAG_LEAVES) && starts,
     }
 }
@@ -57,6 +58,7 @@ pub fn wide_search_of(frame: &Frame) -> Search<f64> {
         tolerance: join(frame.tolerance_bits),
         from: join(frame.from_bits),
         until: join(frame.until_bits),
+        latest: join(frame.until_bits),
         leaves: frame.has(Frame::FLAG_LEAVES),
     }
 }
@@ -296,7 +298,8 @@ mod tests {
             let (from, until) = (a.min(b), a.max(b));
             let tolerance = 1e-12f64.max(unit().powi(9));
             for leaves in [false, true] {
-                let wide = Search { from, until, tolerance, leaves, ..Search::whole(0.0) };
+                let (whole, latest) = (Search::whole(0.0), until);
+                let wide = Search { from, until, latest, tolerance, leaves, ..whole };
                 let frame = Frame::default().searching(&wide);
                 let wanted = search_of(&frame);
                 assert!(wanted.from as f64 <= from && wanted.until as f64 >= until, "{wide:?}");

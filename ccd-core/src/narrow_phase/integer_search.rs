@@ -47,7 +47,7 @@ impl Window {
     #[cfg(any(feature = "alloc", test))]
     pub fn of(search: &Search<f64>) -> Option<Self> {
         let units = |time: f64| time * (1u64 << DEPTH) as f64;
-        let Search { min_distance, tolerance, from, until, leaves } = *search;
+        let Search { min_distance, tolerance, from, until, leaves, .. } = *search;
         let tolerance = units(tolerance.min(0.5)) as u32;
         let fits = min_distance == 0.0 && !leaves && tolerance > 0;
         // Casts cut; so the first time is one after the cut, unless there was nothing to cut.

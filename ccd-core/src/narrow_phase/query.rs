@@ -112,7 +112,8 @@ pub fn solve<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R
 /// Decides a query that is already in relative form; input errors of `m` are part of every bound.
 ///
 /// The verdict is about times from [`Search::from`] to [`Search::until`]: a time of impact is the
-/// first of a contact among these.
+/// first of a contact among these. Where it would be later than [`Search::latest`], the verdict may
+/// be a miss.
 pub fn search<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {
     let (m, min_distance) = in_unit(m, search.min_distance);
     if min_distance > R::splat(0.0) {
@@ -172,9 +173,16 @@ fn touching<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Verdict
         if !(from <= to) {
             continue;
         }
+        if cubic.is_nonzero_until(search.latest, from, to) {
+            return Verdict::Miss;
+        }
         let at = cubic.zero_in_piece(from, to);
         if at.is_empty() {
             continue;
+        }
+        // Nothing below is earlier.
+        if at.lo > search.latest {
+            return Verdict::Miss;
         }
         let place = inside(m, patch, at.lo, at.hi);
         if matches!(place, Inside::Outside) {
@@ -300,6 +308,36 @@ mod tests {
             }
         }
         assert!(n_hits > 1000, "{n_hits} hits show nothing");
+    }
+
+    #[test]
+    fn what_is_found_up_to_a_time_is_the_same() {
+        let mut random = Random::new(31);
+        let (mut same, mut missed) = (0, 0);
+        for i in 0..40_000 {
+            let mut at = || core::array::from_fn(|_| random.point().map(|c| c - 0.5));
+            let (mut t0, t1): ([[f64; 3]; 4], _) = (at(), at());
+            if i % 8 < 2 {
+                // In contact at the start.
+                t0[2] = t0[0];
+            }
+            let patch = [Patch::Triangle, Patch::Parallelogram][i % 2];
+            let (m, whole) = (Motion::new(patch, &t0, &t1, 0.0), Search::whole(0.0));
+            let found = search(&m, patch, &whole);
+            let Some(toi) = found.verdict.toi() else { continue };
+            for latest in [toi, toi.next_down(), toi - 1e-13, toi - 1e-7, 0.5 * toi, random.unit()]
+            {
+                let answer = search(&m, patch, &Search { latest, ..whole });
+                let is_missed = toi > latest && answer.verdict == Verdict::Miss;
+                assert!(
+                    is_missed || answer == found,
+                    "{toi} by {latest}: {answer:?}, {t0:?} {t1:?}"
+                );
+                same += (toi <= latest) as u32;
+                missed += is_missed as u32;
+            }
+        }
+        assert!(same > 5_000 && missed > 10_000, "{same} {missed}");
     }
 
     #[test]

@@ -36,6 +36,9 @@ pub struct Search<R> {
     pub from: R,
     /// Last time that is looked at, in `[from, 1]`.
     pub until: R,
+    /// A contact of a later time of impact may be missed: one that is as early is known of another
+    /// pair. What is found up to then is the same, to the last bit.
+    pub latest: R,
     /// Whether features that are in contact at `from` may leave it, see
     /// [`approach`](crate::narrow_phase::approach).
     pub leaves: bool,
@@ -46,7 +49,7 @@ impl<R: Real> Search<R> {
     pub fn whole(min_distance: R) -> Self {
         let (from, until) = (R::splat(0.0), R::splat(1.0));
         let tolerance = R::from_f64(TOI_TOLERANCE);
-        Self { min_distance, tolerance, from, until, leaves: false }
+        Self { min_distance, tolerance, from, until, latest: until, leaves: false }
     }
 }
 

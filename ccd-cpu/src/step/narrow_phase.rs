@@ -84,9 +84,14 @@ impl Worker {
 
     /// Decides a pair, or puts it aside for [`decide_open`].
     pub fn decide(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
+        let decider = match self.first {
+            // Of later ones nothing is kept.
+            Some(first) if !scene.keep_contacts => &scene.decider.up_to(first.toi),
+            _ => &scene.decider,
+        };
         let contact = match scene.given {
-            Precision::F32(x) => scene.decider.quick_contact(scene.mesh, kind, pair, x),
-            Precision::F64(x) => scene.decider.quick_contact(scene.mesh, kind, pair, x),
+            Precision::F32(x) => decider.quick_contact(scene.mesh, kind, pair, x),
+            Precision::F64(x) => decider.quick_contact(scene.mesh, kind, pair, x),
         };
         match contact {
             Ok(contact) => self.keep(scene, contact),
