@@ -177,6 +177,7 @@ impl session::Engine for Engine {
     }
 
     fn change(&mut self, change: Change) -> Result<(), Error> {
+        self.is_light = false;
         match change {
             Change::Mesh(mesh, options) => self.set_mesh(mesh, options),
             Change::Bodies(bodies) => self.set_bodies(bodies),
@@ -291,7 +292,7 @@ impl Engine {
         let Self { state, threads, prepared, method, workers, order, codimensional, .. } = self;
         let State { mesh, options, report, .. } = state;
         workers.resize_with(threads.count(), Worker::default);
-        let n_moving = match x.moved {
+        let n_moving = match x.moved.filter(|moved| prepared.precedes(moved)) {
             Some(moved) => moved.runs.iter().map(|run| run.len()).sum(),
             None => mesh.n_vertices(),
         };
@@ -326,6 +327,7 @@ impl Engine {
                     if first.toi <= 0.0 && ask == (Ask::Earliest { whose: false }) && is_plain {
                         // Nothing is earlier.
                         report.toi = Some(first.toi);
+                        *is_light = work * SAMPLE as u64 <= LITTLE;
                         report.times.total = milliseconds(start);
                         return Ok(());
                     }
@@ -370,15 +372,18 @@ impl Engine {
             report.times.narrow += milliseconds(joined);
             report.front = method.front();
             report.times.total = milliseconds(start);
-            *is_light = report.candidates.total() <= FEW as u64;
+            let work = report.candidates.total() + PER_DECISION * report.filtered.total();
+            *is_light = work <= LITTLE && workers.iter().all(|worker| worker.n_open == 0);
             Ok(())
         })
     }
 }
 
-/// A step in which at most so many vertices move, after one that found at most so many candidates,
-/// is done in the calling thread before another would have begun.
+/// A step in which at most so many vertices move (those that moved in the step before, too, count
+/// twice), after one with at most so much work, in what any candidate costs, and without pairs that
+/// integers decide, runs in the calling thread: others would save less than it takes to wake them.
 const FEW: usize = 1024;
+const LITTLE: u64 = 8192;
 
 /// All times of a step.
 const WHOLE: [f64; 2] = [0.0, 1.0];

@@ -141,6 +141,7 @@ fn alone<R: Real>(batch: &Batch, query: &Query) -> Verdict<f64> {
         tolerance: R::from_f64(TOI_TOLERANCE),
         from: R::from_f64(batch.window[0]),
         until: R::from_f64(batch.window[1]),
+        latest: R::from_f64(batch.window[1]),
         leaves: batch.leaves,
     };
     let motion = Motion::new(query.kind.patch(), &t0, &t1, R::splat(0.0));

@@ -6,6 +6,7 @@ mod candidate_sets;
 mod data;
 mod ends_early;
 mod exact_mode;
+mod few_move;
 mod first_contacts;
 mod forms;
 mod found;

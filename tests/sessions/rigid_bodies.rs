@@ -194,7 +194,7 @@ fn check<T: Coordinate>(what: &str, n: usize, mesh: &Mesh, options: &Options, at
     assert!(n_contacts > 50 * n, "{what}: {n_contacts} contacts");
 }
 
-fn moved<T: Coordinate>(rest: &[[T; 3]], pose: &Pose<T>) -> Vec<[T; 3]> {
+pub fn moved<T: Coordinate>(rest: &[[T; 3]], pose: &Pose<T>) -> Vec<[T; 3]> {
     let x = Posed::one(rest, pose);
     let view = ccd::AsPositions::as_positions(&x);
     (0..rest.len()).map(|v| view.at(v)).collect()

@@ -24,8 +24,8 @@ const BALL: usize = 32;
 /// Fall of the body within the step.
 const FALL: f32 = 2.0;
 /// Every row is the median of so many rounds of so many steps: machines have others' work on them.
-const ROUNDS: usize = 20;
-const RUNS: usize = 50;
+const ROUNDS: usize = 5;
+const RUNS: usize = 200;
 /// Balls that pass each other, vertices along a side of the grid that each is, and how far apart
 /// they are in units of their radius.
 const MANY: usize = 100;

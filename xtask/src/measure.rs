@@ -107,22 +107,24 @@ pub fn median_of<T, E>(runs: usize, mut call: impl FnMut() -> Result<T, E>) -> R
     Ok((median(times), last.expect("a warm-up calls at least once")))
 }
 
-/// As [`median_of`], of several calls that take turns: `rounds` of `runs` each, after half as many
-/// that aren't measured. What slows the machine down for a while slows down all of them.
-pub fn by_turns<N, T, E>(
+/// As [`median_of`], of several calls that take turns: `rounds` of `runs` each. What slows the
+/// machine down for a while slows down all of them.
+pub fn by_turns<N, T, E, C: FnMut() -> Result<T, E>>(
     rounds: usize,
     runs: usize,
-    calls: &mut [(N, Box<dyn FnMut() -> Result<T, E> + '_>)],
+    calls: &mut [(N, C)],
 ) -> Result<Vec<(f64, T)>, E> {
     let mut times = vec![Vec::with_capacity(rounds * runs); calls.len()];
     let mut last: Vec<Option<T>> = calls.iter().map(|_| None).collect();
     for _ in 0..rounds {
         for (k, (_, call)) in calls.iter_mut().enumerate() {
-            for i in 0..runs / 2 + runs {
+            let start = Instant::now();
+            while start.elapsed() < WARM_UP {
+                call()?;
+            }
+            for _ in 0..runs {
                 let (ms, result) = timed(&mut *call);
-                if i >= runs / 2 {
-                    times[k].push(ms);
-                }
+                times[k].push(ms);
                 last[k] = Some(result?);
             }
         }

@@ -7,12 +7,14 @@ mod changes;
 mod engine;
 mod first_contact;
 mod moving;
+mod runs;
 
 pub use both_ends::{Rigid, Rigids};
 pub use candidates::{Candidates, Intersection};
 pub use engine::{Ask, Change, Engine, Filter, Intersects, State};
 pub use first_contact::Hit;
 pub use moving::{BodyMotion, Kept, Moved, given};
+pub use runs::RunsOfBodies;
 
 use super::cancel::CancelToken;
 use super::error::{Error, check_window};
@@ -212,12 +214,13 @@ impl<E: Engine, P> Session<E, P> {
     /// that moved them left them, or [`Session::set_positions`]: what [`Session::step`] finds for
     /// the same positions, and the same bits.
     ///
-    /// On a CPU it costs what the bodies cost that are not fixed and do not sleep, and a logarithm
-    /// of what does: positions, boxes and trees of what stands still are not looked at again. Of a
-    /// body without self-contact that moves by poses ([`BodyMotion::posed`]) or has arrived there,
-    /// vertices alone are made anew: its tree is kept, boxes in it are moved where something is
-    /// near, and features have boxes where it is very near. That holds for bodies of 32 vertices or
-    /// more, by the default method and pipeline, in one world.
+    /// On a CPU it costs what the bodies cost that move in it or moved in the call before, and a
+    /// logarithm of the rest, whose boxes and trees are kept; pairs of bodies that rest on each
+    /// other are compared in every call. Where more than a quarter of all vertices move, boxes are
+    /// kept of what is fixed or asleep. Of a body without self-contact that moves by poses
+    /// ([`BodyMotion::posed`]), vertices alone are made anew: boxes in its tree are moved where
+    /// something is near, and features have boxes where it is very near. That holds for bodies of
+    /// 32 vertices or more in one world; all of it for the default method and pipeline.
     ///
     /// A body that is named stands at its `x1` afterwards; after an error all stand where they
     /// stood.

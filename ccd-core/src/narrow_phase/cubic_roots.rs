@@ -176,13 +176,17 @@ impl<R: Real> Cubic<R> {
         Interval { lo, hi, crosses }
     }
 
-    /// Whether [`Cubic::zero_in_piece`] says of `[from, to]` that an interval in it starts after
-    /// `latest`, which is before `to`: cheaper, and `false` where that is not sure.
+    /// Whether the exact cubic certainly does not vanish in `[from, to]` up to `latest`, which is
+    /// before `to`: cheaper than [`Cubic::zero_in_piece`], and `false` where that is not sure.
     ///
-    /// Two widths later the value is beyond twice the band, on the side of the start. Then it was
-    /// beyond the band at all times before: rounding of two values and what the piece turns back
-    /// are less than the band, `252 u max|c|`. So all those times are below the bracket in which
-    /// the interval starts, which is a width wide in the end.
+    /// At `from` and two widths after `latest` it is beyond the band on one side, and the piece is
+    /// monotone up to what the band allows for. In `f64`, what [`Cubic::zero_in_piece`] says then
+    /// starts after `latest`, too: the later value is beyond twice the band, so a value that falls
+    /// towards zero was beyond the band at all times before (rounding of two values and what the
+    /// piece turns back are less than the band, `252 u max|c|`), the bracket of the start is above
+    /// these times, and once it is a width wide, all of it is; one that rises ends on the side
+    /// where it began, and is not zero in the piece. (A bracket that is wider after
+    /// `MAX_STEPS` may start earlier; not known to happen.)
     pub fn is_nonzero_until(&self, latest: R, from: R, to: R) -> bool {
         let t = latest + (self.width + self.width);
         if !(t < to) {

@@ -119,10 +119,10 @@ impl OnDevice {
         if out {
             return narrow_verdicts(Answer::from(Verdict::Miss), &self.frame);
         }
-        let Search { min_distance, tolerance, from, until, leaves } = wanted;
-        let [min_distance, tolerance, from, until] =
-            [min_distance, tolerance, from, until].map(Flushed);
-        let wanted = Search { min_distance, tolerance, from, until, leaves };
+        let Search { min_distance, tolerance, from, until, latest, leaves } = wanted;
+        let [min_distance, tolerance, from, until, latest] =
+            [min_distance, tolerance, from, until, latest].map(Flushed);
+        let wanted = Search { min_distance, tolerance, from, until, latest, leaves };
         let Answer { verdict, approach } = search(&motion, patch, &wanted);
         let verdict = match verdict {
             Verdict::Miss => Verdict::Miss,

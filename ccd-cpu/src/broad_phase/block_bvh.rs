@@ -32,8 +32,11 @@ pub struct BlockBvh {
     /// Per block of level 1: side lengths of the boxes in the leaves below it that move and are not
     /// posed, and of its own around them.
     lengths: Vec<[f64; 2]>,
-    /// Runs of blocks of a level that change.
+    /// Their sums.
+    length: [f64; 2],
+    /// Runs of blocks of a level that change, and those behind what moves and is not posed.
     runs: Vec<Range<usize>>,
+    rest: Vec<Range<usize>>,
     build: u64,
 }
 
@@ -88,7 +91,7 @@ impl BlockBvh {
 
     /// Forgets the boxes of before; marks those of the new order.
     pub fn begin(&mut self, order: &[u32], marks: &Marks) {
-        self.looseness_at_build = None;
+        (self.looseness_at_build, self.length) = (None, [0.0; 2]);
         self.build += 1;
         self.marks.fill(order, marks);
     }
@@ -191,29 +194,44 @@ impl BlockBvh {
             n_below = n_below.div_ceil(WIDTH);
             here[0].resize(n_below, EMPTY);
             raise_runs(&mut self.runs);
-            let (here, mut runs) = (&mut here[0][..], &self.runs[..]);
+            let here = &mut here[0][..];
             let children = |i: usize| i * WIDTH..((i + 1) * WIDTH).min(below.len());
             let block = |i: usize| block_of(below[children(i)].iter().map(union_of_lanes));
             if level == 0 {
                 self.lengths.resize(n_below, [0.0; 2]);
                 // Boxes that move and are not posed come first.
-                if let Some((first, others)) = runs.split_first().filter(|all| all.0.start == 0) {
-                    let (here, lengths) = (&mut here[..first.end], &mut self.lengths[..first.end]);
+                let n_free = free.div_ceil(WIDTH);
+                let runs = self.runs.iter().filter(|run| run.start < n_free);
+                let (mut before, mut now, mut n) = ([0.0; 2], [0.0; 2], 0);
+                for run in runs.map(|run| run.start..run.end.min(n_free)) {
+                    let (here, lengths) = (&mut here[run.clone()], &mut self.lengths[run.clone()]);
+                    before = plus(before, sum(lengths));
                     threads.fill_both(here, lengths, |i| {
-                        let children = children(i);
+                        let children = children(run.start + i);
                         let free = free.clamp(children.start, children.end);
                         let of_boxes = below[children.start..free].iter();
                         let of_boxes = of_boxes.map(|boxes| extent(boxes, WIDTH)).sum();
-                        let block = block(i);
+                        let block = block(run.start + i);
                         (block, [of_boxes, extent(&block, free - children.start)])
                     });
-                    runs = others;
+                    now = plus(now, sum(lengths));
+                    n += run.len();
                 }
+                let others = plus(self.length, before.map(|length| -length));
+                // Of little that is left beside much, rounding has taken the digits.
+                let fine = (0..2).all(|k| before[k] <= 1e6 * others[k]);
+                let few = n < n_free && fine;
+                self.length = if few { plus(others, now) } else { sum(&self.lengths[..n_free]) };
+                self.rest.clear();
+                let rest = self.runs.iter().map(|run| run.start.max(n_free)..run.end);
+                self.rest.extend(rest.filter(|run| !run.is_empty()));
+                threads.fill_in(here, &self.rest, block);
+            } else {
+                threads.fill_in(here, &self.runs, block);
             }
-            threads.fill_in(here, runs, block);
             self.height += 1;
         }
-        let looseness = self.looseness(free);
+        let looseness = self.looseness();
         let before = *self.looseness_at_build.get_or_insert(looseness);
         if before > 0.0 { looseness / before } else { 1.0 }
     }
@@ -235,14 +253,10 @@ impl BlockBvh {
     }
 
     /// Sum of the side lengths of all blocks of eight, relative to that of the boxes in them: what
-    /// a block costs its tests. Of the first `free` blocks of leaves.
-    fn looseness(&self, free: usize) -> f64 {
-        if self.height < 2 {
-            return 1.0;
-        }
-        let of_all = |k: usize| self.lengths[..free.div_ceil(WIDTH)].iter().map(|l| l[k]).sum();
-        let [boxes, blocks]: [f64; 2] = [of_all(0), of_all(1)];
-        if boxes > 0.0 { blocks / boxes } else { 1.0 }
+    /// a block costs its tests. Of those that move and are not posed.
+    fn looseness(&self) -> f64 {
+        let [boxes, blocks] = self.length;
+        if self.height >= 2 && boxes > 0.0 { blocks / boxes } else { 1.0 }
     }
 }
 
@@ -257,6 +271,14 @@ fn raise_runs(runs: &mut Vec<Range<usize>>) {
 const LONG: f64 = 1.25;
 /// About so many blocks of eight are measured for [`LONG`].
 const SAMPLES: usize = 64;
+
+fn sum(lengths: &[[f64; 2]]) -> [f64; 2] {
+    lengths.iter().fold([0.0; 2], |all, of| plus(all, *of))
+}
+
+fn plus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] + b[0], a[1] + b[1]]
+}
 
 /// Sum of the side lengths of the first `n` boxes of a block.
 fn extent(block: &Block, n: usize) -> f64 {

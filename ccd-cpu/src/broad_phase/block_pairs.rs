@@ -13,6 +13,7 @@ use crate::simd::{Block, RowSimd, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
+use std::ops::Range;
 
 /// A block bvh per set.
 #[derive(Debug, Default)]
@@ -75,12 +76,10 @@ impl Order for BlockSource {
         threads: &Threads,
         leaves: &LeafBoxes,
         ends: &[[Block; 2]],
-        all: bool,
+        changed: &[Range<usize>],
         gap: f32,
     ) -> bool {
         let tree = &mut self.trees[leaves.set().index];
-        let whole = 0..ends.len();
-        let changed = if all { std::slice::from_ref(&whole) } else { leaves.changed() };
         tree.take_ends(threads, ends, (changed, leaves.n_moving()), gap)
     }
 }
@@ -373,7 +372,8 @@ mod tests {
                 [0, 1].map(|end| block_of(ids.iter().map(|&id| ends[id as usize][end])))
             };
             let blocks: Vec<_> = leaves.order().chunks(WIDTH).map(block).collect();
-            assert!(source.take_ends(&threads, &leaves, &blocks, true, GAP), "{n}");
+            let whole = [Range { start: 0, end: blocks.len() }];
+            assert!(source.take_ends(&threads, &leaves, &blocks, &whole, GAP), "{n}");
             let near = find(&mut source, &leaves);
             let apart = |[a, b]: [u32; 2]| {
                 let [a, b] = [a, b].map(|id| &ends[id as usize]);

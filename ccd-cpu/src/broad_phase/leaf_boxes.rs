@@ -25,9 +25,11 @@ pub struct Set {
 
 /// Of which boxes a call makes none: those of the last call hold, or none are needed yet.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Keeps {
+pub struct Keeps<'a> {
     /// Boxes that stand still.
     pub still: bool,
+    /// Runs of blocks, of those that are neither posed nor still, that alone are made; `None`: all.
+    pub free: Option<&'a [Range<usize>]>,
     /// Boxes of what is posed, which wait for [`LeafBoxes::pose`].
     pub posed: bool,
 }
@@ -71,14 +73,14 @@ pub trait Order: Debug + Send + Sync {
 
     /// Takes boxes of a set at both ends of the times that matter, in the order of its leaves:
     /// until the next [`Order::fit`], pairs may be left out that an axis keeps further than `gap`
-    /// apart at both. `all`: all may be others than when it took them last, else those that
-    /// [`LeafBoxes::changed`] says, or that are empty now. Returns whether it took them.
+    /// apart at both. `changed`: runs of blocks, sorted and apart, that may be others than when it
+    /// took them last; all others are the same, or empty now. Returns whether it took them.
     fn take_ends(
         &mut self,
         _threads: &Threads,
         _leaves: &LeafBoxes,
         _ends: &[[Block; 2]],
-        _all: bool,
+        _changed: &[Range<usize>],
         _gap: f32,
     ) -> bool {
         false
@@ -106,8 +108,9 @@ pub struct LeafBoxes {
     n_still: usize,
     /// Leaves of what is posed, before these.
     n_posed: usize,
-    /// Runs of blocks that were changed.
+    /// Runs of blocks that were changed, and of those that are neither posed nor still.
     changed: Vec<Range<usize>>,
+    free: Vec<Range<usize>>,
     /// Runs of posed blocks with boxes, and those that had some in the last call.
     filled: Vec<Range<usize>>,
     emptied: Vec<Range<usize>>,
@@ -126,6 +129,7 @@ impl LeafBoxes {
             n_still: 0,
             n_posed: 0,
             changed: Vec::new(),
+            free: Vec::new(),
             filled: Vec::new(),
             emptied: Vec::new(),
         }
@@ -183,6 +187,11 @@ impl LeafBoxes {
         &self.changed
     }
 
+    /// The same of blocks that are neither posed nor still; these are changed in the call.
+    pub fn free(&self) -> &[Range<usize>] {
+        &self.free
+    }
+
     /// Runs of posed blocks that have boxes.
     pub fn filled(&self) -> &[Range<usize>] {
         &self.filled
@@ -230,7 +239,7 @@ impl LeafBoxes {
         self.blocks.clear();
         self.filled.clear();
         let posed = marks.posed.is_some_and(|posed| posed.wait);
-        self.take(threads, boxes, Keeps { still: false, posed });
+        self.take(threads, boxes, Keeps { posed, ..Keeps::default() });
         // Also what is posed and has no boxes yet.
         self.changed.clear();
         self.changed.extend(Some(0..self.blocks.len()).filter(|run| !run.is_empty()));
@@ -279,11 +288,16 @@ impl LeafBoxes {
         let n = self.len.div_ceil(WIDTH);
         self.blocks.resize(n, EMPTY);
         let (free, moving) = (self.n_free(), self.n_moving());
+        let posed = free..if keeps.posed { free } else { moving };
+        let last = moving..if keeps.still { moving } else { n };
+        self.free.clear();
+        let all = 0..free;
+        self.free.extend_from_slice(keeps.free.unwrap_or(std::slice::from_ref(&all)));
         let Self { len, has_gaps, order, blocks, changed, filled, emptied, .. } = self;
         emptied.clear();
-        let ends = [if keeps.posed { free } else { moving }, if keeps.still { moving } else { n }];
         changed.clear();
-        changed.extend([0..ends[0], moving..ends[1]].into_iter().filter(|run| !run.is_empty()));
+        let runs = self.free.iter().cloned().chain([posed, last]);
+        changed.extend(runs.filter(|run| !run.is_empty()));
         threads.fill_in(blocks, changed, |i| {
             let ids = &order[i * WIDTH..((i + 1) * WIDTH).min(*len)];
             // A box that is repeated is the last of its block.
@@ -326,10 +340,11 @@ impl LeafBoxes {
     /// After [`LeafBoxes::pose`]: has [`LeafBoxes::changed`] say what changed since
     /// [`LeafBoxes::take`] began, too.
     pub fn all_changed(&mut self, still: bool) {
-        let (free, moving, n) = (self.n_free(), self.n_moving(), self.blocks.len());
-        self.changed.clear();
-        let ends = [0..free, moving..if still { moving } else { n }];
-        self.changed.extend(ends.into_iter().filter(|run| !run.is_empty()));
+        let (moving, n) = (self.n_moving(), self.blocks.len());
+        let last = moving..if still { moving } else { n };
+        let Self { changed, free, .. } = self;
+        changed.clear();
+        changed.extend(free.iter().cloned().chain([last]).filter(|run| !run.is_empty()));
         self.add_changed(true);
     }
 

@@ -1,7 +1,7 @@
 //! What belongs to the leaves of one set of features, in the order of the method that was chosen:
 //! all that the filters read of a pair of leaves.
 
-use crate::broad_phase::leaf_boxes::{Keeps, LeafBoxes, Set};
+use crate::broad_phase::leaf_boxes::{Keeps, LeafBoxes, Set, join};
 use crate::broad_phase::marks::Posed;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
@@ -110,8 +110,9 @@ pub struct Leaves<const N: usize> {
     pub bodies: BlockBodies,
     /// Boxes of the features at the start and at the end, of the positions in the table.
     pub ends: Vec<[Block; 2]>,
-    /// Whether the method has taken those of `ends` that stand still.
+    /// Whether the method has taken `ends`, but for those of these runs of blocks.
     taken: bool,
+    untaken: Vec<Range<usize>>,
 }
 
 impl<const N: usize> Leaves<N> {
@@ -123,7 +124,13 @@ impl<const N: usize> Leaves<N> {
             bodies: BlockBodies::default(),
             ends: Vec::new(),
             taken: false,
+            untaken: Vec::new(),
         }
+    }
+
+    /// The first vertices of block `i`, if it is neither posed nor still.
+    pub fn first_of_free(&self, i: usize) -> Option<&[u32; WIDTH]> {
+        (i < self.boxes.n_free()).then(|| &self.vertices[i][0])
     }
 
     /// Vertices and bodies, from the vertices of every feature and the order of leaves.
@@ -163,16 +170,26 @@ impl<const N: usize> Leaves<N> {
         boxes.all_changed(still);
     }
 
-    /// Boxes at both ends, from the table of positions; `still`: the leaves that stand still, the
-    /// last ones, have theirs. Of what is posed those are made that have boxes.
-    pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]], still: bool) {
-        let Self { boxes, vertices, ends, taken, .. } = self;
+    /// Boxes at both ends, from the table of positions; `holds`: whether those of leaves that were
+    /// not changed do. Of what is posed those are made that have boxes.
+    pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]], holds: bool) {
+        let Self { boxes, vertices, ends, taken, untaken, .. } = self;
         ends.resize(vertices.len(), [EMPTY; 2]);
-        *taken &= still;
+        if !holds {
+            *taken = false;
+            untaken.clear();
+        }
+        if *taken {
+            // The call before may have changed others, of which nobody took the ends.
+            untaken.extend_from_slice(boxes.changed());
+            untaken.sort_unstable_by_key(|run| run.start);
+            join(untaken);
+        }
         boxes.emptied().iter().for_each(|run| ends[run.clone()].fill([EMPTY; 2]));
-        let free = 0..boxes.n_free();
-        let last = if still { 0..0 } else { boxes.n_moving()..vertices.len() };
-        for runs in [slice::from_ref(&free), boxes.filled(), slice::from_ref(&last)] {
+        let first = 0..boxes.n_free();
+        let first = if holds { boxes.free() } else { slice::from_ref(&first) };
+        let last = if holds { 0..0 } else { boxes.n_moving()..vertices.len() };
+        for runs in [first, boxes.filled(), slice::from_ref(&last)] {
             threads.chunks_in(ends, runs, &|first, out| {
                 place(table, &vertices[first..first + out.len()], out);
             });
@@ -181,8 +198,13 @@ impl<const N: usize> Leaves<N> {
 
     /// Has the method leave out pairs that an axis keeps further than `gap` apart at both ends.
     pub fn hand_on_ends(&mut self, threads: &Threads, method: &mut Method, gap: f32) {
-        let Self { boxes, ends, taken, .. } = self;
-        *taken |= method.order().take_ends(threads, boxes, ends, !*taken, gap);
+        let Self { boxes, ends, taken, untaken, .. } = self;
+        let all = 0..ends.len();
+        let changed = if *taken { &untaken[..] } else { slice::from_ref(&all) };
+        if method.order().take_ends(threads, boxes, ends, changed, gap) {
+            *taken = true;
+            untaken.clear();
+        }
     }
 }
 

@@ -6,6 +6,7 @@ pub mod codimensional;
 pub mod contact_order;
 pub mod find;
 pub mod leaves;
+pub mod movers;
 pub mod narrow_phase;
 pub mod positions;
 pub mod prepare;

@@ -33,6 +33,8 @@ pub struct Worker {
     queues: [Vec<Pair>; 2],
     /// Pairs that were put aside, see [`decide_open`].
     open: Vec<(Kind, Pair)>,
+    /// How many of the step were.
+    pub n_open: usize,
     pub contacts: Vec<Contact>,
     /// Those of them that are undecided.
     pub undecided: u64,
@@ -52,6 +54,7 @@ impl Worker {
             queue.reserve(QUEUE + WIDTH);
         }
         self.open.clear();
+        self.n_open = 0;
         self.contacts.clear();
         self.undecided = 0;
         self.first = None;
@@ -125,6 +128,7 @@ impl Worker {
 pub fn decide_open(threads: &Threads, scene: &Scene, workers: &mut [Worker]) {
     let n: usize = workers.iter().map(|worker| worker.open.len()).sum();
     let Some((first, others)) = workers.split_first_mut().filter(|_| n > 0) else { return };
+    first.n_open += n;
     let mut open = std::mem::take(&mut first.open);
     for worker in others {
         open.append(&mut worker.open);

@@ -25,6 +25,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
+use ccd_core::model::session::Moved;
 use ccd_core::narrow_phase::cascade::needed_gap;
 use ccd_core::{Aabb, Error};
 
@@ -124,6 +125,11 @@ impl Prepared {
         }
     }
 
+    /// Whether the last call was the one before this, so that what did not move is there.
+    pub fn precedes(&self, moved: &Moved) -> bool {
+        moved.follows(self.call)
+    }
+
     /// Takes what moves rigidly in a step, if the method keeps trees of it; first of all.
     pub fn rigid(
         &mut self,
@@ -140,9 +146,16 @@ impl Prepared {
             Some(Precision::F64(rigids)) => rigid.begin(threads, mesh, rules, rigids),
             None => rigid.begin_plain(),
         };
+        let is_posed = |v: u32| rigid.has(v);
+        match (rules, x.moved.filter(|_| takes)) {
+            // Where trees of bodies come or go, or are paused, other boxes are made than before.
+            (Some(rules), Some(moved)) if !changes && rigid.is_on() == rigid.is_there() => {
+                still.movers.begin(mesh, rules, moved.runs, is_posed);
+            }
+            _ => still.movers.pause(),
+        }
         if changes {
-            let has = |v: u32| rigid.has(v);
-            still.set_posed(mesh, rules, rigid.is_there().then_some(&has));
+            still.set_posed(mesh, rules, rigid.is_there().then_some(&is_posed));
             self.forget_order();
         }
     }
@@ -241,13 +254,23 @@ impl Prepared {
             return Ok(rebuilt);
         }
         let Self { whole, vertices, edges, faces, table, still, rigid, .. } = self;
-        let mut keeps = Keeps { still: still.holds(), posed: rigid.is_on() };
+        let mut keeps = Keeps { still: still.holds(), posed: rigid.is_on(), free: None };
         let mut loose = !self.built || !method.order().outlasts_motion();
         if !loose {
+            let mut of_sets = [keeps; 3];
+            if let (true, Some(rules)) = (still.movers.is_on(), rules) {
+                let (v, e, f) = (&vertices.leaves, &edges.leaves, &faces.leaves);
+                still.movers.find_blocks(
+                    rules,
+                    [&|i| v.first_of_free(i), &|i| e.first_of_free(i), &|i| f.first_of_free(i)],
+                );
+                let blocks = |set| Some(still.movers.blocks(set));
+                of_sets = [0, 1, 2].map(|set| Keeps { free: blocks(set), ..keeps });
+            }
             threads.together(
-                || vertices.take_boxes(threads, keeps),
-                || edges.take_boxes(threads, keeps),
-                || faces.take_boxes(threads, keeps),
+                || vertices.take_boxes(threads, of_sets[0]),
+                || edges.take_boxes(threads, of_sets[1]),
+                || faces.take_boxes(threads, of_sets[2]),
             );
             let looseness = [
                 vertices.fit(threads, method),
@@ -266,6 +289,7 @@ impl Prepared {
             edges.build(threads, method, rules, keep, |e| mesh.edges()[e as usize]);
             faces.build(threads, method, rules, keep, |f| mesh.faces()[f as usize]);
             keeps.still = false;
+            still.movers.forget_order();
         }
         if HAS_RIGID && let (true, Some(rules), Some(moved)) = (keeps.posed, rules, &x.moved) {
             if let (true, Method::Blocks(source)) = (first, &*method) {
@@ -280,7 +304,7 @@ impl Prepared {
             faces.leaves.pose(threads, method, f, boxes, still);
             leaves.pose(threads, method, v, boxes, still);
         }
-        let holds = keeps.still && still.holds_table();
+        let holds = !loose && still.holds_table();
         let table = &table[..];
         threads.together(
             || vertices.leaves.place(threads, table, holds),

@@ -4,8 +4,9 @@
 //! Vertices of such bodies are compared with where they were in the step before, in the pass that
 //! looks for those that move and must not. If all are there, parts of the boxes that are theirs
 //! alone are left as they are: of vertices, edges and faces, of leaves, and of the table, if that
-//! has the same origin and unit.
+//! has the same origin and unit. A call that is told what moves leaves all else (`movers.rs`).
 
+use crate::step::movers::Movers;
 use crate::threads::Threads;
 use ccd_core::backend::quantization::Table;
 use ccd_core::backend::rules::{Rules, moves};
@@ -34,6 +35,8 @@ pub struct Still {
     posed: Option<Box<Posed>>,
     /// Whether this call skips what is posed.
     skips: bool,
+    /// What moves, where that is told.
+    pub movers: Movers,
 }
 
 /// By set: what is made beside bodies that move rigidly, whose vertices are.
@@ -105,17 +108,19 @@ impl Still {
         min_distance: f64,
         runs: Option<&[Range<u32>]>,
     ) -> Result<(), Error> {
+        let made = (size_of::<T>() as u32, min_distance.to_bits());
+        let made_so = self.made.replace(made) == Some(made);
         (self.holds, self.holds_table) = (false, false);
+        self.movers.turn(made_so && runs.is_some());
         if self.vertices.is_empty() {
             return Ok(());
         }
-        let made = (size_of::<T>() as u32, min_distance.to_bits());
         let is_still = |run: &Range<u32>| {
             let first = self.vertices.partition_point(|&v| v < run.start);
             self.vertices.get(first).is_some_and(|v| run.contains(v))
         };
         if runs.is_some_and(|runs| !runs.iter().any(is_still)) {
-            self.holds = self.made.replace(made) == Some(made);
+            self.holds = made_so;
             return Ok(());
         }
         let (vertices, may_move) = (&self.vertices, self.may_move);
@@ -137,12 +142,14 @@ impl Still {
             }
         });
         let vertex = first.into_inner();
-        let made_so = self.made.replace(made) == Some(made);
         if vertex != u32::MAX {
             self.made = None;
             return Err(Error::FixedMoves { vertex: vertex as usize });
         }
         self.holds = same.into_inner() && made_so;
+        if !self.holds {
+            self.movers.pause();
+        }
         Ok(())
     }
 
@@ -151,7 +158,7 @@ impl Still {
     pub fn look_at_table(&mut self, table: Table) {
         let places = Table { error: 0.0, ..table };
         let same = self.table.replace(places) == Some(places);
-        self.holds_table = self.holds && same;
+        self.holds_table = (self.holds || self.movers.is_on()) && same;
     }
 
     /// No call before this one was complete.
@@ -181,7 +188,8 @@ impl Still {
         f: impl Fn(usize) -> B + Sync,
     ) {
         if self.holds_table {
-            threads.fill_in(table, &self.moving[0], f);
+            let movers = Some(&self.movers).filter(|movers| movers.is_on());
+            threads.fill_in(table, movers.map_or(&self.moving[0], |movers| movers.made(0)), f);
         } else {
             threads.fill(table, f);
         }
@@ -189,6 +197,9 @@ impl Still {
 
     /// The runs of elements of a set that are made anew; `None`: all.
     fn made(&self, set: usize) -> Option<&[Range<usize>]> {
+        if self.movers.is_on() {
+            return Some(self.movers.made(set));
+        }
         match self.posed.as_ref().filter(|_| self.skips) {
             Some(posed) => Some(if self.holds { &posed.moving[set] } else { &posed.all[set] }),
             None => self.holds.then_some(&self.moving[set]),

@@ -1,6 +1,7 @@
 //! Positions that a session keeps, so that a step is told only those of bodies that move.
 
 use super::both_ends::{BothEnds, Rigids, Way};
+use super::runs::RunsOfBodies;
 use crate::model::bodies::Bodies;
 use crate::model::error::Error;
 use crate::model::mesh::Mesh;
@@ -97,7 +98,7 @@ pub struct Kept {
     x: Option<Precision<BothEnds<f32>, BothEnds<f64>>>,
     gathered: Gathered,
     /// By the number of a body: its vertices in runs. Made when they are needed.
-    runs: Option<Runs>,
+    runs: Option<RunsOfBodies>,
     /// Names of the bodies that move in this call, sorted.
     names: Vec<u32>,
     /// What moved in the last call.
@@ -107,38 +108,6 @@ pub struct Kept {
     calls: u64,
     version: u64,
     placed: u64,
-}
-
-/// Vertices of bodies.
-#[derive(Debug)]
-struct Runs {
-    /// Where the runs of a body begin.
-    first: Vec<u32>,
-    runs: Vec<Range<u32>>,
-}
-
-impl Runs {
-    fn new(bodies: &Bodies) -> Self {
-        let numbers = bodies.numbers();
-        let mut of_vertices: Vec<(u32, Range<u32>)> = Vec::new();
-        for (v, &number) in numbers.iter().enumerate() {
-            let v = v as u32;
-            match of_vertices.last_mut() {
-                Some((last, run)) if *last == number => run.end = v + 1,
-                _ => of_vertices.push((number, v..v + 1)),
-            }
-        }
-        // Stable: the runs of a body stay in the order of their vertices.
-        of_vertices.sort_by_key(|run| run.0);
-        let begins =
-            |body: usize| of_vertices.partition_point(|run| (run.0 as usize) < body) as u32;
-        let first = (0..=bodies.all().len()).map(begins).collect();
-        Self { first, runs: of_vertices.into_iter().map(|run| run.1).collect() }
-    }
-
-    fn of(&self, number: usize) -> &[Range<u32>] {
-        &self.runs[self.first[number] as usize..self.first[number + 1] as usize]
-    }
 }
 
 impl Kept {
@@ -205,7 +174,7 @@ impl Kept {
             let body = motion.body;
             let bodies = bodies.ok_or(Error::NoBody { body })?;
             let number = bodies.number(body).ok_or(Error::NoBody { body })?;
-            let runs = runs.get_or_insert_with(|| Runs::new(bodies)).of(number);
+            let runs = runs.get_or_insert_with(|| vertices_of(bodies)).of(number);
             let way = match motion.to {
                 To::Poses(Precision::F32(poses)) => Precision::F32(Way::Poses(poses)),
                 To::Poses(Precision::F64(poses)) => Precision::F64(Way::Poses(poses)),
@@ -248,6 +217,10 @@ impl Kept {
             self.calls += 2;
         }
     }
+}
+
+fn vertices_of(bodies: &Bodies) -> RunsOfBodies {
+    RunsOfBodies::new((0..).zip(bodies.numbers()).map(|(v, &number)| (number, v)))
 }
 
 /// Positions as slices, one position for every vertex at both ends of a step.
