@@ -115,7 +115,7 @@ pub struct Engine {
     runs: [Vec<Run>; 2],
     order: ContactOrder,
     codimensional: Option<Box<Codimensional>>,
-    /// Whether the last step found few candidates, see [`FEW`].
+    /// Whether the last step was little work, see [`LITTLE`].
     is_light: bool,
 }
 
@@ -220,7 +220,7 @@ impl Engine {
         &mut self.state.report
     }
 
-    /// Number of threads that steps use.
+    /// Number of threads that steps use; one in which little happens uses the calling one alone.
     pub fn threads(&self) -> usize {
         self.threads.count()
     }
@@ -296,8 +296,9 @@ impl Engine {
             Some(moved) => moved.runs.iter().map(|run| run.len()).sum(),
             None => mesh.n_vertices(),
         };
-        let alone =
-            (std::mem::take(&mut self.is_light) && n_moving <= FEW).then(|| threads.alone());
+        let is_light = std::mem::take(&mut self.is_light) && n_moving <= FEW;
+        let is_light = is_light && codimensional.is_none() && prepared.keeps_rest(method);
+        let alone = is_light.then(|| threads.alone());
         let threads = alone.as_ref().unwrap_or(threads);
         let (mesh, options, selection) = (&*mesh, &*options, &self.selection);
         let is_light = &mut self.is_light;
@@ -327,7 +328,7 @@ impl Engine {
                     if first.toi <= 0.0 && ask == (Ask::Earliest { whose: false }) && is_plain {
                         // Nothing is earlier.
                         report.toi = Some(first.toi);
-                        *is_light = work * SAMPLE as u64 <= LITTLE;
+                        *is_light = is_little(work * SAMPLE as u64, workers);
                         report.times.total = milliseconds(start);
                         return Ok(());
                     }
@@ -373,17 +374,21 @@ impl Engine {
             report.front = method.front();
             report.times.total = milliseconds(start);
             let work = report.candidates.total() + PER_DECISION * report.filtered.total();
-            *is_light = work <= LITTLE && workers.iter().all(|worker| worker.n_open == 0);
+            *is_light = is_little(work, workers);
             Ok(())
         })
     }
 }
 
-/// A step in which at most so many vertices move (those that moved in the step before, too, count
-/// twice), after one with at most so much work, in what any candidate costs, and without pairs that
-/// integers decide, runs in the calling thread: others would save less than it takes to wake them.
+/// A step by the default method runs in the calling thread if at most so many vertices move in it
+/// and in the one before, together, which was at most [`LITTLE`] work: others cost more to wake.
 const FEW: usize = 1024;
+/// In what any candidate costs.
 const LITTLE: u64 = 8192;
+
+fn is_little(work: u64, workers: &[Worker]) -> bool {
+    work <= LITTLE && workers.iter().all(|worker| worker.n_open == 0)
+}
 
 /// All times of a step.
 const WHOLE: [f64; 2] = [0.0, 1.0];

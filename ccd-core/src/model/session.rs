@@ -214,13 +214,13 @@ impl<E: Engine, P> Session<E, P> {
     /// that moved them left them, or [`Session::set_positions`]: what [`Session::step`] finds for
     /// the same positions, and the same bits.
     ///
-    /// On a CPU it costs what the bodies cost that move in it or moved in the call before, and a
-    /// logarithm of the rest, whose boxes and trees are kept; pairs of bodies that rest on each
-    /// other are compared in every call. Where more than a quarter of all vertices move, boxes are
-    /// kept of what is fixed or asleep. Of a body without self-contact that moves by poses
-    /// ([`BodyMotion::posed`]), vertices alone are made anew: boxes in its tree are moved where
-    /// something is near, and features have boxes where it is very near. That holds for bodies of
-    /// 32 vertices or more in one world; all of it for the default method and pipeline.
+    /// On a CPU, by the default method and pipeline, boxes and trees are made of the bodies alone
+    /// that move in this call or moved in the one before; where these have more than a quarter of
+    /// all vertices, of all but what is fixed or asleep. Pairs are sought among all others, since
+    /// bodies at rest may touch. Of a body of 32 vertices or more without self-contact, in one
+    /// world, that moves by poses ([`BodyMotion::posed`]), vertices alone are made anew: boxes in
+    /// its tree are moved where something is near, and features have boxes where it is very near.
+    /// The first call after another one, other options or an error makes all.
     ///
     /// A body that is named stands at its `x1` afterwards; after an error all stand where they
     /// stood.

@@ -13,6 +13,10 @@ use std::ops::Range;
 /// in one pass over all, not in many over some.
 const ONE_OF: usize = 4;
 
+/// Whether calls may be told what moves. Not on WebAssembly: the npm package, whose size counts,
+/// has no such call.
+pub const IS_TOLD: bool = !cfg!(target_family = "wasm");
+
 /// What moves, by set: vertices, edges, faces.
 #[derive(Debug, Default)]
 pub struct Movers {
@@ -44,7 +48,7 @@ impl Movers {
     ) {
         self.pause();
         let most = mesh.n_vertices() / ONE_OF;
-        // What moves in both calls is there twice.
+        // A vertex that moves in both calls is in two runs.
         if runs.iter().map(|run| run.len()).sum::<usize>() > 2 * most {
             return;
         }
@@ -92,7 +96,7 @@ impl Movers {
 
     /// Whether all other boxes hold.
     pub fn is_on(&self) -> bool {
-        self.on
+        IS_TOLD && self.on
     }
 
     /// Elements of a set that are made anew.

@@ -9,6 +9,7 @@ use crate::broad_phase::pair_source::PairSource;
 use crate::simd::WIDTH;
 use crate::step::candidates::Scene;
 use crate::step::leaves::Feature;
+use crate::step::movers::IS_TOLD;
 use crate::step::positions::{Ends, Positions};
 use crate::step::rigid::RigidTrees;
 use crate::step::scans::Scans;
@@ -32,10 +33,6 @@ use ccd_core::{Aabb, Error};
 /// Blocks may become this much looser than after the last build before trees are built anew:
 /// building costs about a tenth of a step, and traversal grows with looseness.
 pub const MAX_LOOSENESS: f64 = 1.15;
-
-/// Whether bodies that move rigidly have trees of their own. On WebAssembly they are moved as any:
-/// the npm package, whose size counts, has no call that moves them.
-const HAS_RIGID: bool = !cfg!(target_family = "wasm");
 
 /// Boxes, leaves and tables of a mesh; buffers are kept between steps.
 #[derive(Debug)]
@@ -130,6 +127,11 @@ impl Prepared {
         moved.follows(self.call)
     }
 
+    /// Whether what did not move since the last call is not made again: by the default method.
+    pub fn keeps_rest(&self, method: &Method) -> bool {
+        IS_TOLD && self.triangles.is_none() && matches!(method, Method::Blocks(_))
+    }
+
     /// Takes what moves rigidly in a step, if the method keeps trees of it; first of all.
     pub fn rigid(
         &mut self,
@@ -139,8 +141,8 @@ impl Prepared {
         method: &Method,
         x: &Positions,
     ) {
+        let takes = self.keeps_rest(method);
         let Self { rigid, still, .. } = self;
-        let takes = HAS_RIGID && self.triangles.is_none() && matches!(method, Method::Blocks(_));
         let changes = match x.moved.filter(|_| takes).map(|moved| moved.rigids) {
             Some(Precision::F32(rigids)) => rigid.begin(threads, mesh, rules, rigids),
             Some(Precision::F64(rigids)) => rigid.begin(threads, mesh, rules, rigids),
@@ -291,7 +293,7 @@ impl Prepared {
             keeps.still = false;
             still.movers.forget_order();
         }
-        if HAS_RIGID && let (true, Some(rules), Some(moved)) = (keeps.posed, rules, &x.moved) {
+        if IS_TOLD && let (true, Some(rules), Some(moved)) = (keeps.posed, rules, &x.moved) {
             if let (true, Method::Blocks(source)) = (first, &*method) {
                 let [v, e, f] = &source.trees[..] else { unreachable!("a tree for each set") };
                 let leaves = (&vertices.leaves.boxes, &edges.leaves.boxes, &faces.leaves.boxes);

@@ -1,9 +1,10 @@
-//! Numbers by body, in runs.
+//! Ids by body, in runs.
 
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// What each body has, by its number: vertices, or what else is numbered, in runs that ascend.
+/// What each body has, by its number: vertices, or what else has ids, in ranges of consecutive
+/// ids that ascend.
 #[derive(Debug)]
 pub struct RunsOfBodies {
     /// Where the runs of a body begin.
