@@ -350,13 +350,18 @@ impl LeafBoxes {
 
     /// Adds what was emptied and filled to what has changed.
     fn add_changed(&mut self, filled: bool) {
-        self.changed.extend_from_slice(&self.emptied);
+        add_runs(&mut self.changed, &self.emptied);
         if filled {
-            self.changed.extend_from_slice(&self.filled);
+            add_runs(&mut self.changed, &self.filled);
         }
-        self.changed.sort_unstable_by_key(|run| run.start);
-        join(&mut self.changed);
     }
+}
+
+/// Adds runs to others; they are sorted and apart then.
+pub fn add_runs(runs: &mut Vec<Range<usize>>, more: &[Range<usize>]) {
+    runs.extend_from_slice(more);
+    runs.sort_unstable_by_key(|run| run.start);
+    join(runs);
 }
 
 /// Joins runs, sorted by where they begin, that touch or overlap.

@@ -1,7 +1,7 @@
 //! What belongs to the leaves of one set of features, in the order of the method that was chosen:
 //! all that the filters read of a pair of leaves.
 
-use crate::broad_phase::leaf_boxes::{Keeps, LeafBoxes, Set, join};
+use crate::broad_phase::leaf_boxes::{Keeps, LeafBoxes, Set, add_runs};
 use crate::broad_phase::marks::Posed;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
@@ -181,9 +181,7 @@ impl<const N: usize> Leaves<N> {
         }
         if *taken {
             // The call before may have changed others, of which nobody took the ends.
-            untaken.extend_from_slice(boxes.changed());
-            untaken.sort_unstable_by_key(|run| run.start);
-            join(untaken);
+            add_runs(untaken, boxes.changed());
         }
         boxes.emptied().iter().for_each(|run| ends[run.clone()].fill([EMPTY; 2]));
         let first = 0..boxes.n_free();
