@@ -220,7 +220,7 @@ impl<E: Engine, P> Session<E, P> {
     /// bodies at rest may touch. Of a body of 32 vertices or more without self-contact, in one
     /// world, that moves by poses ([`BodyMotion::posed`]), vertices alone are made anew: boxes in
     /// its tree are moved where something is near, and features have boxes where it is very near.
-    /// The first call after another one, other options or an error makes all.
+    /// After any other call, a change of options or bodies, or an error, the next one makes all.
     ///
     /// A body that is named stands at its `x1` afterwards; after an error all stand where they
     /// stood.

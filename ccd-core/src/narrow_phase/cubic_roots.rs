@@ -184,9 +184,9 @@ impl<R: Real> Cubic<R> {
     /// starts after `latest`, too: the later value is beyond twice the band, so a value that falls
     /// towards zero was beyond the band at all times before (rounding of two values and what the
     /// piece turns back are less than the band, `252 u max|c|`), the bracket of the start is above
-    /// these times, and once it is a width wide, all of it is; a value that
-    /// moves away from zero stays on its side to the end of the piece, and no zero is reported.
-    /// (A bracket that is wider after `MAX_STEPS` may start earlier; not known to happen.)
+    /// these times, and once it is a width wide, all of it is; a value that moves away from zero
+    /// stays on its side to the end of the piece, and no zero is reported. (A bracket that is wider
+    /// after `MAX_STEPS` may start earlier; not known to happen.)
     pub fn is_nonzero_until(&self, latest: R, from: R, to: R) -> bool {
         let t = latest + (self.width + self.width);
         if !(t < to) {

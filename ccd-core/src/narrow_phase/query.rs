@@ -173,8 +173,7 @@ fn touching<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Verdict
         if !(from <= to) {
             continue;
         }
-        // The npm package, whose size counts, does without.
-        if !cfg!(target_family = "wasm") && cubic.is_nonzero_until(search.latest, from, to) {
+        if cubic.is_nonzero_until(search.latest, from, to) {
             return Verdict::Miss;
         }
         let at = cubic.zero_in_piece(from, to);

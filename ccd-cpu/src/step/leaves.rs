@@ -6,7 +6,6 @@ use crate::broad_phase::marks::Posed;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
 use crate::simd::{Block, EMPTY, RowSimd, WIDTH, Work};
-use crate::step::movers::IS_TOLD;
 use crate::step::rigid::RigidTrees;
 use crate::step::selection::BlockBodies;
 use crate::threads::Threads;
@@ -180,7 +179,7 @@ impl<const N: usize> Leaves<N> {
             *taken = false;
             untaken.clear();
         }
-        if IS_TOLD && *taken {
+        if *taken {
             // The call before may have changed others, of which nobody took the ends.
             add_runs(untaken, boxes.changed());
         }
@@ -199,8 +198,7 @@ impl<const N: usize> Leaves<N> {
     pub fn hand_on_ends(&mut self, threads: &Threads, method: &mut Method, gap: f32) {
         let Self { boxes, ends, taken, untaken, .. } = self;
         let all = 0..ends.len();
-        let since = if IS_TOLD { &untaken[..] } else { boxes.changed() };
-        let changed = if *taken { since } else { slice::from_ref(&all) };
+        let changed = if *taken { &untaken[..] } else { slice::from_ref(&all) };
         if method.order().take_ends(threads, boxes, ends, changed, gap) {
             *taken = true;
             untaken.clear();

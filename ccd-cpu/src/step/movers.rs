@@ -38,7 +38,7 @@ pub struct Movers {
 
 impl Movers {
     /// Begins a call in which vertices in `runs`, each of one body, are elsewhere than before.
-    /// `posed`: of bodies whose edges and faces are moved by their trees.
+    /// `posed`: whether a vertex is of a body whose edges and faces are moved by its tree.
     pub fn begin(
         &mut self,
         mesh: &Mesh,

@@ -23,9 +23,6 @@ use std::time::Duration;
 /// it touches.
 const QUEUE: usize = 512;
 
-/// Whether searches are told of the first contact; WebAssembly has not the code for it.
-const IS_LATEST_KNOWN: bool = !cfg!(target_family = "wasm");
-
 /// The name of lists in [`ccd_core::Error::Memory`].
 pub const CONTACTS: &str = "contacts";
 
@@ -92,9 +89,7 @@ impl Worker {
     pub fn decide(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
         let decider = match self.first {
             // Of later ones nothing is kept.
-            Some(first) if IS_LATEST_KNOWN && !scene.keep_contacts => {
-                &scene.decider.up_to(first.toi)
-            }
+            Some(first) if !scene.keep_contacts => &scene.decider.up_to(first.toi),
             _ => &scene.decider,
         };
         let contact = match scene.given {
