@@ -39,10 +39,11 @@ pub struct Check {
     #[arg(long, value_name = "A,B", value_parser = window, allow_hyphen_values = true)]
     #[arg(help_heading = QUESTION)]
     window: Option<[f64; 2]>,
-    /// Write and draw at most N contacts, those with the least times
+    /// Write and draw the N earliest contacts at most
     ///
     /// This limits files and the picture alone: all contacts are found and counted.
-    #[arg(long, value_name = "N", allow_negative_numbers = true, help_heading = OUTPUT)]
+    #[arg(long, visible_alias = "limit", value_name = "N", allow_negative_numbers = true)]
+    #[arg(help_heading = OUTPUT)]
     earliest: Option<usize>,
     /// Write the candidates, pairs whose swept boxes overlap, as CSV: kind,a,b, sorted
     ///

@@ -38,7 +38,7 @@ pub struct MethodOptions {
     radius: Option<u32>,
     /// Most boxes for --builder nearest-pair, whose time grows with their square
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
-    limit: Option<u32>,
+    max_boxes: Option<u32>,
     /// Nodes of the cut that --traversal cut and cut-stacks start from
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     cut: Option<u32>,
@@ -167,7 +167,7 @@ impl MethodOptions {
             (self.traversal.is_some(), "--traversal"),
             (self.volume.is_some(), "--volume"),
             (self.radius.is_some(), "--radius"),
-            (self.limit.is_some(), "--limit"),
+            (self.max_boxes.is_some(), "--max-boxes"),
             (self.cut.is_some(), "--cut"),
             (self.descent.is_some(), "--descent"),
         ]
@@ -178,15 +178,14 @@ impl MethodOptions {
     fn builder(&self) -> Result<Builder, Failure> {
         let builder = self.builder.unwrap_or_default();
         let name = builder.row().name;
-        match (builder, self.radius, self.limit) {
+        match (builder, self.radius, self.max_boxes) {
             (Builder::Ploc { .. }, Some(radius), None) => Ok(Builder::Ploc { radius }),
             (Builder::NearestPair { .. }, None, Some(limit)) => Ok(Builder::NearestPair { limit }),
             (_, None, None) => Ok(builder),
             (_, Some(_), _) => Err(Failure(format!("--radius is for --builder ploc, not {name}"))),
-            (_, _, Some(_)) => Err(Failure(format!(
-                "--limit is for --builder nearest-pair, not {name}; contacts that are written are \
-                     limited by check --earliest"
-            ))),
+            (_, _, Some(_)) => {
+                Err(Failure(format!("--max-boxes is for --builder nearest-pair, not {name}")))
+            }
         }
     }
 
