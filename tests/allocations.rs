@@ -6,6 +6,7 @@ use ccd::method::{BroadPhaseMethod, Builder, Front, Pipeline, Scheduling, Traver
 use ccd::{Bodies, BodyMotion, CancelToken, Error, Options, Posed, Session, Strided};
 use ccd_testkit::generate::crumpled_sheet;
 use ccd_testkit::methods::is_near_default;
+use libtest_mimic::{Arguments, Trial};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::LazyCell;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -204,7 +205,18 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
     }
 }
 
-#[test]
+/// The standard library's harness prints, and allocates, beside a test that takes over a minute.
+fn main() -> std::process::ExitCode {
+    let mut arguments = Arguments::from_args();
+    arguments.test_threads = Some(1);
+    let test = || {
+        warm_sessions_allocate_nothing();
+        Ok(())
+    };
+    let name = "warm_sessions_allocate_nothing";
+    libtest_mimic::run(&arguments, vec![Trial::test(name, test)]).exit_code()
+}
+
 fn warm_sessions_allocate_nothing() {
     for method in ccd::method::every("cpu").filter(|&method| is_near_default(method)) {
         for pipeline in [Pipeline::Features, Pipeline::TRIANGLES] {

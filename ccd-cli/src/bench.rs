@@ -33,8 +33,8 @@ pub struct Bench {
     json: bool,
     #[command(flatten)]
     backend: BackendOptions,
-    /// Number of threads on the CPU; 0 means one per processor
-    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    /// Threads on the CPU; 0: one per processor
+    #[arg(short, long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     #[arg(help_heading = PLACE)]
     threads: usize,
     // Last: the options behind it would stand below its heading.

@@ -11,7 +11,8 @@ pub struct BodyOptions {
     /// The body of each vertex, as whole numbers from 0
     ///
     /// Separated by white space or commas. Without it the connected parts of the mesh are the
-    /// bodies, numbered in the order of their first vertices.
+    /// bodies, numbered in the order of their first vertices. With --with: of the vertices of all
+    /// objects, in order.
     #[arg(long, value_name = "FILE", help_heading = INPUT)]
     bodies: Option<PathBuf>,
     /// Leave out contacts within one body, or one connected part if no bodies are given
@@ -56,6 +57,15 @@ impl BodyOptions {
         self.bodies.as_deref()
     }
 
+    /// Whether there are pairs that no test looks at.
+    pub fn leaves_pairs_out(&self) -> bool {
+        self.by_body() || self.exclude_neighbours.is_some()
+    }
+
+    fn by_body(&self) -> bool {
+        !self.fixed.is_empty() || !self.layers.is_empty() || self.no_self_contact
+    }
+
     /// The bodies of a mesh, if any option speaks of them; of several objects, that of each vertex
     /// and which stand still, unless a file has others. `max_memory`: bytes that lists of
     /// neighbours may take.
@@ -65,8 +75,7 @@ impl BodyOptions {
         objects: Option<(Vec<u32>, Vec<bool>)>,
         max_memory: Option<u64>,
     ) -> Result<Option<Bodies>, Failure> {
-        let by_body = !self.fixed.is_empty() || !self.layers.is_empty() || self.no_self_contact;
-        let is_chosen = self.bodies.is_some() || by_body || self.exclude_neighbours.is_some();
+        let is_chosen = self.bodies.is_some() || self.leaves_pairs_out();
         if !is_chosen && objects.is_none() {
             return Ok(None);
         }

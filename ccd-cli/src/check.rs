@@ -47,7 +47,8 @@ pub struct Check {
     earliest: Option<usize>,
     /// Write the candidates, pairs whose swept boxes overlap, as CSV: kind,a,b, sorted
     ///
-    /// They are those of the whole step, so this is refused together with --window.
+    /// They are those of the whole step: refused with a --window that is a part of it. `-` is
+    /// standard output.
     #[arg(long, value_name = "OUT.csv", hide_short_help = true, help_heading = OUTPUT)]
     candidates: Option<PathBuf>,
     #[command(flatten)]
@@ -88,6 +89,9 @@ impl Check {
             let what = "--candidates are those of the whole step, --window is a part of it";
             return Err(Failure(format!("{what}: use one of the two")));
         }
+        if self.earliest.is_some() && !self.options.shows_contacts() {
+            output::notice!("--earliest is about --contacts and --picture, of which there is none");
+        }
         let picture = self.options.picture_file()?;
         let file = self.options.contact_file(false)?;
         let points = self.options.point_file()?;
@@ -118,7 +122,7 @@ impl Check {
         work.goes_on("looking for contacts");
         step(&mut session, precision, [t0, t1], window, place)?;
         work.goes_on("looking for intersections of the first frame");
-        let start = look_at_start(&mut session, precision, t0, place)?;
+        let start = look_at_start(&mut session, &self.options, t0, place)?;
         let compilation = backend::compilation(&mut session);
         let (mesh, report) = (session.mesh(), session.report());
         let shown = self.shown(&report.contacts);
@@ -256,12 +260,14 @@ fn print(
 /// Intersections of the frame that steps start from; `place` as of [`step`].
 pub fn look_at_start<'a>(
     session: &mut Session,
-    precision: Precision,
+    options: &StepOptions,
     frame: &Frame,
     place: impl Fn(u32, usize) -> (&'a Path, usize),
 ) -> Result<Intersections, Failure> {
+    let precision = options.precision;
     let x = precision.round(&frame.positions);
-    Intersections::of(session, &x).map_err(|e| named(e.into(), precision, place))
+    let of_some = options.leaves_pairs_out();
+    Intersections::of(session, &x, of_some).map_err(|e| named(e.into(), precision, place))
 }
 
 /// Two parts of a step, with a comma.

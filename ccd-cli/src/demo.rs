@@ -35,8 +35,8 @@ pub struct Demo {
     /// Write the frames, the first one too, as PLY: FOLDER/frame-00000.ply and so on; made if it is
     /// not there
     ///
-    /// `ccd sequence FOLDER --fixed 1` checks them: the sphere is body 1, and its seam and poles
-    /// lie double, which are contacts at t = 0 unless it is fixed.
+    /// `ccd sequence FOLDER --fixed 1` checks them: the sphere is body 1, whose vertices along its
+    /// seam and at its poles are there twice, which are contacts at t = 0 unless it is fixed.
     #[arg(long, value_name = "FOLDER")]
     frames_out: Option<PathBuf>,
     #[command(flatten)]

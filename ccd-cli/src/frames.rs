@@ -7,6 +7,7 @@ use super::{Failure, in_file};
 use ccd::Mesh;
 use ccd::io::{Frame, MESH_EXTENSIONS, PointCache, listed, mesh_format, read_frame, read_frame_as};
 use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 /// Source of frames.
@@ -106,7 +107,8 @@ impl Frames {
 
 /// Files in order: those of a folder or of a pattern (`frames/*.ply`, for shells that leave it
 /// alone) by name, numbers in them as numbers, so that f2 comes before f10. Files that are listed
-/// one by one stay as they are listed; the second part says whether that order is another one.
+/// one by one stay as they are listed; the second part says whether their numbers are out of order.
+/// In a folder, names that begin with a point are those of hidden files, which are no frames.
 fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
     let mut frames = Vec::new();
     for path in given {
@@ -129,8 +131,16 @@ fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
     })?;
     let mut sorted = frames.clone();
     sort(&mut sorted);
-    let is_sorted = sorted == frames;
+    let is_sorted = sorted == frames || !differ_in_numbers(&frames);
     Ok((frames, !is_sorted))
+}
+
+/// Whether names are the same but for the numbers in them.
+fn differ_in_numbers(paths: &[PathBuf]) -> bool {
+    let letters = |path: &PathBuf| path.to_string_lossy().replace(|c: char| c.is_ascii_digit(), "");
+    let mut all = paths.iter().map(letters);
+    let first = all.next();
+    all.all(|other| Some(&other) == first.as_ref())
 }
 
 /// Sorts by name, numbers in names as numbers, whatever the encoding of the names: the crate's
@@ -228,7 +238,8 @@ fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut found = Vec::new();
     for entry in entries {
         let path = entry.map_err(|e| in_file(folder, e))?.path();
-        if mesh_format(&path).is_some() {
+        let is_hidden = |name: &OsStr| name.as_encoded_bytes().starts_with(b".");
+        if mesh_format(&path).is_some() && !path.file_name().is_some_and(is_hidden) {
             found.push(path);
         }
     }

@@ -53,7 +53,8 @@ use std::process::ExitCode;
 ///
 /// A contact is where features touch on their way. A first frame that already passes through
 /// itself need not have any: `check` and `sequence` look at it exactly, edges against faces, and
-/// say so. If it does not, and no step has a contact, nothing passes through anything at any time.
+/// say so. If it does not, and no step has a contact, nothing passes through anything at any time:
+/// of the pairs that --fixed, --layers and the like leave in, for the others are not looked at.
 ///
 /// Vertices, edges, faces, bodies, boxes, queries, frames and steps are counted from 0, in what is
 /// printed and written and in errors, whatever the file's own numbers are: `f 1 2 3` of an OBJ file
@@ -83,9 +84,9 @@ enum Command {
     /// Join the JSON lines or the contacts of the parts of a `sequence`
     #[command(after_help = "EXAMPLES:\n  ccd merge part-*.jsonl > all.jsonl\n  \
         ccd merge part-*.csv > all.csv\n\n\
-        Lines of JSON say which part they are of: none may be missing or there twice.\n\
+        Lines of JSON say which part they are of: each must be given exactly once.\n\
         Files whose names end in .csv are contacts (sequence --contacts): sorted by their steps\n\
-        under one head. Rows do not say whether a part is missing; lines of JSON do.")]
+        under one header. Rows do not say whether a part is missing; lines of JSON do.")]
     Merge(merge::Merge),
     /// Elemental queries from files, compared with the answers in them
     #[command(after_help = "A file holds eight rows a query: four points at t0, four at t1 \
@@ -191,8 +192,8 @@ struct StepOptions {
     mode: ccd::Mode,
     /// Leave out contacts at the start whose features separate
     ///
-    /// Where they certainly do, what counts is their next contact. Without a --min-distance it is
-    /// never certain that what touches separates.
+    /// If they certainly separate, their next contact in the step counts instead. Without a
+    /// --min-distance it is never certain that what touches separates.
     #[arg(long, help_heading = QUESTION)]
     leave_contact: bool,
     /// How early a certain time of impact may be, in units of the step
@@ -273,6 +274,16 @@ impl StepOptions {
             output::go_on();
         }
         Ok(())
+    }
+
+    /// Whether contacts are written or drawn.
+    fn shows_contacts(&self) -> bool {
+        self.contacts.is_some() || self.picture.is_some()
+    }
+
+    /// Whether there are pairs that no test looks at.
+    fn leaves_pairs_out(&self) -> bool {
+        self.bodies.leaves_pairs_out()
     }
 
     /// A digest of what is asked of each step: parts of one sequence have the same.

@@ -34,7 +34,8 @@ impl Merge {
         let is_rows = |path: &&PathBuf| has_extension(path, &["csv"]);
         if let Some(rows) = self.parts.iter().find(is_rows) {
             if let Some(lines) = self.parts.iter().find(|path| !is_rows(path)) {
-                let what = format!("is no CSV, {} is: they are joined apart", rows.display());
+                let what =
+                    format!("is no CSV, but {} is: merge either kind by itself", rows.display());
                 return Err(in_file(lines, what));
             }
             join::join(&self.parts)?;

@@ -36,8 +36,9 @@ pub struct MethodOptions {
     /// Neighbours to either side that --builder ploc looks at
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     radius: Option<u32>,
-    /// Most boxes for --builder nearest-pair, whose time grows with their square
+    /// Most boxes for --builder nearest-pair, whose time grows with their square [default: 20000]
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
     max_boxes: Option<u32>,
     /// Nodes of the cut that --traversal cut and cut-stacks start from
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
@@ -177,21 +178,17 @@ impl MethodOptions {
 
     fn builder(&self) -> Result<Builder, Failure> {
         let builder = self.builder.unwrap_or_default();
-        let name = builder.row().name;
         match (builder, self.radius, self.max_boxes) {
             (Builder::Ploc { .. }, Some(radius), None) => Ok(Builder::Ploc { radius }),
             (Builder::NearestPair { .. }, None, Some(limit)) => Ok(Builder::NearestPair { limit }),
             (_, None, None) => Ok(builder),
-            (_, Some(_), _) => Err(Failure(format!("--radius is for --builder ploc, not {name}"))),
-            (_, _, Some(_)) => {
-                Err(Failure(format!("--max-boxes is for --builder nearest-pair, not {name}")))
-            }
+            (_, Some(_), _) => Err(Failure("--radius needs --builder ploc".into())),
+            (_, _, Some(_)) => Err(Failure("--max-boxes needs --builder nearest-pair".into())),
         }
     }
 
     fn traversal(&self) -> Result<Traversal, Failure> {
         let traversal = self.traversal.unwrap_or_default();
-        let name = traversal.row().name;
         match (traversal, self.cut, self.descent) {
             (Traversal::Simultaneous(default), None, descent) => {
                 Ok(Traversal::Simultaneous(descent.unwrap_or(default)))
@@ -205,12 +202,10 @@ impl MethodOptions {
                 Ok(Traversal::CutStacks { nodes, descent })
             }
             (_, None, None) => Ok(traversal),
-            (_, Some(_), _) => {
-                Err(Failure(format!("--cut is for --traversal cut and cut-stacks, not {name}")))
+            (_, Some(_), _) => Err(Failure("--cut needs --traversal cut or cut-stacks".into())),
+            (_, _, Some(_)) => {
+                Err(Failure("--descent needs --traversal simultaneous, cut or cut-stacks".into()))
             }
-            (_, _, Some(_)) => Err(Failure(format!(
-                "--descent is for --traversal simultaneous, cut and cut-stacks, not {name}"
-            ))),
         }
     }
 }

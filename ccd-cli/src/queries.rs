@@ -16,7 +16,7 @@ pub struct Queries {
     /// Query files
     #[arg(required = true, value_name = "FILE.csv")]
     files: Vec<PathBuf>,
-    /// Coordinates of the queries (f32: rounded, decided in f32 and, where that cannot, in f64)
+    /// Coordinates of the queries (f32: rounded, decided in f32, in f64 where that leaves it open)
     #[arg(long, value_enum, default_value_t = Precision::F64)]
     precision: Precision,
     /// What the files hold; without it their paths tell

@@ -43,7 +43,8 @@ pub struct SchedulingOptions {
     /// Pairs of a batch of --scheduler lazy-stealing, and of stealing on a GPU, at most 64
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     batch: Option<u32>,
-    /// Length of a stack from which on these schedulers offer a batch to others, at most 1024
+    /// Length of a stack from which on --scheduler lazy-stealing, and stealing on a GPU, offers a
+    /// batch to others, at most 1024
     #[arg(long, value_name = "N", allow_negative_numbers = true, hide_short_help = true)]
     threshold: Option<u32>,
 }
@@ -67,10 +68,10 @@ impl SchedulingOptions {
     /// What was chosen of workers, which a scheduler must have been chosen for.
     fn workers(&self, scheduler: Option<Scheduler>) -> Result<WorkerOptions, Failure> {
         let steals = matches!(scheduler, Some(Scheduler::Stealing | Scheduler::LazyStealing));
-        let of_stealing = "--scheduler stealing or lazy-stealing";
+        let of_stealing = "--scheduler lazy-stealing, and on a GPU for stealing";
         for (value, option, has, who) in [
             (self.workers, "--workers", scheduler.is_some(), "--scheduler NAME"),
-            (self.stack, "--stack", scheduler.is_some(), "--scheduler NAME"),
+            (self.stack, "--stack", scheduler.is_some(), "--scheduler NAME on a GPU"),
             (self.batch, "--batch", steals, of_stealing),
             (self.threshold, "--threshold", steals, of_stealing),
         ] {

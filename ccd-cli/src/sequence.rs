@@ -32,8 +32,8 @@ pub struct Sequence {
     json_lines: bool,
     /// Do only share i of n of the steps, so that several machines do all of them
     ///
-    /// `slurm`: i and n from SLURM_ARRAY_TASK_ID, _COUNT, _MIN and _STEP, which nothing else reads.
-    /// `ccd merge` joins what --json-lines printed, and what --contacts wrote.
+    /// `slurm`: i and n from SLURM_ARRAY_TASK_ID, _COUNT, _MIN and _STEP, which are read for
+    /// this alone. `ccd merge` joins what --json-lines printed, and what --contacts wrote.
     #[arg(long, value_name = "i/n", allow_hyphen_values = true, help_heading = INPUT)]
     part: Option<Part>,
     #[command(flatten)]
@@ -60,7 +60,7 @@ impl Sequence {
         let mut file = self.options.contact_file(true)?;
         let (mut frames, is_unsorted) = Frames::open(&self.frames, self.mesh.as_deref())?;
         if is_unsorted {
-            output::notice!("the frames are not in the order of the numbers in their names");
+            output::notice!("the frames are in the order given, not in that of their numbers");
         }
         let all_steps = frames.len() - 1;
         let share =
@@ -80,7 +80,7 @@ impl Sequence {
             Share { asked: self.options.asked(session.options()), frames, ..share }
         });
         let start = is_first.then(|| {
-            check::look_at_start(&mut session, precision, &before, |_, vertex| (&first, vertex))
+            check::look_at_start(&mut session, &self.options, &before, |_, vertex| (&first, vertex))
         });
         let start = start.transpose()?;
         let bar = progress::bar(todo.len(), "steps");

@@ -15,6 +15,9 @@ pub struct Intersections {
     undecided: usize,
     /// The first pair.
     example: Option<Example>,
+    /// Whether options leave pairs out.
+    #[serde(skip)]
+    of_some: bool,
     /// Time of the check.
     #[serde(skip)]
     pub ms: f64,
@@ -28,8 +31,9 @@ struct Example {
 }
 
 impl Intersections {
-    /// Intersections of a session's mesh, among the pairs that its bodies want; on the CPU.
-    pub fn of(session: &mut Session, x: &[[f64; 3]]) -> Result<Self, ccd::Error> {
+    /// Intersections of a session's mesh, among the pairs that its bodies want, which are not all
+    /// if they are `of_some`; on the CPU.
+    pub fn of(session: &mut Session, x: &[[f64; 3]], of_some: bool) -> Result<Self, ccd::Error> {
         let start = Instant::now();
         let found = session.intersections(x)?;
         let mesh = session.mesh();
@@ -41,6 +45,7 @@ impl Intersections {
             pairs: found.len(),
             undecided: found.iter().filter(|i| i.state == State::Undecided).count(),
             example: found.first().map(example),
+            of_some,
             ms: start.elapsed().as_secs_f64() * 1e3,
         })
     }
@@ -58,8 +63,11 @@ impl Intersections {
     pub fn print(&self, stays: bool) {
         let ms = output::milliseconds(self.ms);
         let (Some(verb), Some(Example { edge, face })) = (self.verb(), &self.example) else {
-            let text = format!("the first frame does not intersect itself (exact, {ms})");
-            return output::line("start", text);
+            let text = match self.of_some {
+                false => "the first frame does not intersect itself",
+                true => "no intersections among the pairs that are tested",
+            };
+            return output::line("start", format_args!("{text} (exact, {ms})"));
         };
         let text = format!("the first frame {verb}: {} pairs", self.pairs);
         output::line("start", text);

@@ -80,7 +80,7 @@ pub(super) fn read(mut reader: Input, _: &Path) -> Result<Frame, ReadErrorKind> 
         return Err(ReadErrorKind::Line { line: most.1, what });
     }
     if !any {
-        return Err(ReadErrorKind::Header("the file holds no statement of OBJ".into()));
+        return Err(ReadErrorKind::Format("the file holds no statement of OBJ".into()));
     }
     Ok(frame)
 }

@@ -75,7 +75,7 @@ pub fn read_queries(path: &Path) -> Result<Queries, ReadError> {
         Some(kind) => read_queries_of(path, kind),
         None => {
             let what = "the path names neither vertex-face (vf) nor edge-edge (ee) queries";
-            let kind = ReadErrorKind::Header(what.into());
+            let kind = ReadErrorKind::Format(what.into());
             Err(ReadError { path: path.to_owned(), kind })
         }
     }
@@ -96,7 +96,7 @@ fn read(path: &Path, kind: Kind) -> Result<Queries, ReadErrorKind> {
         Kind::EdgeEdge => |t0, t1| Query::EdgeEdge(EdgeEdge { t0, t1 }),
         _ => {
             let what = "query files hold vertex-face or edge-edge queries, of four points";
-            return Err(ReadErrorKind::Header(what.into()));
+            return Err(ReadErrorKind::Format(what.into()));
         }
     };
     let file = std::fs::File::open(path)?;
