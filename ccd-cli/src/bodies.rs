@@ -57,13 +57,10 @@ impl BodyOptions {
         self.bodies.as_deref()
     }
 
-    /// Whether there are pairs that no test looks at.
+    /// Whether an option leaves pairs out, which no test looks at then.
     pub fn leaves_pairs_out(&self) -> bool {
-        self.by_body() || self.exclude_neighbours.is_some()
-    }
-
-    fn by_body(&self) -> bool {
-        !self.fixed.is_empty() || !self.layers.is_empty() || self.no_self_contact
+        let by_body = !self.fixed.is_empty() || !self.layers.is_empty() || self.no_self_contact;
+        by_body || self.exclude_neighbours.is_some()
     }
 
     /// The bodies of a mesh, if any option speaks of them; of several objects, that of each vertex

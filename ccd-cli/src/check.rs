@@ -266,7 +266,10 @@ pub fn look_at_start<'a>(
 ) -> Result<Intersections, Failure> {
     let precision = options.precision;
     let x = precision.round(&frame.positions);
-    let of_some = options.leaves_pairs_out();
+    // An object of --with that stands still is fixed without an option that says so.
+    let has_fixed = |bodies: &ccd::Bodies| (0..x.len() as u32).any(|v| bodies.is_fixed(v));
+    let of_some =
+        options.leaves_pairs_out() || session.options().bodies.as_ref().is_some_and(has_fixed);
     Intersections::of(session, &x, of_some).map_err(|e| named(e.into(), precision, place))
 }
 

@@ -131,12 +131,12 @@ fn expand(given: &[PathBuf]) -> Result<(Vec<PathBuf>, bool), Failure> {
     })?;
     let mut sorted = frames.clone();
     sort(&mut sorted);
-    let is_sorted = sorted == frames || !differ_in_numbers(&frames);
+    let is_sorted = sorted == frames || !differ_in_numbers_alone(&frames);
     Ok((frames, !is_sorted))
 }
 
 /// Whether names are the same but for the numbers in them.
-fn differ_in_numbers(paths: &[PathBuf]) -> bool {
+fn differ_in_numbers_alone(paths: &[PathBuf]) -> bool {
     let letters = |path: &PathBuf| path.to_string_lossy().replace(|c: char| c.is_ascii_digit(), "");
     let mut all = paths.iter().map(letters);
     let first = all.next();

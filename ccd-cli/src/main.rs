@@ -281,7 +281,7 @@ impl StepOptions {
         self.contacts.is_some() || self.picture.is_some()
     }
 
-    /// Whether there are pairs that no test looks at.
+    /// As [`bodies::BodyOptions::leaves_pairs_out`].
     fn leaves_pairs_out(&self) -> bool {
         self.bodies.leaves_pairs_out()
     }
