@@ -79,8 +79,6 @@ fn function_(lane_1: u32) {
     var phi_156_: u32;
     var phi_162_: type_8;
     var phi_165_: u32;
-    var phi_163_: type_8;
-    var phi_188_: type_8;
     var phi_231_: u32;
     var phi_166_: u32;
     var local: u32;
@@ -89,8 +87,6 @@ fn function_(lane_1: u32) {
     var phi_241_: u32;
     var phi_243_: u32;
     var phi_240_: u32;
-    var phi_237_: type_8;
-    var phi_266_: type_8;
     var phi_282_: u32;
     var phi_242_: u32;
     var phi_244_: u32;
@@ -98,8 +94,6 @@ fn function_(lane_1: u32) {
     var local_2: u32;
     var phi_291_: type_8;
     var phi_294_: u32;
-    var phi_292_: type_8;
-    var phi_317_: type_8;
     var phi_371_: u32;
     var phi_295_: u32;
     var lane_2: u32;
@@ -126,147 +120,123 @@ fn function_(lane_1: u32) {
         let _e46 = phi_165_;
         local = _e46;
         local_2 = _e46;
-        if (_e44.member < _e44.member_1) {
-            phi_163_ = type_8((_e44.member + 1u), _e44.member_1);
-            phi_188_ = type_8(1u, _e44.member);
-        } else {
-            phi_163_ = _e44;
-            phi_188_ = type_8(0u, type_8().member_1);
-        }
-        let _e58 = phi_163_;
-        let _e60 = phi_188_;
-        let _e64 = (bitcast<i32>(_e60.member) != 0i);
-        if _e64 {
-            let _e66 = ((_e18 * _e41) + _e60.member_1);
-            if (_e66 < _e34) {
-                let _e74 = ((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * _e66));
-                let _e76 = atomicLoad((&control.member[_e74]));
-                let _e79 = atomicLoad((&control.member[(_e74 + 1u)]));
-                phi_231_ = (_e46 + (_e76 + _e79));
+        let _e49 = (_e44.member < _e44.member_1);
+        let _e62 = (bitcast<i32>(select(0u, 1u, _e49)) != 0i);
+        if _e62 {
+            let _e64 = ((_e18 * _e41) + select(type_8().member_1, _e44.member, _e49));
+            if (_e64 < _e34) {
+                let _e72 = ((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * _e64));
+                let _e74 = atomicLoad((&control.member[_e72]));
+                let _e77 = atomicLoad((&control.member[(_e72 + 1u)]));
+                phi_231_ = (_e46 + (_e74 + _e77));
             } else {
                 phi_231_ = _e46;
             }
-            let _e83 = phi_231_;
-            phi_166_ = _e83;
+            let _e81 = phi_231_;
+            phi_166_ = _e81;
         } else {
             phi_166_ = u32();
         }
-        let _e85 = phi_166_;
+        let _e83 = phi_166_;
         continue;
         continuing {
-            phi_162_ = _e58;
-            phi_165_ = _e85;
-            break if !(_e64);
+            phi_162_ = type_8(select(_e44.member, (_e44.member + 1u), _e49), select(_e44.member_1, _e44.member_1, _e49));
+            phi_165_ = _e83;
+            break if !(_e62);
         }
     }
-    let _e88 = local;
-    let _e89 = (_e39 + _e88);
-    sums[_e18] = _e89;
+    let _e86 = local;
+    let _e87 = (_e39 + _e86);
+    sums[_e18] = _e87;
     phi_236_ = type_8(0u, 8u);
     phi_239_ = 0u;
     phi_241_ = 1u;
-    phi_243_ = _e89;
+    phi_243_ = _e87;
     phi_240_ = 256u;
     loop {
-        let _e92 = phi_236_;
-        let _e94 = phi_239_;
-        let _e96 = phi_241_;
-        let _e98 = phi_243_;
-        let _e100 = phi_240_;
-        local_1 = _e98;
-        if (_e92.member < _e92.member_1) {
-            phi_237_ = type_8((_e92.member + 1u), _e92.member_1);
-            phi_266_ = type_8(1u, _e92.member);
-        } else {
-            phi_237_ = _e92;
-            phi_266_ = type_8(0u, type_8().member_1);
-        }
-        let _e112 = phi_237_;
-        let _e114 = phi_266_;
-        let _e117 = (bitcast<i32>(_e114.member) != 0i);
-        if _e117 {
+        let _e90 = phi_236_;
+        let _e92 = phi_239_;
+        let _e94 = phi_241_;
+        let _e96 = phi_243_;
+        let _e98 = phi_240_;
+        local_1 = _e96;
+        let _e101 = (_e90.member < _e90.member_1);
+        let _e112 = (bitcast<i32>(select(0u, 1u, _e101)) != 0i);
+        if _e112 {
             workgroupBarrier();
-            if (_e18 >= _e96) {
-                let _e122 = sums[((_e94 + _e18) - _e96)];
-                phi_282_ = (_e98 + _e122);
+            if (_e18 >= _e94) {
+                let _e117 = sums[((_e92 + _e18) - _e94)];
+                phi_282_ = (_e96 + _e117);
             } else {
-                phi_282_ = _e98;
+                phi_282_ = _e96;
             }
-            let _e125 = phi_282_;
-            sums[(_e100 + _e18)] = _e125;
-            phi_242_ = (_e96 * 2u);
-            phi_244_ = _e125;
+            let _e120 = phi_282_;
+            sums[(_e98 + _e18)] = _e120;
+            phi_242_ = (_e94 * 2u);
+            phi_244_ = _e120;
         } else {
             phi_242_ = u32();
             phi_244_ = u32();
         }
-        let _e130 = phi_242_;
-        let _e132 = phi_244_;
+        let _e125 = phi_242_;
+        let _e127 = phi_244_;
         continue;
         continuing {
-            phi_236_ = _e112;
-            phi_239_ = _e100;
-            phi_241_ = _e130;
-            phi_243_ = _e132;
-            phi_240_ = _e94;
-            break if !(_e117);
+            phi_236_ = type_8(select(_e90.member, (_e90.member + 1u), _e101), select(_e90.member_1, _e90.member_1, _e101));
+            phi_239_ = _e98;
+            phi_241_ = _e125;
+            phi_243_ = _e127;
+            phi_240_ = _e92;
+            break if !(_e112);
         }
     }
     workgroupBarrier();
-    let _e135 = local_1;
-    let _e137 = local_2;
-    let _e140 = sums[255u];
+    let _e130 = local_1;
+    let _e132 = local_2;
+    let _e135 = sums[255u];
     phi_291_ = type_8(0u, _e41);
-    phi_294_ = (_e135 - _e137);
+    phi_294_ = (_e130 - _e132);
     loop {
-        let _e143 = phi_291_;
-        let _e145 = phi_294_;
-        if (_e143.member < _e143.member_1) {
-            phi_292_ = type_8((_e143.member + 1u), _e143.member_1);
-            phi_317_ = type_8(1u, _e143.member);
-        } else {
-            phi_292_ = _e143;
-            phi_317_ = type_8(0u, type_8().member_1);
-        }
-        let _e157 = phi_292_;
-        let _e159 = phi_317_;
-        let _e163 = (bitcast<i32>(_e159.member) != 0i);
-        if _e163 {
-            let _e165 = ((_e18 * _e41) + _e159.member_1);
-            if (_e165 < _e34) {
-                atomicStore((&control.member[(((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + _e165)]), _e145);
-                let _e185 = ((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * _e165));
-                let _e187 = atomicLoad((&control.member[_e185]));
-                let _e190 = atomicLoad((&control.member[(_e185 + 1u)]));
-                phi_371_ = (_e145 + (_e187 + _e190));
+        let _e138 = phi_291_;
+        let _e140 = phi_294_;
+        let _e143 = (_e138.member < _e138.member_1);
+        let _e156 = (bitcast<i32>(select(0u, 1u, _e143)) != 0i);
+        if _e156 {
+            let _e158 = ((_e18 * _e41) + select(type_8().member_1, _e138.member, _e143));
+            if (_e158 < _e34) {
+                atomicStore((&control.member[(((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + _e158)]), _e140);
+                let _e178 = ((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * _e158));
+                let _e180 = atomicLoad((&control.member[_e178]));
+                let _e183 = atomicLoad((&control.member[(_e178 + 1u)]));
+                phi_371_ = (_e140 + (_e180 + _e183));
             } else {
-                phi_371_ = _e145;
+                phi_371_ = _e140;
             }
-            let _e194 = phi_371_;
-            phi_295_ = _e194;
+            let _e187 = phi_371_;
+            phi_295_ = _e187;
         } else {
             phi_295_ = u32();
         }
-        let _e196 = phi_295_;
+        let _e189 = phi_295_;
         continue;
         continuing {
-            phi_291_ = _e157;
-            phi_294_ = _e196;
-            break if !(_e163);
+            phi_291_ = type_8(select(_e138.member, (_e138.member + 1u), _e143), select(_e138.member_1, _e138.member_1, _e143));
+            phi_294_ = _e189;
+            break if !(_e156);
         }
     }
     if (_e18 == 0u) {
-        atomicStore((&control.member[(((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + _e34)]), _e140);
-        if (_e140 > _e39) {
-            let _e212 = (_e140 - _e39);
-            let _e214 = atomicAdd((&control.member[_e31]), _e212);
-            let _e217 = atomicMax((&nodes.member[0u]), (_e214 + _e212));
-            if ((_e214 + _e212) < _e214) {
-                let _e221 = atomicAdd((&nodes.member[2u]), 1u);
+        atomicStore((&control.member[(((1540u + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + (2u * (1u << bitcast<u32>((_e24 & 31u))))) + _e34)]), _e135);
+        if (_e135 > _e39) {
+            let _e205 = (_e135 - _e39);
+            let _e207 = atomicAdd((&control.member[_e31]), _e205);
+            let _e210 = atomicMax((&nodes.member[0u]), (_e207 + _e205));
+            if ((_e207 + _e205) < _e207) {
+                let _e214 = atomicAdd((&nodes.member[2u]), 1u);
             }
             if (_e27 == 0u) {
             } else {
-                let _e224 = atomicMax((&control.member[1536u]), 4294967295u);
+                let _e217 = atomicMax((&control.member[1536u]), 4294967295u);
             }
         }
     }

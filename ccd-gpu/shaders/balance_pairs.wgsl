@@ -75,25 +75,14 @@ var<storage> control: type_11;
 var<storage, read_write> nodes: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_152_: u32;
-    var phi_210_: u32;
-    var phi_216_: u32;
-    var phi_232_: u32;
     var phi_235_: type_9;
-    var phi_236_: type_9;
-    var phi_259_: type_9;
     var phi_281_: type_9;
     var phi_284_: u32;
-    var phi_282_: type_9;
-    var phi_307_: type_9;
-    var phi_343_: u32;
     var phi_285_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_451_: u32;
-    var phi_457_: u32;
     var local_4: u32;
     var phi_487_: type_9;
     var id_2: vec3<u32>;
@@ -110,145 +99,91 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e35 = params.member.member_2.member_7;
     let _e38 = params.member.member_1.member_1;
     let _e40 = control.member[_e38];
-    if (_e32 < _e40) {
-        phi_152_ = _e32;
-    } else {
-        phi_152_ = _e40;
-    }
-    let _e43 = phi_152_;
-    let _e60 = control.member[((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u)))))];
-    let _e76 = control.member[(((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (1u << bitcast<u32>((_e35 & 31u))))];
-    let _e77 = (_e76 - _e60);
-    let _e85 = (((_e77 + (1u << bitcast<u32>((_e35 & 31u)))) - 1u) >> bitcast<u32>((_e35 & 31u)));
-    let _e86 = (((_e19.y * _e20.x) + _e19.x) * _e85);
-    if (_e77 < _e86) {
-        phi_210_ = _e77;
-    } else {
-        phi_210_ = _e86;
-    }
-    let _e89 = phi_210_;
-    let _e90 = (_e77 - _e89);
-    if (_e90 < _e85) {
-        phi_216_ = _e90;
-    } else {
-        phi_216_ = _e85;
-    }
-    let _e93 = phi_216_;
-    let _e94 = (_e93 / 128u);
-    if ((_e93 % 128u) > 0u) {
-        phi_232_ = (_e94 + 1u);
-    } else {
-        phi_232_ = _e94;
-    }
-    let _e99 = phi_232_;
-    phi_235_ = type_9(0u, _e99);
+    let _e42 = select(_e40, _e32, (_e32 < _e40));
+    let _e59 = control.member[((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u)))))];
+    let _e75 = control.member[(((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (1u << bitcast<u32>((_e35 & 31u))))];
+    let _e76 = (_e75 - _e59);
+    let _e84 = (((_e76 + (1u << bitcast<u32>((_e35 & 31u)))) - 1u) >> bitcast<u32>((_e35 & 31u)));
+    let _e85 = (((_e19.y * _e20.x) + _e19.x) * _e84);
+    let _e87 = select(_e85, _e76, (_e76 < _e85));
+    let _e88 = (_e76 - _e87);
+    let _e90 = select(_e84, _e88, (_e88 < _e84));
+    let _e91 = (_e90 / 128u);
+    phi_235_ = type_9(0u, select(_e91, (_e91 + 1u), ((_e90 % 128u) > 0u)));
     loop {
-        let _e102 = phi_235_;
-        if (_e102.member < _e102.member_1) {
-            phi_236_ = type_9((_e102.member + 1u), _e102.member_1);
-            phi_259_ = type_9(1u, _e102.member);
-        } else {
-            phi_236_ = _e102;
-            phi_259_ = type_9(0u, type_9().member_1);
-        }
-        let _e114 = phi_236_;
-        let _e116 = phi_259_;
-        let _e120 = (bitcast<i32>(_e116.member) != 0i);
-        if _e120 {
-            let _e122 = ((_e116.member_1 * 128u) + _e21);
-            let _e124 = ((_e60 + _e89) + _e122);
-            if (_e122 < _e93) {
-                if (_e124 < _e32) {
+        let _e98 = phi_235_;
+        let _e101 = (_e98.member < _e98.member_1);
+        let _e114 = (bitcast<i32>(select(0u, 1u, _e101)) != 0i);
+        if _e114 {
+            let _e116 = ((select(type_9().member_1, _e98.member, _e101) * 128u) + _e21);
+            let _e118 = ((_e59 + _e87) + _e116);
+            if (_e116 < _e90) {
+                if (_e118 < _e32) {
                     phi_281_ = type_9(0u, _e35);
                     phi_284_ = 0u;
                     loop {
-                        let _e129 = phi_281_;
-                        let _e131 = phi_284_;
-                        local = _e131;
-                        local_1 = _e131;
-                        local_2 = _e131;
-                        local_3 = _e131;
-                        local_4 = _e131;
-                        if (_e129.member < _e129.member_1) {
-                            phi_282_ = type_9((_e129.member + 1u), _e129.member_1);
-                            phi_307_ = type_9(1u, _e129.member);
-                        } else {
-                            phi_282_ = _e129;
-                            phi_307_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e143 = phi_282_;
-                        let _e145 = phi_307_;
-                        let _e149 = (bitcast<i32>(_e145.member) != 0i);
-                        if _e149 {
-                            let _e155 = (_e131 + (1u << bitcast<u32>((((_e35 - 1u) - _e145.member_1) & 31u))));
-                            let _e168 = control.member[(((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + _e155)];
-                            if (_e168 <= _e124) {
-                                phi_343_ = _e155;
-                            } else {
-                                phi_343_ = _e131;
-                            }
-                            let _e171 = phi_343_;
-                            phi_285_ = _e171;
+                        let _e123 = phi_281_;
+                        let _e125 = phi_284_;
+                        local = _e125;
+                        local_1 = _e125;
+                        local_2 = _e125;
+                        local_3 = _e125;
+                        local_4 = _e125;
+                        let _e128 = (_e123.member < _e123.member_1);
+                        let _e141 = (bitcast<i32>(select(0u, 1u, _e128)) != 0i);
+                        if _e141 {
+                            let _e147 = (_e125 + (1u << bitcast<u32>((((_e35 - 1u) - select(type_9().member_1, _e123.member, _e128)) & 31u))));
+                            let _e160 = control.member[(((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + _e147)];
+                            phi_285_ = select(_e125, _e147, (_e160 <= _e118));
                         } else {
                             phi_285_ = u32();
                         }
-                        let _e173 = phi_285_;
+                        let _e164 = phi_285_;
                         continue;
                         continuing {
-                            phi_281_ = _e143;
-                            phi_284_ = _e173;
-                            break if !(_e149);
+                            phi_281_ = type_9(select(_e123.member, (_e123.member + 1u), _e128), select(_e123.member_1, _e123.member_1, _e128));
+                            phi_284_ = _e164;
+                            break if !(_e141);
                         }
                     }
-                    let _e186 = local;
-                    let _e189 = control.member[(((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + _e186)];
-                    let _e190 = (_e124 - _e189);
-                    let _e197 = local_1;
-                    let _e201 = control.member[((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * _e197))];
-                    if (_e190 < _e201) {
-                        let _e262 = local_4;
-                        let _e266 = ((((((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (1u << bitcast<u32>((_e35 & 31u)))) + 1u) + (_e262 * 2048u)) + (2u * _e190));
-                        let _e268 = control.member[_e266];
-                        let _e271 = control.member[(_e266 + 1u)];
-                        phi_487_ = type_9(_e268, _e271);
+                    let _e177 = local;
+                    let _e180 = control.member[(((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + _e177)];
+                    let _e181 = (_e118 - _e180);
+                    let _e188 = local_1;
+                    let _e192 = control.member[((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * _e188))];
+                    if (_e181 < _e192) {
+                        let _e251 = local_4;
+                        let _e255 = ((((((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (1u << bitcast<u32>((_e35 & 31u)))) + 1u) + (_e251 * 2048u)) + (2u * _e181));
+                        let _e257 = control.member[_e255];
+                        let _e260 = control.member[(_e255 + 1u)];
+                        phi_487_ = type_9(_e257, _e260);
                     } else {
-                        let _e209 = local_2;
-                        let _e214 = control.member[(((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * _e209)) + 1u)];
-                        let _e222 = (((_e43 + (1u << bitcast<u32>((_e35 & 31u)))) - 1u) >> bitcast<u32>((_e35 & 31u)));
-                        let _e224 = local_3;
-                        let _e225 = (_e224 * _e222);
-                        if (_e43 < _e225) {
-                            phi_451_ = _e43;
-                        } else {
-                            phi_451_ = _e225;
-                        }
-                        let _e228 = phi_451_;
-                        let _e229 = (_e43 - _e228);
-                        if (_e229 < _e222) {
-                            phi_457_ = _e229;
-                        } else {
-                            phi_457_ = _e222;
-                        }
-                        let _e232 = phi_457_;
-                        let _e238 = (2u * (((((((_e38 % 2u) * _e32) + _e228) + _e232) - _e214) + _e190) - _e201));
-                        let _e241 = nodes.member[(4u + _e238)];
-                        let _e244 = nodes.member[(_e238 + 5u)];
-                        phi_487_ = type_9(_e241, _e244);
+                        let _e200 = local_2;
+                        let _e205 = control.member[(((1540u + (2u * (1u << bitcast<u32>((_e35 & 31u))))) + (2u * _e200)) + 1u)];
+                        let _e213 = (((_e42 + (1u << bitcast<u32>((_e35 & 31u)))) - 1u) >> bitcast<u32>((_e35 & 31u)));
+                        let _e215 = local_3;
+                        let _e216 = (_e215 * _e213);
+                        let _e218 = select(_e216, _e42, (_e42 < _e216));
+                        let _e219 = (_e42 - _e218);
+                        let _e227 = (2u * (((((((_e38 % 2u) * _e32) + _e218) + select(_e213, _e219, (_e219 < _e213))) - _e205) + _e181) - _e192));
+                        let _e230 = nodes.member[(4u + _e227)];
+                        let _e233 = nodes.member[(_e227 + 5u)];
+                        phi_487_ = type_9(_e230, _e233);
                     }
-                    let _e274 = phi_487_;
-                    let _e275 = (((1u - (_e38 % 2u)) * _e32) + _e124);
-                    if (_e275 < 4294967295u) {
-                        let _e279 = (2u * _e275);
-                        nodes.member[(4u + _e279)] = _e274.member;
-                        nodes.member[(_e279 + 5u)] = _e274.member_1;
+                    let _e263 = phi_487_;
+                    let _e264 = (((1u - (_e38 % 2u)) * _e32) + _e118);
+                    if (_e264 < 4294967295u) {
+                        let _e268 = (2u * _e264);
+                        nodes.member[(4u + _e268)] = _e263.member;
+                        nodes.member[(_e268 + 5u)] = _e263.member_1;
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_235_ = _e114;
-            break if !(_e120);
+            phi_235_ = type_9(select(_e98.member, (_e98.member + 1u), _e101), select(_e98.member_1, _e98.member_1, _e101));
+            break if !(_e114);
         }
     }
     return;

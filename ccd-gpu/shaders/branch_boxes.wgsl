@@ -98,77 +98,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_131_: type_20;
     var phi_133_: u32;
     var phi_135_: u32;
-    var phi_129_: type_9;
-    var phi_158_: type_9;
-    var phi_177_: u32;
     var phi_187_: bool;
-    var phi_191_: u32;
-    var phi_192_: u32;
-    var phi_209_: u32;
     var phi_212_: type_9;
     var phi_215_: type_20;
-    var phi_213_: type_9;
-    var phi_238_: type_9;
-    var phi_292_: u32;
-    var phi_308_: u32;
-    var phi_324_: u32;
-    var phi_341_: f32;
-    var phi_348_: f32;
-    var phi_355_: f32;
-    var phi_362_: f32;
-    var phi_369_: f32;
-    var phi_376_: f32;
-    var phi_383_: f32;
-    var phi_390_: f32;
-    var phi_397_: f32;
-    var phi_404_: f32;
-    var phi_411_: f32;
-    var phi_418_: f32;
-    var phi_423_: f32;
-    var phi_428_: f32;
-    var phi_433_: f32;
-    var phi_438_: f32;
-    var phi_443_: f32;
-    var phi_448_: f32;
-    var phi_454_: f32;
-    var phi_460_: f32;
-    var phi_466_: f32;
-    var phi_473_: f32;
-    var phi_479_: f32;
-    var phi_485_: f32;
     var phi_216_: type_20;
-    var phi_504_: u32;
     var phi_507_: type_9;
     var phi_510_: type_20;
-    var phi_508_: type_9;
-    var phi_533_: type_9;
-    var phi_587_: u32;
-    var phi_603_: u32;
-    var phi_619_: u32;
-    var phi_636_: f32;
-    var phi_643_: f32;
-    var phi_650_: f32;
-    var phi_657_: f32;
-    var phi_664_: f32;
-    var phi_671_: f32;
-    var phi_678_: f32;
-    var phi_685_: f32;
-    var phi_692_: f32;
-    var phi_699_: f32;
-    var phi_706_: f32;
-    var phi_713_: f32;
-    var phi_718_: f32;
-    var phi_723_: f32;
-    var phi_728_: f32;
-    var phi_733_: f32;
-    var phi_738_: f32;
-    var phi_743_: f32;
-    var phi_749_: f32;
-    var phi_755_: f32;
-    var phi_761_: f32;
-    var phi_768_: f32;
-    var phi_774_: f32;
-    var phi_780_: f32;
     var phi_511_: type_20;
     var phi_787_: u32;
     var phi_792_: u32;
@@ -205,505 +140,170 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e60 = phi_135_;
             local = _e56;
             local_1 = _e56;
-            if (_e54.member < _e54.member_1) {
-                phi_129_ = type_9((_e54.member + 1u), _e54.member_1);
-                phi_158_ = type_9(1u, _e54.member);
-            } else {
-                phi_129_ = _e54;
-                phi_158_ = type_9(0u, type_9().member_1);
-            }
-            let _e72 = phi_129_;
-            let _e74 = phi_158_;
-            let _e78 = (bitcast<i32>(_e74.member) != 0i);
-            if _e78 {
-                let _e79 = (_e60 % 32u);
-                if (_e79 == 0u) {
-                    phi_177_ = _e60;
-                } else {
-                    phi_177_ = (_e60 + (32u - _e79));
-                }
-                let _e84 = phi_177_;
-                let _e86 = ((_e58 / 32u) * 32u);
-                if (_e84 < _e86) {
-                    let _e89 = params.member.member_2.member_2;
-                    phi_187_ = (_e74.member_1 < _e89);
+            let _e63 = (_e54.member < _e54.member_1);
+            let _e74 = select(type_9().member_1, _e54.member, _e63);
+            let _e76 = (bitcast<i32>(select(0u, 1u, _e63)) != 0i);
+            if _e76 {
+                let _e77 = (_e60 % 32u);
+                let _e81 = select((_e60 + (32u - _e77)), _e60, (_e77 == 0u));
+                let _e83 = ((_e58 / 32u) * 32u);
+                if (_e81 < _e83) {
+                    let _e86 = params.member.member_2.member_2;
+                    phi_187_ = (_e74 < _e86);
                 } else {
                     phi_187_ = false;
                 }
-                let _e92 = phi_187_;
-                if _e92 {
-                    phi_191_ = _e86;
-                    phi_192_ = _e84;
-                } else {
-                    phi_191_ = _e58;
-                    phi_192_ = _e58;
-                }
-                let _e94 = phi_191_;
-                let _e96 = phi_192_;
-                let _e97 = (_e96 - _e60);
-                let _e98 = (_e97 / 4u);
-                if ((_e97 % 4u) > 0u) {
-                    phi_209_ = (_e98 + 1u);
-                } else {
-                    phi_209_ = _e98;
-                }
-                let _e103 = phi_209_;
-                phi_212_ = type_9(0u, _e103);
+                let _e89 = phi_187_;
+                let _e90 = select(_e58, _e83, _e89);
+                let _e91 = select(_e58, _e81, _e89);
+                let _e92 = (_e91 - _e60);
+                let _e93 = (_e92 / 4u);
+                phi_212_ = type_9(0u, select(_e93, (_e93 + 1u), ((_e92 % 4u) > 0u)));
                 phi_215_ = _e56;
                 loop {
-                    let _e106 = phi_212_;
-                    let _e108 = phi_215_;
-                    local_2 = _e108;
-                    if (_e106.member < _e106.member_1) {
-                        phi_213_ = type_9((_e106.member + 1u), _e106.member_1);
-                        phi_238_ = type_9(1u, _e106.member);
-                    } else {
-                        phi_213_ = _e106;
-                        phi_238_ = type_9(0u, type_9().member_1);
-                    }
-                    let _e120 = phi_213_;
-                    let _e122 = phi_238_;
-                    let _e126 = (bitcast<i32>(_e122.member) != 0i);
-                    if _e126 {
-                        let _e132 = params.member.member_2.member[_e74.member_1][_e40];
-                        let _e133 = (_e132 + (_e60 + (4u * _e122.member_1)));
-                        let _e137 = params.member.member_2.member[_e74.member_1][_e40];
-                        let _e139 = ((_e137 + _e96) - 1u);
-                        let _e141 = block_nodes.member[_e133];
-                        let _e142 = (_e133 + 1u);
-                        if (_e139 < _e142) {
-                            phi_292_ = _e139;
-                        } else {
-                            phi_292_ = _e142;
-                        }
-                        let _e145 = phi_292_;
-                        let _e147 = block_nodes.member[_e145];
-                        let _e148 = (_e133 + 2u);
-                        if (_e139 < _e148) {
-                            phi_308_ = _e139;
-                        } else {
-                            phi_308_ = _e148;
-                        }
-                        let _e151 = phi_308_;
-                        let _e153 = block_nodes.member[_e151];
-                        let _e154 = (_e133 + 3u);
-                        if (_e139 < _e154) {
-                            phi_324_ = _e139;
-                        } else {
-                            phi_324_ = _e154;
-                        }
-                        let _e157 = phi_324_;
-                        let _e159 = block_nodes.member[_e157];
-                        if (_e141.member[0] < _e147.member[0]) {
-                            phi_341_ = _e141.member[0];
-                        } else {
-                            phi_341_ = _e147.member[0];
-                        }
-                        let _e166 = phi_341_;
-                        if (_e141.member[1] < _e147.member[1]) {
-                            phi_348_ = _e141.member[1];
-                        } else {
-                            phi_348_ = _e147.member[1];
-                        }
-                        let _e173 = phi_348_;
-                        if (_e141.member[2] < _e147.member[2]) {
-                            phi_355_ = _e141.member[2];
-                        } else {
-                            phi_355_ = _e147.member[2];
-                        }
-                        let _e180 = phi_355_;
-                        if (_e141.member_1[0] > _e147.member_1[0]) {
-                            phi_362_ = _e141.member_1[0];
-                        } else {
-                            phi_362_ = _e147.member_1[0];
-                        }
-                        let _e187 = phi_362_;
-                        if (_e141.member_1[1] > _e147.member_1[1]) {
-                            phi_369_ = _e141.member_1[1];
-                        } else {
-                            phi_369_ = _e147.member_1[1];
-                        }
-                        let _e194 = phi_369_;
-                        if (_e141.member_1[2] > _e147.member_1[2]) {
-                            phi_376_ = _e141.member_1[2];
-                        } else {
-                            phi_376_ = _e147.member_1[2];
-                        }
-                        let _e201 = phi_376_;
-                        if (_e153.member[0] < _e159.member[0]) {
-                            phi_383_ = _e153.member[0];
-                        } else {
-                            phi_383_ = _e159.member[0];
-                        }
-                        let _e208 = phi_383_;
-                        if (_e153.member[1] < _e159.member[1]) {
-                            phi_390_ = _e153.member[1];
-                        } else {
-                            phi_390_ = _e159.member[1];
-                        }
-                        let _e215 = phi_390_;
-                        if (_e153.member[2] < _e159.member[2]) {
-                            phi_397_ = _e153.member[2];
-                        } else {
-                            phi_397_ = _e159.member[2];
-                        }
-                        let _e222 = phi_397_;
-                        if (_e153.member_1[0] > _e159.member_1[0]) {
-                            phi_404_ = _e153.member_1[0];
-                        } else {
-                            phi_404_ = _e159.member_1[0];
-                        }
-                        let _e229 = phi_404_;
-                        if (_e153.member_1[1] > _e159.member_1[1]) {
-                            phi_411_ = _e153.member_1[1];
-                        } else {
-                            phi_411_ = _e159.member_1[1];
-                        }
-                        let _e236 = phi_411_;
-                        if (_e153.member_1[2] > _e159.member_1[2]) {
-                            phi_418_ = _e153.member_1[2];
-                        } else {
-                            phi_418_ = _e159.member_1[2];
-                        }
-                        let _e243 = phi_418_;
-                        if (_e166 < _e208) {
-                            phi_423_ = _e166;
-                        } else {
-                            phi_423_ = _e208;
-                        }
-                        let _e246 = phi_423_;
-                        if (_e173 < _e215) {
-                            phi_428_ = _e173;
-                        } else {
-                            phi_428_ = _e215;
-                        }
-                        let _e249 = phi_428_;
-                        if (_e180 < _e222) {
-                            phi_433_ = _e180;
-                        } else {
-                            phi_433_ = _e222;
-                        }
-                        let _e252 = phi_433_;
-                        if (_e187 > _e229) {
-                            phi_438_ = _e187;
-                        } else {
-                            phi_438_ = _e229;
-                        }
-                        let _e255 = phi_438_;
-                        if (_e194 > _e236) {
-                            phi_443_ = _e194;
-                        } else {
-                            phi_443_ = _e236;
-                        }
-                        let _e258 = phi_443_;
-                        if (_e201 > _e243) {
-                            phi_448_ = _e201;
-                        } else {
-                            phi_448_ = _e243;
-                        }
-                        let _e261 = phi_448_;
-                        if (_e108.member[0] < _e246) {
-                            phi_454_ = _e108.member[0];
-                        } else {
-                            phi_454_ = _e246;
-                        }
-                        let _e266 = phi_454_;
-                        if (_e108.member[1] < _e249) {
-                            phi_460_ = _e108.member[1];
-                        } else {
-                            phi_460_ = _e249;
-                        }
-                        let _e271 = phi_460_;
-                        if (_e108.member[2] < _e252) {
-                            phi_466_ = _e108.member[2];
-                        } else {
-                            phi_466_ = _e252;
-                        }
-                        let _e276 = phi_466_;
-                        if (_e108.member_1[0] > _e255) {
-                            phi_473_ = _e108.member_1[0];
-                        } else {
-                            phi_473_ = _e255;
-                        }
-                        let _e282 = phi_473_;
-                        if (_e108.member_1[1] > _e258) {
-                            phi_479_ = _e108.member_1[1];
-                        } else {
-                            phi_479_ = _e258;
-                        }
-                        let _e287 = phi_479_;
-                        if (_e108.member_1[2] > _e261) {
-                            phi_485_ = _e108.member_1[2];
-                        } else {
-                            phi_485_ = _e261;
-                        }
-                        let _e292 = phi_485_;
-                        phi_216_ = type_20(array<f32, 3>(_e266, _e271, _e276), array<f32, 3>(_e282, _e287, _e292));
+                    let _e100 = phi_212_;
+                    let _e102 = phi_215_;
+                    local_2 = _e102;
+                    let _e105 = (_e100.member < _e100.member_1);
+                    let _e118 = (bitcast<i32>(select(0u, 1u, _e105)) != 0i);
+                    if _e118 {
+                        let _e124 = params.member.member_2.member[_e74][_e40];
+                        let _e125 = (_e124 + (_e60 + (4u * select(type_9().member_1, _e100.member, _e105))));
+                        let _e129 = params.member.member_2.member[_e74][_e40];
+                        let _e131 = ((_e129 + _e91) - 1u);
+                        let _e133 = block_nodes.member[_e125];
+                        let _e134 = (_e125 + 1u);
+                        let _e138 = block_nodes.member[select(_e134, _e131, (_e131 < _e134))];
+                        let _e139 = (_e125 + 2u);
+                        let _e143 = block_nodes.member[select(_e139, _e131, (_e131 < _e139))];
+                        let _e144 = (_e125 + 3u);
+                        let _e148 = block_nodes.member[select(_e144, _e131, (_e131 < _e144))];
+                        let _e154 = select(_e138.member[0], _e133.member[0], (_e133.member[0] < _e138.member[0]));
+                        let _e160 = select(_e138.member[1], _e133.member[1], (_e133.member[1] < _e138.member[1]));
+                        let _e166 = select(_e138.member[2], _e133.member[2], (_e133.member[2] < _e138.member[2]));
+                        let _e172 = select(_e138.member_1[0], _e133.member_1[0], (_e133.member_1[0] > _e138.member_1[0]));
+                        let _e178 = select(_e138.member_1[1], _e133.member_1[1], (_e133.member_1[1] > _e138.member_1[1]));
+                        let _e184 = select(_e138.member_1[2], _e133.member_1[2], (_e133.member_1[2] > _e138.member_1[2]));
+                        let _e190 = select(_e148.member[0], _e143.member[0], (_e143.member[0] < _e148.member[0]));
+                        let _e196 = select(_e148.member[1], _e143.member[1], (_e143.member[1] < _e148.member[1]));
+                        let _e202 = select(_e148.member[2], _e143.member[2], (_e143.member[2] < _e148.member[2]));
+                        let _e208 = select(_e148.member_1[0], _e143.member_1[0], (_e143.member_1[0] > _e148.member_1[0]));
+                        let _e214 = select(_e148.member_1[1], _e143.member_1[1], (_e143.member_1[1] > _e148.member_1[1]));
+                        let _e220 = select(_e148.member_1[2], _e143.member_1[2], (_e143.member_1[2] > _e148.member_1[2]));
+                        let _e222 = select(_e190, _e154, (_e154 < _e190));
+                        let _e224 = select(_e196, _e160, (_e160 < _e196));
+                        let _e226 = select(_e202, _e166, (_e166 < _e202));
+                        let _e228 = select(_e208, _e172, (_e172 > _e208));
+                        let _e230 = select(_e214, _e178, (_e178 > _e214));
+                        let _e232 = select(_e220, _e184, (_e184 > _e220));
+                        phi_216_ = type_20(array<f32, 3>(select(_e222, _e102.member[0], (_e102.member[0] < _e222)), select(_e224, _e102.member[1], (_e102.member[1] < _e224)), select(_e226, _e102.member[2], (_e102.member[2] < _e226))), array<f32, 3>(select(_e228, _e102.member_1[0], (_e102.member_1[0] > _e228)), select(_e230, _e102.member_1[1], (_e102.member_1[1] > _e230)), select(_e232, _e102.member_1[2], (_e102.member_1[2] > _e232))));
                     } else {
                         phi_216_ = type_20();
                     }
-                    let _e296 = phi_216_;
+                    let _e261 = phi_216_;
                     continue;
                     continuing {
-                        phi_212_ = _e120;
-                        phi_215_ = _e296;
-                        break if !(_e126);
+                        phi_212_ = type_9(select(_e100.member, (_e100.member + 1u), _e105), select(_e100.member_1, _e100.member_1, _e105));
+                        phi_215_ = _e261;
+                        break if !(_e118);
                     }
                 }
-                let _e298 = (_e58 - _e94);
-                let _e299 = (_e298 / 4u);
-                if ((_e298 % 4u) > 0u) {
-                    phi_504_ = (_e299 + 1u);
-                } else {
-                    phi_504_ = _e299;
-                }
-                let _e304 = phi_504_;
-                phi_507_ = type_9(0u, _e304);
-                let _e587 = local_2;
-                phi_510_ = _e587;
+                let _e263 = (_e58 - _e90);
+                let _e264 = (_e263 / 4u);
+                phi_507_ = type_9(0u, select(_e264, (_e264 + 1u), ((_e263 % 4u) > 0u)));
+                let _e486 = local_2;
+                phi_510_ = _e486;
                 loop {
-                    let _e307 = phi_507_;
-                    let _e309 = phi_510_;
-                    local_3 = _e309;
-                    if (_e307.member < _e307.member_1) {
-                        phi_508_ = type_9((_e307.member + 1u), _e307.member_1);
-                        phi_533_ = type_9(1u, _e307.member);
-                    } else {
-                        phi_508_ = _e307;
-                        phi_533_ = type_9(0u, type_9().member_1);
-                    }
-                    let _e321 = phi_508_;
-                    let _e323 = phi_533_;
-                    let _e327 = (bitcast<i32>(_e323.member) != 0i);
-                    if _e327 {
-                        let _e333 = params.member.member_2.member[_e74.member_1][_e40];
-                        let _e334 = (_e333 + (_e94 + (4u * _e323.member_1)));
-                        let _e338 = params.member.member_2.member[_e74.member_1][_e40];
-                        let _e340 = ((_e338 + _e58) - 1u);
-                        let _e342 = block_nodes.member[_e334];
-                        let _e343 = (_e334 + 1u);
-                        if (_e340 < _e343) {
-                            phi_587_ = _e340;
-                        } else {
-                            phi_587_ = _e343;
-                        }
-                        let _e346 = phi_587_;
-                        let _e348 = block_nodes.member[_e346];
-                        let _e349 = (_e334 + 2u);
-                        if (_e340 < _e349) {
-                            phi_603_ = _e340;
-                        } else {
-                            phi_603_ = _e349;
-                        }
-                        let _e352 = phi_603_;
-                        let _e354 = block_nodes.member[_e352];
-                        let _e355 = (_e334 + 3u);
-                        if (_e340 < _e355) {
-                            phi_619_ = _e340;
-                        } else {
-                            phi_619_ = _e355;
-                        }
-                        let _e358 = phi_619_;
-                        let _e360 = block_nodes.member[_e358];
-                        if (_e342.member[0] < _e348.member[0]) {
-                            phi_636_ = _e342.member[0];
-                        } else {
-                            phi_636_ = _e348.member[0];
-                        }
-                        let _e367 = phi_636_;
-                        if (_e342.member[1] < _e348.member[1]) {
-                            phi_643_ = _e342.member[1];
-                        } else {
-                            phi_643_ = _e348.member[1];
-                        }
-                        let _e374 = phi_643_;
-                        if (_e342.member[2] < _e348.member[2]) {
-                            phi_650_ = _e342.member[2];
-                        } else {
-                            phi_650_ = _e348.member[2];
-                        }
-                        let _e381 = phi_650_;
-                        if (_e342.member_1[0] > _e348.member_1[0]) {
-                            phi_657_ = _e342.member_1[0];
-                        } else {
-                            phi_657_ = _e348.member_1[0];
-                        }
-                        let _e388 = phi_657_;
-                        if (_e342.member_1[1] > _e348.member_1[1]) {
-                            phi_664_ = _e342.member_1[1];
-                        } else {
-                            phi_664_ = _e348.member_1[1];
-                        }
-                        let _e395 = phi_664_;
-                        if (_e342.member_1[2] > _e348.member_1[2]) {
-                            phi_671_ = _e342.member_1[2];
-                        } else {
-                            phi_671_ = _e348.member_1[2];
-                        }
-                        let _e402 = phi_671_;
-                        if (_e354.member[0] < _e360.member[0]) {
-                            phi_678_ = _e354.member[0];
-                        } else {
-                            phi_678_ = _e360.member[0];
-                        }
-                        let _e409 = phi_678_;
-                        if (_e354.member[1] < _e360.member[1]) {
-                            phi_685_ = _e354.member[1];
-                        } else {
-                            phi_685_ = _e360.member[1];
-                        }
-                        let _e416 = phi_685_;
-                        if (_e354.member[2] < _e360.member[2]) {
-                            phi_692_ = _e354.member[2];
-                        } else {
-                            phi_692_ = _e360.member[2];
-                        }
-                        let _e423 = phi_692_;
-                        if (_e354.member_1[0] > _e360.member_1[0]) {
-                            phi_699_ = _e354.member_1[0];
-                        } else {
-                            phi_699_ = _e360.member_1[0];
-                        }
-                        let _e430 = phi_699_;
-                        if (_e354.member_1[1] > _e360.member_1[1]) {
-                            phi_706_ = _e354.member_1[1];
-                        } else {
-                            phi_706_ = _e360.member_1[1];
-                        }
-                        let _e437 = phi_706_;
-                        if (_e354.member_1[2] > _e360.member_1[2]) {
-                            phi_713_ = _e354.member_1[2];
-                        } else {
-                            phi_713_ = _e360.member_1[2];
-                        }
-                        let _e444 = phi_713_;
-                        if (_e367 < _e409) {
-                            phi_718_ = _e367;
-                        } else {
-                            phi_718_ = _e409;
-                        }
-                        let _e447 = phi_718_;
-                        if (_e374 < _e416) {
-                            phi_723_ = _e374;
-                        } else {
-                            phi_723_ = _e416;
-                        }
-                        let _e450 = phi_723_;
-                        if (_e381 < _e423) {
-                            phi_728_ = _e381;
-                        } else {
-                            phi_728_ = _e423;
-                        }
-                        let _e453 = phi_728_;
-                        if (_e388 > _e430) {
-                            phi_733_ = _e388;
-                        } else {
-                            phi_733_ = _e430;
-                        }
-                        let _e456 = phi_733_;
-                        if (_e395 > _e437) {
-                            phi_738_ = _e395;
-                        } else {
-                            phi_738_ = _e437;
-                        }
-                        let _e459 = phi_738_;
-                        if (_e402 > _e444) {
-                            phi_743_ = _e402;
-                        } else {
-                            phi_743_ = _e444;
-                        }
-                        let _e462 = phi_743_;
-                        if (_e309.member[0] < _e447) {
-                            phi_749_ = _e309.member[0];
-                        } else {
-                            phi_749_ = _e447;
-                        }
-                        let _e467 = phi_749_;
-                        if (_e309.member[1] < _e450) {
-                            phi_755_ = _e309.member[1];
-                        } else {
-                            phi_755_ = _e450;
-                        }
-                        let _e472 = phi_755_;
-                        if (_e309.member[2] < _e453) {
-                            phi_761_ = _e309.member[2];
-                        } else {
-                            phi_761_ = _e453;
-                        }
-                        let _e477 = phi_761_;
-                        if (_e309.member_1[0] > _e456) {
-                            phi_768_ = _e309.member_1[0];
-                        } else {
-                            phi_768_ = _e456;
-                        }
-                        let _e483 = phi_768_;
-                        if (_e309.member_1[1] > _e459) {
-                            phi_774_ = _e309.member_1[1];
-                        } else {
-                            phi_774_ = _e459;
-                        }
-                        let _e488 = phi_774_;
-                        if (_e309.member_1[2] > _e462) {
-                            phi_780_ = _e309.member_1[2];
-                        } else {
-                            phi_780_ = _e462;
-                        }
-                        let _e493 = phi_780_;
-                        phi_511_ = type_20(array<f32, 3>(_e467, _e472, _e477), array<f32, 3>(_e483, _e488, _e493));
+                    let _e271 = phi_507_;
+                    let _e273 = phi_510_;
+                    local_3 = _e273;
+                    let _e276 = (_e271.member < _e271.member_1);
+                    let _e289 = (bitcast<i32>(select(0u, 1u, _e276)) != 0i);
+                    if _e289 {
+                        let _e295 = params.member.member_2.member[_e74][_e40];
+                        let _e296 = (_e295 + (_e90 + (4u * select(type_9().member_1, _e271.member, _e276))));
+                        let _e300 = params.member.member_2.member[_e74][_e40];
+                        let _e302 = ((_e300 + _e58) - 1u);
+                        let _e304 = block_nodes.member[_e296];
+                        let _e305 = (_e296 + 1u);
+                        let _e309 = block_nodes.member[select(_e305, _e302, (_e302 < _e305))];
+                        let _e310 = (_e296 + 2u);
+                        let _e314 = block_nodes.member[select(_e310, _e302, (_e302 < _e310))];
+                        let _e315 = (_e296 + 3u);
+                        let _e319 = block_nodes.member[select(_e315, _e302, (_e302 < _e315))];
+                        let _e325 = select(_e309.member[0], _e304.member[0], (_e304.member[0] < _e309.member[0]));
+                        let _e331 = select(_e309.member[1], _e304.member[1], (_e304.member[1] < _e309.member[1]));
+                        let _e337 = select(_e309.member[2], _e304.member[2], (_e304.member[2] < _e309.member[2]));
+                        let _e343 = select(_e309.member_1[0], _e304.member_1[0], (_e304.member_1[0] > _e309.member_1[0]));
+                        let _e349 = select(_e309.member_1[1], _e304.member_1[1], (_e304.member_1[1] > _e309.member_1[1]));
+                        let _e355 = select(_e309.member_1[2], _e304.member_1[2], (_e304.member_1[2] > _e309.member_1[2]));
+                        let _e361 = select(_e319.member[0], _e314.member[0], (_e314.member[0] < _e319.member[0]));
+                        let _e367 = select(_e319.member[1], _e314.member[1], (_e314.member[1] < _e319.member[1]));
+                        let _e373 = select(_e319.member[2], _e314.member[2], (_e314.member[2] < _e319.member[2]));
+                        let _e379 = select(_e319.member_1[0], _e314.member_1[0], (_e314.member_1[0] > _e319.member_1[0]));
+                        let _e385 = select(_e319.member_1[1], _e314.member_1[1], (_e314.member_1[1] > _e319.member_1[1]));
+                        let _e391 = select(_e319.member_1[2], _e314.member_1[2], (_e314.member_1[2] > _e319.member_1[2]));
+                        let _e393 = select(_e361, _e325, (_e325 < _e361));
+                        let _e395 = select(_e367, _e331, (_e331 < _e367));
+                        let _e397 = select(_e373, _e337, (_e337 < _e373));
+                        let _e399 = select(_e379, _e343, (_e343 > _e379));
+                        let _e401 = select(_e385, _e349, (_e349 > _e385));
+                        let _e403 = select(_e391, _e355, (_e355 > _e391));
+                        phi_511_ = type_20(array<f32, 3>(select(_e393, _e273.member[0], (_e273.member[0] < _e393)), select(_e395, _e273.member[1], (_e273.member[1] < _e395)), select(_e397, _e273.member[2], (_e273.member[2] < _e397))), array<f32, 3>(select(_e399, _e273.member_1[0], (_e273.member_1[0] > _e399)), select(_e401, _e273.member_1[1], (_e273.member_1[1] > _e401)), select(_e403, _e273.member_1[2], (_e273.member_1[2] > _e403))));
                     } else {
                         phi_511_ = type_20();
                     }
-                    let _e497 = phi_511_;
+                    let _e432 = phi_511_;
                     continue;
                     continuing {
-                        phi_507_ = _e321;
-                        phi_510_ = _e497;
-                        break if !(_e327);
+                        phi_507_ = type_9(select(_e271.member, (_e271.member + 1u), _e276), select(_e271.member_1, _e271.member_1, _e276));
+                        phi_510_ = _e432;
+                        break if !(_e289);
                     }
                 }
-                if _e92 {
-                    phi_787_ = (_e84 / 32u);
+                if _e89 {
+                    phi_787_ = (_e81 / 32u);
                 } else {
                     phi_787_ = 0u;
                 }
-                let _e501 = phi_787_;
-                if _e92 {
-                    phi_792_ = (_e86 / 32u);
+                let _e436 = phi_787_;
+                if _e89 {
+                    phi_792_ = (_e83 / 32u);
                 } else {
                     phi_792_ = 0u;
                 }
-                let _e504 = phi_792_;
-                let _e622 = local_3;
-                phi_132_ = _e622;
-                phi_134_ = _e504;
-                phi_136_ = _e501;
+                let _e439 = phi_792_;
+                let _e492 = local_3;
+                phi_132_ = _e492;
+                phi_134_ = _e439;
+                phi_136_ = _e436;
             } else {
                 phi_132_ = type_20();
                 phi_134_ = u32();
                 phi_136_ = u32();
             }
-            let _e506 = phi_132_;
-            let _e508 = phi_134_;
-            let _e510 = phi_136_;
+            let _e441 = phi_132_;
+            let _e443 = phi_134_;
+            let _e445 = phi_136_;
             continue;
             continuing {
-                phi_128_ = _e72;
-                phi_131_ = _e506;
-                phi_133_ = _e508;
-                phi_135_ = _e510;
-                break if !(_e78);
+                phi_128_ = type_9(select(_e54.member, (_e54.member + 1u), _e63), select(_e54.member_1, _e54.member_1, _e63));
+                phi_131_ = _e441;
+                phi_133_ = _e443;
+                phi_135_ = _e445;
+                break if !(_e76);
             }
         }
-        let _e513 = local;
-        let _e517 = local_1;
-        nodes.member[_e37] = type_25(_e513.member, _e48.member, _e517.member_1, _e48.member_1);
+        let _e448 = local;
+        let _e452 = local_1;
+        nodes.member[_e37] = type_25(_e448.member, _e48.member, _e452.member_1, _e48.member_1);
     }
     if (_e37 < _e44) {
-        let _e527 = params.member.member_2.member[0u][_e40];
-        let _e528 = (_e527 + _e37);
-        let _e530 = block_nodes.member[_e528];
-        let _e535 = leaves.member[_e528];
-        nodes.member[((_e44 - 1u) + _e37)] = type_25(_e530.member, _e535.member_1, _e530.member_1, 4294967295u);
+        let _e462 = params.member.member_2.member[0u][_e40];
+        let _e463 = (_e462 + _e37);
+        let _e465 = block_nodes.member[_e463];
+        let _e470 = leaves.member[_e463];
+        nodes.member[((_e44 - 1u) + _e37)] = type_25(_e465.member, _e470.member_1, _e465.member_1, 4294967295u);
     }
     return;
 }

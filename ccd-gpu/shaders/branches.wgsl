@@ -64,52 +64,34 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_148_: u32;
     var phi_202_: u32;
     var phi_204_: u32;
-    var phi_209_: u32;
     var phi_211_: u32;
-    var phi_226_: bool;
-    var phi_235_: u32;
     var phi_273_: u32;
     var phi_275_: u32;
-    var phi_281_: u32;
     var phi_212_: u32;
     var phi_282_: bool;
     var local: u32;
     var phi_289_: u32;
     var phi_292_: u32;
-    var phi_307_: bool;
-    var phi_316_: u32;
     var phi_354_: u32;
     var phi_356_: u32;
-    var phi_362_: u32;
     var phi_290_: u32;
     var phi_293_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_370_: bool;
     var local_3: u32;
     var local_4: u32;
-    var phi_379_: u32;
     var phi_417_: u32;
     var phi_419_: u32;
     var phi_421_: u32;
     var phi_424_: u32;
-    var phi_447_: u32;
-    var phi_455_: bool;
-    var phi_464_: u32;
     var phi_502_: u32;
     var phi_504_: u32;
-    var phi_510_: u32;
     var phi_422_: u32;
     var phi_425_: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_516_: u32;
-    var phi_517_: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_524_: u32;
-    var phi_534_: u32;
-    var phi_540_: u32;
     var local_9: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -163,268 +145,172 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e94 = phi_204_;
         let _e95 = (_e67 > _e94);
-        if _e95 {
-            phi_209_ = _e94;
-        } else {
-            phi_209_ = _e67;
-        }
-        let _e97 = phi_209_;
+        let _e96 = select(_e67, _e94, _e95);
         phi_211_ = 2u;
         loop {
-            let _e99 = phi_211_;
-            local = _e99;
-            if (_e99 < _e33) {
-                if _e95 {
-                    phi_226_ = (_e99 < (_e33 - _e26));
-                } else {
-                    phi_226_ = (_e99 <= _e26);
-                }
-                let _e105 = phi_226_;
-                if _e105 {
-                    if _e95 {
-                        phi_235_ = (_e26 + _e99);
+            let _e98 = phi_211_;
+            local = _e98;
+            if (_e98 < _e33) {
+                if select((_e98 <= _e26), (_e98 < (_e33 - _e26)), _e95) {
+                    let _e106 = select((_e26 - _e98), (_e26 + _e98), _e95);
+                    let _e109 = keys.member[(_e39 + _e26)];
+                    let _e112 = keys.member[(_e39 + _e106)];
+                    let _e113 = (_e109 ^ _e112);
+                    let _e118 = select((bitcast<u32>(31i) - firstLeadingBit(_e113)), 32u, (_e113 == 0u));
+                    if (_e118 < 32u) {
+                        phi_273_ = _e118;
                     } else {
-                        phi_235_ = (_e26 - _e99);
+                        let _e120 = (_e26 ^ _e106);
+                        phi_273_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e120)), 32u, (_e120 == 0u)));
                     }
-                    let _e109 = phi_235_;
-                    let _e112 = keys.member[(_e39 + _e26)];
-                    let _e115 = keys.member[(_e39 + _e109)];
-                    let _e116 = (_e112 ^ _e115);
-                    let _e121 = select((bitcast<u32>(31i) - firstLeadingBit(_e116)), 32u, (_e116 == 0u));
-                    if (_e121 < 32u) {
-                        phi_273_ = _e121;
-                    } else {
-                        let _e123 = (_e26 ^ _e109);
-                        phi_273_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e123)), 32u, (_e123 == 0u)));
-                    }
-                    let _e131 = phi_273_;
-                    phi_275_ = (1u + _e131);
+                    let _e128 = phi_273_;
+                    phi_275_ = (1u + _e128);
                 } else {
                     phi_275_ = 0u;
                 }
-                let _e134 = phi_275_;
-                let _e135 = (_e134 > _e97);
-                if _e135 {
-                    phi_281_ = (_e99 * 2u);
-                } else {
-                    phi_281_ = u32();
-                }
-                let _e138 = phi_281_;
-                phi_212_ = _e138;
-                phi_282_ = _e135;
+                let _e131 = phi_275_;
+                let _e132 = (_e131 > _e96);
+                phi_212_ = select(u32(), (_e98 * 2u), _e132);
+                phi_282_ = _e132;
             } else {
                 phi_212_ = u32();
                 phi_282_ = false;
             }
-            let _e140 = phi_212_;
-            let _e142 = phi_282_;
+            let _e136 = phi_212_;
+            let _e138 = phi_282_;
             continue;
             continuing {
-                phi_211_ = _e140;
-                break if !(_e142);
+                phi_211_ = _e136;
+                break if !(_e138);
             }
         }
-        let _e145 = local;
-        phi_289_ = (_e145 / 2u);
+        let _e141 = local;
+        phi_289_ = (_e141 / 2u);
         phi_292_ = 0u;
         loop {
-            let _e148 = phi_289_;
-            let _e150 = phi_292_;
-            local_1 = _e150;
-            local_2 = _e150;
-            local_3 = _e150;
-            local_4 = _e150;
-            local_9 = _e150;
-            local_5 = _e150;
-            local_6 = _e150;
-            let _e151 = (_e148 > 0u);
-            if _e151 {
-                let _e152 = (_e150 + _e148);
-                if _e95 {
-                    phi_307_ = (_e152 < (_e33 - _e26));
-                } else {
-                    phi_307_ = (_e152 <= _e26);
-                }
-                let _e157 = phi_307_;
-                if _e157 {
-                    if _e95 {
-                        phi_316_ = (_e26 + _e152);
+            let _e144 = phi_289_;
+            let _e146 = phi_292_;
+            local_1 = _e146;
+            local_2 = _e146;
+            local_3 = _e146;
+            local_4 = _e146;
+            local_9 = _e146;
+            local_5 = _e146;
+            local_6 = _e146;
+            let _e147 = (_e144 > 0u);
+            if _e147 {
+                let _e148 = (_e146 + _e144);
+                if select((_e148 <= _e26), (_e148 < (_e33 - _e26)), _e95) {
+                    let _e155 = select((_e26 - _e148), (_e26 + _e148), _e95);
+                    let _e158 = keys.member[(_e39 + _e26)];
+                    let _e161 = keys.member[(_e39 + _e155)];
+                    let _e162 = (_e158 ^ _e161);
+                    let _e167 = select((bitcast<u32>(31i) - firstLeadingBit(_e162)), 32u, (_e162 == 0u));
+                    if (_e167 < 32u) {
+                        phi_354_ = _e167;
                     } else {
-                        phi_316_ = (_e26 - _e152);
+                        let _e169 = (_e26 ^ _e155);
+                        phi_354_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e169)), 32u, (_e169 == 0u)));
                     }
-                    let _e161 = phi_316_;
-                    let _e164 = keys.member[(_e39 + _e26)];
-                    let _e167 = keys.member[(_e39 + _e161)];
-                    let _e168 = (_e164 ^ _e167);
-                    let _e173 = select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u));
-                    if (_e173 < 32u) {
-                        phi_354_ = _e173;
-                    } else {
-                        let _e175 = (_e26 ^ _e161);
-                        phi_354_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e175)), 32u, (_e175 == 0u)));
-                    }
-                    let _e183 = phi_354_;
-                    phi_356_ = (1u + _e183);
+                    let _e177 = phi_354_;
+                    phi_356_ = (1u + _e177);
                 } else {
                     phi_356_ = 0u;
                 }
-                let _e186 = phi_356_;
-                if (_e186 > _e97) {
-                    phi_362_ = (_e150 + _e148);
-                } else {
-                    phi_362_ = _e150;
-                }
-                let _e190 = phi_362_;
-                phi_290_ = (_e148 / 2u);
-                phi_293_ = _e190;
+                let _e180 = phi_356_;
+                phi_290_ = (_e144 / 2u);
+                phi_293_ = select(_e146, (_e146 + _e144), (_e180 > _e96));
             } else {
                 phi_290_ = u32();
                 phi_293_ = u32();
             }
-            let _e193 = phi_290_;
-            let _e195 = phi_293_;
+            let _e186 = phi_290_;
+            let _e188 = phi_293_;
             continue;
             continuing {
-                phi_289_ = _e193;
-                phi_292_ = _e195;
-                break if !(_e151);
+                phi_289_ = _e186;
+                phi_292_ = _e188;
+                break if !(_e147);
             }
         }
-        if _e95 {
-            let _e202 = local_2;
-            phi_370_ = (_e202 < (_e33 - _e26));
-        } else {
-            let _e198 = local_1;
-            phi_370_ = (_e198 <= _e26);
-        }
-        let _e205 = phi_370_;
-        if _e205 {
-            if _e95 {
-                let _e210 = local_4;
-                phi_379_ = (_e26 + _e210);
+        let _e192 = local_1;
+        let _e195 = local_2;
+        if select((_e195 <= _e26), (_e192 < (_e33 - _e26)), _e95) {
+            let _e199 = local_3;
+            let _e202 = local_4;
+            let _e204 = select((_e26 - _e202), (_e26 + _e199), _e95);
+            let _e207 = keys.member[(_e39 + _e26)];
+            let _e210 = keys.member[(_e39 + _e204)];
+            let _e211 = (_e207 ^ _e210);
+            let _e216 = select((bitcast<u32>(31i) - firstLeadingBit(_e211)), 32u, (_e211 == 0u));
+            if (_e216 < 32u) {
+                phi_417_ = _e216;
             } else {
-                let _e207 = local_3;
-                phi_379_ = (_e26 - _e207);
+                let _e218 = (_e26 ^ _e204);
+                phi_417_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u)));
             }
-            let _e213 = phi_379_;
-            let _e216 = keys.member[(_e39 + _e26)];
-            let _e219 = keys.member[(_e39 + _e213)];
-            let _e220 = (_e216 ^ _e219);
-            let _e225 = select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u));
-            if (_e225 < 32u) {
-                phi_417_ = _e225;
-            } else {
-                let _e227 = (_e26 ^ _e213);
-                phi_417_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u)));
-            }
-            let _e235 = phi_417_;
-            phi_419_ = (1u + _e235);
+            let _e226 = phi_417_;
+            phi_419_ = (1u + _e226);
         } else {
             phi_419_ = 0u;
         }
-        let _e238 = phi_419_;
-        let _e358 = local_9;
-        phi_421_ = _e358;
+        let _e229 = phi_419_;
+        let _e331 = local_9;
+        phi_421_ = _e331;
         phi_424_ = 0u;
         loop {
-            let _e240 = phi_421_;
-            let _e242 = phi_424_;
-            local_7 = _e242;
-            local_8 = _e242;
-            let _e243 = (_e240 > 1u);
-            if _e243 {
-                let _e244 = (_e240 / 2u);
-                if ((_e240 % 2u) > 0u) {
-                    phi_447_ = (_e244 + 1u);
-                } else {
-                    phi_447_ = _e244;
-                }
-                let _e249 = phi_447_;
-                let _e250 = (_e242 + _e249);
-                if _e95 {
-                    phi_455_ = (_e250 < (_e33 - _e26));
-                } else {
-                    phi_455_ = (_e250 <= _e26);
-                }
-                let _e255 = phi_455_;
-                if _e255 {
-                    if _e95 {
-                        phi_464_ = (_e26 + _e250);
+            let _e231 = phi_421_;
+            let _e233 = phi_424_;
+            local_7 = _e233;
+            local_8 = _e233;
+            let _e234 = (_e231 > 1u);
+            if _e234 {
+                let _e235 = (_e231 / 2u);
+                let _e239 = select(_e235, (_e235 + 1u), ((_e231 % 2u) > 0u));
+                let _e240 = (_e233 + _e239);
+                if select((_e240 <= _e26), (_e240 < (_e33 - _e26)), _e95) {
+                    let _e247 = select((_e26 - _e240), (_e26 + _e240), _e95);
+                    let _e250 = keys.member[(_e39 + _e26)];
+                    let _e253 = keys.member[(_e39 + _e247)];
+                    let _e254 = (_e250 ^ _e253);
+                    let _e259 = select((bitcast<u32>(31i) - firstLeadingBit(_e254)), 32u, (_e254 == 0u));
+                    if (_e259 < 32u) {
+                        phi_502_ = _e259;
                     } else {
-                        phi_464_ = (_e26 - _e250);
+                        let _e261 = (_e26 ^ _e247);
+                        phi_502_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e261)), 32u, (_e261 == 0u)));
                     }
-                    let _e259 = phi_464_;
-                    let _e262 = keys.member[(_e39 + _e26)];
-                    let _e265 = keys.member[(_e39 + _e259)];
-                    let _e266 = (_e262 ^ _e265);
-                    let _e271 = select((bitcast<u32>(31i) - firstLeadingBit(_e266)), 32u, (_e266 == 0u));
-                    if (_e271 < 32u) {
-                        phi_502_ = _e271;
-                    } else {
-                        let _e273 = (_e26 ^ _e259);
-                        phi_502_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e273)), 32u, (_e273 == 0u)));
-                    }
-                    let _e281 = phi_502_;
-                    phi_504_ = (1u + _e281);
+                    let _e269 = phi_502_;
+                    phi_504_ = (1u + _e269);
                 } else {
                     phi_504_ = 0u;
                 }
-                let _e284 = phi_504_;
-                if (_e284 > _e238) {
-                    phi_510_ = (_e242 + _e249);
-                } else {
-                    phi_510_ = _e242;
-                }
-                let _e288 = phi_510_;
-                phi_422_ = _e249;
-                phi_425_ = _e288;
+                let _e272 = phi_504_;
+                phi_422_ = _e239;
+                phi_425_ = select(_e233, (_e233 + _e239), (_e272 > _e229));
             } else {
                 phi_422_ = u32();
                 phi_425_ = u32();
             }
-            let _e290 = phi_422_;
-            let _e292 = phi_425_;
+            let _e277 = phi_422_;
+            let _e279 = phi_425_;
             continue;
             continuing {
-                phi_421_ = _e290;
-                phi_424_ = _e292;
-                break if !(_e243);
+                phi_421_ = _e277;
+                phi_424_ = _e279;
+                break if !(_e234);
             }
         }
-        if _e95 {
-            let _e298 = local_6;
-            phi_516_ = _e26;
-            phi_517_ = (_e26 + _e298);
-        } else {
-            let _e295 = local_5;
-            phi_516_ = (_e26 - _e295);
-            phi_517_ = _e26;
-        }
-        let _e301 = phi_516_;
-        let _e303 = phi_517_;
-        if _e95 {
-            let _e308 = local_8;
-            phi_524_ = ((_e26 + _e308) + 1u);
-        } else {
-            let _e305 = local_7;
-            phi_524_ = (_e26 - _e305);
-        }
-        let _e312 = phi_524_;
-        let _e313 = (_e33 - 1u);
-        let _e314 = (_e312 - 1u);
-        if (_e301 == _e314) {
-            phi_534_ = (_e313 + _e301);
-        } else {
-            phi_534_ = _e314;
-        }
-        let _e318 = phi_534_;
-        if (_e312 == _e303) {
-            phi_540_ = (_e313 + _e312);
-        } else {
-            phi_540_ = _e312;
-        }
-        let _e322 = phi_540_;
-        branches_1.member[_e26] = vec4<u32>(_e318, _e322, _e301, _e303);
+        let _e282 = local_5;
+        let _e285 = local_6;
+        let _e287 = select((_e26 - _e285), _e26, _e95);
+        let _e288 = select(_e26, (_e26 + _e282), _e95);
+        let _e290 = local_7;
+        let _e294 = local_8;
+        let _e296 = select((_e26 - _e294), ((_e26 + _e290) + 1u), _e95);
+        let _e297 = (_e33 - 1u);
+        let _e298 = (_e296 - 1u);
+        branches_1.member[_e26] = vec4<u32>(select(_e298, (_e297 + _e287), (_e287 == _e298)), select(_e296, (_e297 + _e296), (_e296 == _e288)), _e287, _e288);
     }
     return;
 }

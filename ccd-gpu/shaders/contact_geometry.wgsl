@@ -170,29 +170,8 @@ fn function_2(param_3: type_38, param_4: type_38) -> type_38 {
 }
 
 fn function_3(param_5: f32, param_6: f32) -> f32 {
-    var phi_3476_: f32;
-    var phi_3481_: f32;
-    var phi_3482_: f32;
-
-    if (param_5 > 0f) {
-        if (param_5 < param_6) {
-            phi_3476_ = param_5;
-        } else {
-            phi_3476_ = param_6;
-        }
-        let _e6 = phi_3476_;
-        if (_e6 > 0f) {
-            phi_3481_ = _e6;
-        } else {
-            phi_3481_ = 0f;
-        }
-        let _e9 = phi_3481_;
-        phi_3482_ = _e9;
-    } else {
-        phi_3482_ = 0f;
-    }
-    let _e11 = phi_3482_;
-    return _e11;
+    let _e5 = select(param_6, param_5, (param_5 < param_6));
+    return select(0f, select(0f, _e5, (_e5 > 0f)), (param_5 > 0f));
 }
 
 fn function_4(param_7: ptr<function, type_26>, param_8: f32, param_9: f32) -> f32 {
@@ -226,16 +205,10 @@ fn function_6(param_13: ptr<function, type_26>, param_14: f32, param_15: f32) ->
 }
 
 fn function_7(param_16: ptr<function, type_26>, param_17: u32) -> type_38 {
-    var phi_4100_: f32;
-    var phi_4107_: f32;
     var phi_4118_: type_38;
     var phi_4119_: bool;
     var phi_4120_: type_38;
     var phi_4121_: bool;
-    var phi_3977_: bool;
-    var phi_3978_: bool;
-    var phi_3994_: f32;
-    var phi_4000_: f32;
     var phi_4003_: type_38;
     var phi_4004_: bool;
     var phi_4005_: type_38;
@@ -252,73 +225,49 @@ fn function_7(param_16: ptr<function, type_26>, param_17: u32) -> type_38 {
     let _e9 = (param_17 == 0u);
     let _e11 = (*param_16).member_4;
     if (_e11 > 0f) {
-        let _e90 = (*param_16).member_3;
-        let _e95 = (*param_16).member_3;
-        let _e103 = (((_e90[0] * _e95[0]) + (_e90[1] * _e95[1])) + (_e90[2] * _e95[2]));
-        let _e105 = (*param_16).member;
-        let _e110 = (*param_16).member_2;
-        let _e124 = (*param_16).member_3;
-        let _e133 = ((((((_e105[1] * _e110[2]) - (_e105[2] * _e110[1])) * _e124[0]) + (((_e105[2] * _e110[0]) - (_e105[0] * _e110[2])) * _e124[1])) + (((_e105[0] * _e110[1]) - (_e105[1] * _e110[0])) * _e124[2])) / _e103);
-        let _e135 = (*param_16).member_1;
-        let _e140 = (*param_16).member;
-        let _e154 = (*param_16).member_3;
-        let _e163 = ((((((_e135[1] * _e140[2]) - (_e135[2] * _e140[1])) * _e154[0]) + (((_e135[2] * _e140[0]) - (_e135[0] * _e140[2])) * _e154[1])) + (((_e135[0] * _e140[1]) - (_e135[1] * _e140[0])) * _e154[2])) / _e103);
-        if _e9 {
-            phi_3978_ = ((_e133 + _e163) <= 1f);
-        } else {
-            if (_e133 <= 1f) {
-                phi_3977_ = (_e163 <= 1f);
-            } else {
-                phi_3977_ = false;
-            }
-            let _e167 = phi_3977_;
-            phi_3978_ = _e167;
-        }
-        let _e171 = phi_3978_;
-        if (_e133 >= 0f) {
-            if (_e163 >= 0f) {
-                if _e171 {
-                    if _e9 {
-                        phi_3994_ = (1f - _e133);
-                    } else {
-                        phi_3994_ = 1f;
-                    }
-                    let _e176 = phi_3994_;
-                    let _e177 = function_6(param_16, _e133, _e176);
-                    if _e9 {
-                        phi_4000_ = (1f - _e177);
-                    } else {
-                        phi_4000_ = 1f;
-                    }
-                    let _e180 = phi_4000_;
-                    let _e181 = function_4(param_16, _e177, _e180);
-                    let _e182 = function_5(param_16, _e181, _e177);
-                    phi_4003_ = _e182;
+        let _e88 = (*param_16).member_3;
+        let _e93 = (*param_16).member_3;
+        let _e101 = (((_e88[0] * _e93[0]) + (_e88[1] * _e93[1])) + (_e88[2] * _e93[2]));
+        let _e103 = (*param_16).member;
+        let _e108 = (*param_16).member_2;
+        let _e122 = (*param_16).member_3;
+        let _e131 = ((((((_e103[1] * _e108[2]) - (_e103[2] * _e108[1])) * _e122[0]) + (((_e103[2] * _e108[0]) - (_e103[0] * _e108[2])) * _e122[1])) + (((_e103[0] * _e108[1]) - (_e103[1] * _e108[0])) * _e122[2])) / _e101);
+        let _e133 = (*param_16).member_1;
+        let _e138 = (*param_16).member;
+        let _e152 = (*param_16).member_3;
+        let _e161 = ((((((_e133[1] * _e138[2]) - (_e133[2] * _e138[1])) * _e152[0]) + (((_e133[2] * _e138[0]) - (_e133[0] * _e138[2])) * _e152[1])) + (((_e133[0] * _e138[1]) - (_e133[1] * _e138[0])) * _e152[2])) / _e101);
+        if (_e131 >= 0f) {
+            if (_e161 >= 0f) {
+                if select(select(false, (_e161 <= 1f), (_e131 <= 1f)), ((_e131 + _e161) <= 1f), _e9) {
+                    let _e172 = function_6(param_16, _e131, select(1f, (1f - _e131), _e9));
+                    let _e175 = function_4(param_16, _e172, select(1f, (1f - _e172), _e9));
+                    let _e176 = function_5(param_16, _e175, _e172);
+                    phi_4003_ = _e176;
                     phi_4004_ = false;
                 } else {
                     phi_4003_ = type_38();
                     phi_4004_ = true;
                 }
-                let _e184 = phi_4003_;
-                let _e186 = phi_4004_;
-                phi_4005_ = _e184;
-                phi_4006_ = _e186;
+                let _e178 = phi_4003_;
+                let _e180 = phi_4004_;
+                phi_4005_ = _e178;
+                phi_4006_ = _e180;
             } else {
                 phi_4005_ = type_38();
                 phi_4006_ = true;
             }
-            let _e188 = phi_4005_;
-            let _e190 = phi_4006_;
-            phi_4007_ = _e188;
-            phi_4008_ = _e190;
+            let _e182 = phi_4005_;
+            let _e184 = phi_4006_;
+            phi_4007_ = _e182;
+            phi_4008_ = _e184;
         } else {
             phi_4007_ = type_38();
             phi_4008_ = true;
         }
-        let _e192 = phi_4007_;
-        let _e194 = phi_4008_;
-        phi_4125_ = _e192;
-        phi_4126_ = _e194;
+        let _e186 = phi_4007_;
+        let _e188 = phi_4008_;
+        phi_4125_ = _e186;
+        phi_4126_ = _e188;
     } else {
         if _e9 {
             phi_4120_ = type_38();
@@ -334,112 +283,93 @@ fn function_7(param_16: ptr<function, type_26>, param_17: u32) -> type_38 {
             let _e52 = (*param_16).member_1;
             let _e57 = (*param_16).member_1;
             let _e65 = (((_e52[0] * _e57[0]) + (_e52[1] * _e57[1])) + (_e52[2] * _e57[2]));
-            if (_e27 < _e50) {
-                phi_4100_ = _e27;
-            } else {
-                phi_4100_ = _e50;
-            }
-            let _e68 = phi_4100_;
-            let _e70 = function_3((_e68 / _e65), 1f);
-            if (_e27 > _e50) {
-                phi_4107_ = _e27;
-            } else {
-                phi_4107_ = _e50;
-            }
-            let _e73 = phi_4107_;
-            let _e75 = function_3((_e73 / _e65), 1f);
-            if (_e70 < _e75) {
-                let _e78 = ((_e70 + _e75) * 0.5f);
-                let _e79 = function_6(param_16, _e78, 1f);
-                let _e80 = function_5(param_16, _e78, _e79);
-                phi_4118_ = _e80;
+            let _e69 = function_3((select(_e50, _e27, (_e27 < _e50)) / _e65), 1f);
+            let _e73 = function_3((select(_e50, _e27, (_e27 > _e50)) / _e65), 1f);
+            if (_e69 < _e73) {
+                let _e76 = ((_e69 + _e73) * 0.5f);
+                let _e77 = function_6(param_16, _e76, 1f);
+                let _e78 = function_5(param_16, _e76, _e77);
+                phi_4118_ = _e78;
                 phi_4119_ = false;
             } else {
                 phi_4118_ = type_38();
                 phi_4119_ = true;
             }
-            let _e82 = phi_4118_;
-            let _e84 = phi_4119_;
-            phi_4120_ = _e82;
-            phi_4121_ = _e84;
+            let _e80 = phi_4118_;
+            let _e82 = phi_4119_;
+            phi_4120_ = _e80;
+            phi_4121_ = _e82;
         }
-        let _e86 = phi_4120_;
-        let _e88 = phi_4121_;
-        phi_4125_ = _e86;
-        phi_4126_ = _e88;
+        let _e84 = phi_4120_;
+        let _e86 = phi_4121_;
+        phi_4125_ = _e84;
+        phi_4126_ = _e86;
     }
-    let _e196 = phi_4125_;
-    let _e198 = phi_4126_;
-    if _e198 {
-        let _e199 = function_4(param_16, 0f, 1f);
-        let _e200 = function_5(param_16, _e199, 0f);
-        let _e201 = function_6(param_16, 0f, 1f);
-        let _e202 = function_5(param_16, 0f, _e201);
-        let _e203 = function_2(_e200, _e202);
+    let _e190 = phi_4125_;
+    let _e192 = phi_4126_;
+    if _e192 {
+        let _e193 = function_4(param_16, 0f, 1f);
+        let _e194 = function_5(param_16, _e193, 0f);
+        let _e195 = function_6(param_16, 0f, 1f);
+        let _e196 = function_5(param_16, 0f, _e195);
+        let _e197 = function_2(_e194, _e196);
         if _e9 {
-            let _e211 = (*param_16).member_2;
-            let _e216 = (*param_16).member_1;
-            let _e220 = (_e211[0] - _e216[0]);
-            let _e221 = (_e211[1] - _e216[1]);
-            let _e222 = (_e211[2] - _e216[2]);
-            let _e224 = (*param_16).member;
-            let _e229 = (*param_16).member_1;
-            let _e247 = function_3((((((_e224[0] - _e229[0]) * _e220) + ((_e224[1] - _e229[1]) * _e221)) + ((_e224[2] - _e229[2]) * _e222)) / (((_e220 * _e220) + (_e221 * _e221)) + (_e222 * _e222))), 1f);
-            let _e249 = function_5(param_16, (1f - _e247), _e247);
-            let _e250 = function_2(_e203, _e249);
-            phi_4201_ = _e250;
+            let _e205 = (*param_16).member_2;
+            let _e210 = (*param_16).member_1;
+            let _e214 = (_e205[0] - _e210[0]);
+            let _e215 = (_e205[1] - _e210[1]);
+            let _e216 = (_e205[2] - _e210[2]);
+            let _e218 = (*param_16).member;
+            let _e223 = (*param_16).member_1;
+            let _e241 = function_3((((((_e218[0] - _e223[0]) * _e214) + ((_e218[1] - _e223[1]) * _e215)) + ((_e218[2] - _e223[2]) * _e216)) / (((_e214 * _e214) + (_e215 * _e215)) + (_e216 * _e216))), 1f);
+            let _e243 = function_5(param_16, (1f - _e241), _e241);
+            let _e244 = function_2(_e197, _e243);
+            phi_4201_ = _e244;
         } else {
-            let _e204 = function_6(param_16, 1f, 1f);
-            let _e205 = function_5(param_16, 1f, _e204);
-            let _e206 = function_4(param_16, 1f, 1f);
-            let _e207 = function_5(param_16, _e206, 1f);
-            let _e208 = function_2(_e205, _e207);
-            let _e209 = function_2(_e203, _e208);
-            phi_4201_ = _e209;
+            let _e198 = function_6(param_16, 1f, 1f);
+            let _e199 = function_5(param_16, 1f, _e198);
+            let _e200 = function_4(param_16, 1f, 1f);
+            let _e201 = function_5(param_16, _e200, 1f);
+            let _e202 = function_2(_e199, _e201);
+            let _e203 = function_2(_e197, _e202);
+            phi_4201_ = _e203;
         }
-        let _e252 = phi_4201_;
-        phi_4202_ = _e252;
+        let _e246 = phi_4201_;
+        phi_4202_ = _e246;
         phi_4203_ = false;
     } else {
         phi_4202_ = type_38();
         phi_4203_ = true;
     }
-    let _e254 = phi_4202_;
-    let _e256 = phi_4203_;
-    if _e256 {
-        phi_4207_ = _e196;
+    let _e248 = phi_4202_;
+    let _e250 = phi_4203_;
+    if _e250 {
+        phi_4207_ = _e190;
     } else {
-        phi_4207_ = _e254;
+        phi_4207_ = _e248;
     }
-    let _e258 = phi_4207_;
-    return _e258;
+    let _e252 = phi_4207_;
+    return _e252;
 }
 
 fn function_8(param_18: f32) -> f32 {
-    var phi_3833_: u32;
     var phi_3836_: f32;
     var phi_3837_: f32;
 
     if ((bitcast<u32>(param_18) & 2139095040u) != 2139095040u) {
         if (param_18 >= 0.000000000000000000000000000000000000011754944f) {
             let _e13 = (2130706432u - (bitcast<u32>(param_18) & 2139095040u));
-            if (_e13 > 8388608u) {
-                phi_3833_ = _e13;
-            } else {
-                phi_3833_ = 8388608u;
-            }
-            let _e16 = phi_3833_;
-            phi_3836_ = bitcast<f32>(_e16);
+            phi_3836_ = bitcast<f32>(select(8388608u, _e13, (_e13 > 8388608u)));
         } else {
             phi_3836_ = (1f / 0.000000000000000000000000000000000000011754944f);
         }
-        let _e19 = phi_3836_;
-        phi_3837_ = _e19;
+        let _e18 = phi_3836_;
+        phi_3837_ = _e18;
     } else {
         phi_3837_ = 1f;
     }
-    let _e21 = phi_3837_;
-    return _e21;
+    let _e20 = phi_3837_;
+    return _e20;
 }
 
 fn function_9(param_19: array<f32, 3>, param_20: array<f32, 3>, param_21: f32) -> array<f32, 3> {
@@ -478,305 +408,70 @@ fn function_10(param_22: ptr<function, array<array<f32, 3>, 4>>, param_23: u32) 
 }
 
 fn function_11(param_24: ptr<function, array<array<f32, 3>, 4>>, param_25: ptr<function, array<array<f32, 3>, 4>>, param_26: f32) -> u32 {
-    var phi_3538_: f32;
-    var phi_3545_: f32;
-    var phi_3553_: f32;
-    var phi_3606_: f32;
-    var phi_3613_: f32;
-    var phi_3621_: f32;
-    var phi_3674_: f32;
-    var phi_3681_: f32;
-    var phi_3689_: f32;
-    var phi_3699_: bool;
-    var phi_3700_: bool;
-    var phi_3708_: u32;
-    var phi_3709_: u32;
-
     let _e11 = (*param_24)[3u];
     let _e16 = (*param_24)[2u];
     let _e25 = (*param_25)[3u];
     let _e30 = (*param_25)[2u];
     let _e38 = function_9(array<f32, 3>((_e11[0] - _e16[0]), (_e11[1] - _e16[1]), (_e11[2] - _e16[2])), array<f32, 3>((_e25[0] - _e30[0]), (_e25[1] - _e30[1]), (_e25[2] - _e30[2])), param_26);
-    if (_e38[0] < 0f) {
-        phi_3538_ = -(_e38[0]);
-    } else {
-        phi_3538_ = _e38[0];
-    }
-    let _e43 = phi_3538_;
-    if (_e38[1] < 0f) {
-        phi_3545_ = -(_e38[1]);
-    } else {
-        phi_3545_ = _e38[1];
-    }
-    let _e48 = phi_3545_;
-    if (_e38[2] < 0f) {
-        phi_3553_ = -(_e38[2]);
-    } else {
-        phi_3553_ = _e38[2];
-    }
-    let _e54 = phi_3553_;
-    let _e55 = ((_e43 + _e48) + _e54);
-    let _e57 = (*param_24)[1u];
-    let _e62 = (*param_24)[3u];
-    let _e71 = (*param_25)[1u];
-    let _e76 = (*param_25)[3u];
-    let _e84 = function_9(array<f32, 3>((_e57[0] - _e62[0]), (_e57[1] - _e62[1]), (_e57[2] - _e62[2])), array<f32, 3>((_e71[0] - _e76[0]), (_e71[1] - _e76[1]), (_e71[2] - _e76[2])), param_26);
-    if (_e84[0] < 0f) {
-        phi_3606_ = -(_e84[0]);
-    } else {
-        phi_3606_ = _e84[0];
-    }
-    let _e89 = phi_3606_;
-    if (_e84[1] < 0f) {
-        phi_3613_ = -(_e84[1]);
-    } else {
-        phi_3613_ = _e84[1];
-    }
-    let _e94 = phi_3613_;
-    if (_e84[2] < 0f) {
-        phi_3621_ = -(_e84[2]);
-    } else {
-        phi_3621_ = _e84[2];
-    }
-    let _e100 = phi_3621_;
-    let _e101 = ((_e89 + _e94) + _e100);
-    let _e103 = (*param_24)[2u];
-    let _e108 = (*param_24)[1u];
-    let _e117 = (*param_25)[2u];
-    let _e122 = (*param_25)[1u];
-    let _e130 = function_9(array<f32, 3>((_e103[0] - _e108[0]), (_e103[1] - _e108[1]), (_e103[2] - _e108[2])), array<f32, 3>((_e117[0] - _e122[0]), (_e117[1] - _e122[1]), (_e117[2] - _e122[2])), param_26);
-    if (_e130[0] < 0f) {
-        phi_3674_ = -(_e130[0]);
-    } else {
-        phi_3674_ = _e130[0];
-    }
-    let _e135 = phi_3674_;
-    if (_e130[1] < 0f) {
-        phi_3681_ = -(_e130[1]);
-    } else {
-        phi_3681_ = _e130[1];
-    }
-    let _e140 = phi_3681_;
-    if (_e130[2] < 0f) {
-        phi_3689_ = -(_e130[2]);
-    } else {
-        phi_3689_ = _e130[2];
-    }
-    let _e146 = phi_3689_;
-    let _e147 = ((_e135 + _e140) + _e146);
-    if (_e55 >= _e101) {
-        if (_e55 >= _e147) {
-            phi_3699_ = false;
-        } else {
-            phi_3699_ = true;
-        }
-        let _e151 = phi_3699_;
-        phi_3700_ = _e151;
-    } else {
-        phi_3700_ = true;
-    }
-    let _e153 = phi_3700_;
-    if _e153 {
-        if (_e101 >= _e147) {
-            phi_3708_ = 1u;
-        } else {
-            phi_3708_ = 2u;
-        }
-        let _e156 = phi_3708_;
-        phi_3709_ = _e156;
-    } else {
-        phi_3709_ = 0u;
-    }
-    let _e158 = phi_3709_;
-    return _e158;
+    let _e52 = ((select(_e38[0], -(_e38[0]), (_e38[0] < 0f)) + select(_e38[1], -(_e38[1]), (_e38[1] < 0f))) + select(_e38[2], -(_e38[2]), (_e38[2] < 0f)));
+    let _e54 = (*param_24)[1u];
+    let _e59 = (*param_24)[3u];
+    let _e68 = (*param_25)[1u];
+    let _e73 = (*param_25)[3u];
+    let _e81 = function_9(array<f32, 3>((_e54[0] - _e59[0]), (_e54[1] - _e59[1]), (_e54[2] - _e59[2])), array<f32, 3>((_e68[0] - _e73[0]), (_e68[1] - _e73[1]), (_e68[2] - _e73[2])), param_26);
+    let _e95 = ((select(_e81[0], -(_e81[0]), (_e81[0] < 0f)) + select(_e81[1], -(_e81[1]), (_e81[1] < 0f))) + select(_e81[2], -(_e81[2]), (_e81[2] < 0f)));
+    let _e97 = (*param_24)[2u];
+    let _e102 = (*param_24)[1u];
+    let _e111 = (*param_25)[2u];
+    let _e116 = (*param_25)[1u];
+    let _e124 = function_9(array<f32, 3>((_e97[0] - _e102[0]), (_e97[1] - _e102[1]), (_e97[2] - _e102[2])), array<f32, 3>((_e111[0] - _e116[0]), (_e111[1] - _e116[1]), (_e111[2] - _e116[2])), param_26);
+    let _e138 = ((select(_e124[0], -(_e124[0]), (_e124[0] < 0f)) + select(_e124[1], -(_e124[1]), (_e124[1] < 0f))) + select(_e124[2], -(_e124[2]), (_e124[2] < 0f)));
+    return select(0u, select(2u, 1u, (_e95 >= _e138)), select(true, select(true, false, (_e52 >= _e138)), (_e52 >= _e95)));
 }
 
 fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_26;
     var local_1: array<array<f32, 3>, 4>;
     var local_2: array<array<f32, 3>, 4>;
-    var phi_185_: u32;
     var phi_195_: u32;
-    var phi_202_: u32;
-    var phi_218_: u32;
-    var phi_239_: u32;
     var phi_240_: u32;
     var phi_243_: type_9;
-    var phi_244_: type_9;
-    var phi_267_: type_9;
     var phi_410_: type_23;
-    var phi_553_: u32;
-    var phi_559_: f32;
     var phi_568_: u32;
     var phi_729_: type_37;
-    var phi_745_: f32;
-    var phi_752_: f32;
-    var phi_757_: f32;
-    var phi_764_: f32;
-    var phi_769_: f32;
-    var phi_776_: f32;
-    var phi_783_: f32;
-    var phi_788_: f32;
-    var phi_795_: f32;
-    var phi_800_: f32;
-    var phi_805_: f32;
-    var phi_812_: f32;
-    var phi_819_: f32;
-    var phi_824_: f32;
-    var phi_831_: f32;
-    var phi_836_: f32;
-    var phi_841_: f32;
-    var phi_871_: f32;
-    var phi_878_: f32;
-    var phi_883_: f32;
-    var phi_890_: f32;
-    var phi_895_: f32;
-    var phi_903_: f32;
-    var phi_910_: f32;
-    var phi_915_: f32;
-    var phi_922_: f32;
-    var phi_927_: f32;
-    var phi_932_: f32;
-    var phi_942_: f32;
-    var phi_949_: f32;
-    var phi_954_: f32;
-    var phi_961_: f32;
-    var phi_966_: f32;
-    var phi_974_: f32;
-    var phi_981_: f32;
-    var phi_986_: f32;
-    var phi_993_: f32;
-    var phi_998_: f32;
-    var phi_1003_: f32;
-    var phi_1013_: f32;
-    var phi_1020_: f32;
-    var phi_1025_: f32;
-    var phi_1032_: f32;
-    var phi_1037_: f32;
-    var phi_1045_: f32;
-    var phi_1052_: f32;
-    var phi_1057_: f32;
-    var phi_1064_: f32;
-    var phi_1069_: f32;
-    var phi_1074_: f32;
-    var phi_1105_: f32;
-    var phi_1111_: f32;
-    var phi_1116_: f32;
-    var phi_1122_: f32;
-    var phi_1127_: f32;
-    var phi_1135_: f32;
-    var phi_1141_: f32;
-    var phi_1146_: f32;
-    var phi_1152_: f32;
-    var phi_1157_: f32;
     var phi_1185_: type_14;
     var phi_1188_: f32;
-    var phi_1209_: bool;
-    var phi_1215_: type_15;
     var phi_1186_: type_14;
     var phi_1229_: type_15;
     var phi_1189_: f32;
     var local_3: f32;
-    var phi_1178_: f32;
     var phi_1242_: f32;
     var phi_1250_: f32;
-    var phi_1255_: f32;
     var phi_1305_: type_14;
     var phi_1308_: f32;
-    var phi_1329_: bool;
-    var phi_1335_: type_15;
     var phi_1306_: type_14;
     var phi_1349_: type_15;
     var phi_1309_: f32;
     var local_4: f32;
-    var phi_1298_: f32;
     var phi_1362_: f32;
     var phi_1370_: f32;
-    var phi_1376_: f32;
-    var phi_1415_: bool;
-    var phi_1421_: bool;
-    var phi_1436_: bool;
-    var phi_1437_: bool;
-    var phi_1438_: bool;
-    var phi_1439_: bool;
-    var phi_1440_: bool;
-    var phi_1444_: bool;
-    var phi_1790_: f32;
-    var phi_1797_: f32;
-    var phi_1802_: f32;
-    var phi_1809_: f32;
-    var phi_1814_: f32;
-    var phi_1822_: f32;
-    var phi_1829_: f32;
-    var phi_1834_: f32;
-    var phi_1841_: f32;
-    var phi_1846_: f32;
-    var phi_1851_: f32;
-    var phi_1861_: f32;
-    var phi_1868_: f32;
-    var phi_1873_: f32;
-    var phi_1880_: f32;
-    var phi_1885_: f32;
-    var phi_1893_: f32;
-    var phi_1900_: f32;
-    var phi_1905_: f32;
-    var phi_1912_: f32;
-    var phi_1917_: f32;
-    var phi_1922_: f32;
-    var phi_1932_: f32;
-    var phi_1939_: f32;
-    var phi_1944_: f32;
-    var phi_1951_: f32;
-    var phi_1956_: f32;
-    var phi_1964_: f32;
-    var phi_1971_: f32;
-    var phi_1976_: f32;
-    var phi_1983_: f32;
-    var phi_1988_: f32;
-    var phi_1993_: f32;
-    var phi_2011_: f32;
-    var phi_2017_: f32;
-    var phi_2022_: f32;
-    var phi_2028_: f32;
-    var phi_2033_: f32;
     var phi_2063_: type_14;
     var phi_2066_: f32;
-    var phi_2087_: bool;
-    var phi_2093_: type_15;
     var phi_2064_: type_14;
     var phi_2107_: type_15;
     var phi_2067_: f32;
     var local_5: f32;
-    var phi_2056_: f32;
     var phi_2120_: f32;
-    var phi_2146_: f32;
-    var phi_2152_: f32;
-    var phi_2159_: f32;
-    var phi_2173_: f32;
-    var phi_2187_: array<f32, 3>;
     var phi_2188_: array<f32, 3>;
     var phi_2189_: bool;
     var phi_2190_: array<f32, 3>;
     var phi_2191_: bool;
-    var phi_2201_: bool;
-    var phi_2202_: bool;
     var phi_2237_: array<f32, 3>;
     var phi_2238_: bool;
     var phi_2239_: array<f32, 3>;
     var phi_2240_: bool;
     var phi_2241_: array<f32, 3>;
     var phi_2242_: bool;
-    var phi_2264_: f32;
-    var phi_2271_: f32;
-    var phi_2276_: f32;
-    var phi_2283_: f32;
-    var phi_2288_: f32;
-    var phi_2301_: f32;
-    var phi_2308_: f32;
-    var phi_2313_: f32;
-    var phi_2320_: f32;
-    var phi_2325_: f32;
-    var phi_2330_: bool;
     var phi_2331_: bool;
     var phi_2341_: array<f32, 3>;
     var phi_2342_: bool;
@@ -785,148 +480,62 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2358_: array<f32, 3>;
     var phi_2359_: array<f32, 3>;
     var phi_2360_: array<f32, 3>;
-    var phi_2367_: f32;
-    var phi_2374_: f32;
-    var phi_2379_: f32;
-    var phi_2386_: f32;
-    var phi_2391_: f32;
-    var phi_2399_: array<f32, 3>;
-    var phi_2406_: f32;
-    var phi_2413_: f32;
-    var phi_2418_: f32;
-    var phi_2425_: f32;
-    var phi_2430_: f32;
-    var phi_2441_: f32;
-    var phi_2448_: f32;
-    var phi_2453_: f32;
-    var phi_2460_: f32;
-    var phi_2465_: f32;
     var phi_2498_: type_14;
     var phi_2501_: f32;
-    var phi_2522_: bool;
-    var phi_2528_: type_15;
     var phi_2499_: type_14;
     var phi_2542_: type_15;
     var phi_2502_: f32;
     var local_6: f32;
-    var phi_2491_: f32;
     var phi_2555_: f32;
     var phi_2582_: array<f32, 3>;
-    var phi_2589_: f32;
-    var phi_2596_: f32;
-    var phi_2604_: f32;
-    var phi_2622_: f32;
-    var phi_2628_: f32;
-    var phi_2633_: f32;
-    var phi_2639_: f32;
-    var phi_2644_: f32;
     var phi_2674_: type_14;
     var phi_2677_: f32;
-    var phi_2698_: bool;
-    var phi_2704_: type_15;
     var phi_2675_: type_14;
     var phi_2718_: type_15;
     var phi_2678_: f32;
     var local_7: f32;
-    var phi_2667_: f32;
     var phi_2731_: f32;
     var phi_2747_: array<f32, 3>;
     var phi_2748_: bool;
     var phi_2749_: array<f32, 3>;
     var phi_2750_: bool;
-    var phi_2905_: f32;
-    var phi_2912_: f32;
-    var phi_2917_: f32;
-    var phi_2924_: f32;
-    var phi_2929_: f32;
-    var phi_2936_: f32;
-    var phi_2943_: f32;
-    var phi_2948_: f32;
-    var phi_2955_: f32;
-    var phi_2960_: f32;
-    var phi_2965_: array<f32, 3>;
-    var phi_2972_: f32;
-    var phi_2979_: f32;
-    var phi_2984_: f32;
-    var phi_2991_: f32;
-    var phi_2996_: f32;
-    var phi_3007_: f32;
-    var phi_3014_: f32;
-    var phi_3021_: f32;
-    var phi_3031_: array<f32, 3>;
-    var phi_3032_: bool;
     var phi_3033_: array<f32, 3>;
     var phi_3034_: bool;
-    var phi_3044_: array<f32, 3>;
     var phi_3045_: array<f32, 3>;
-    var phi_3052_: f32;
-    var phi_3059_: f32;
-    var phi_3064_: f32;
-    var phi_3071_: f32;
-    var phi_3076_: f32;
     var phi_3109_: type_14;
     var phi_3112_: f32;
-    var phi_3133_: bool;
-    var phi_3139_: type_15;
     var phi_3110_: type_14;
     var phi_3153_: type_15;
     var phi_3113_: f32;
     var local_8: f32;
-    var phi_3102_: f32;
     var phi_3166_: f32;
-    var phi_3201_: f32;
-    var phi_3207_: f32;
-    var phi_3212_: f32;
-    var phi_3218_: f32;
-    var phi_3223_: f32;
     var phi_3253_: type_14;
     var phi_3256_: f32;
-    var phi_3277_: bool;
-    var phi_3283_: type_15;
     var phi_3254_: type_14;
     var phi_3297_: type_15;
     var phi_3257_: f32;
     var local_9: f32;
-    var phi_3246_: f32;
     var phi_3310_: f32;
     var phi_3327_: array<f32, 3>;
-    var phi_2762_: f32;
-    var phi_2768_: f32;
-    var phi_2773_: f32;
-    var phi_2779_: f32;
-    var phi_2784_: f32;
     var phi_2814_: type_14;
     var phi_2817_: f32;
-    var phi_2838_: bool;
-    var phi_2844_: type_15;
     var phi_2815_: type_14;
     var phi_2858_: type_15;
     var phi_2818_: f32;
     var local_10: f32;
-    var phi_2807_: f32;
     var phi_2871_: f32;
     var phi_3328_: array<f32, 3>;
-    var phi_3349_: array<f32, 3>;
     var phi_3350_: array<f32, 3>;
     var phi_3351_: bool;
     var phi_3352_: array<f32, 3>;
     var phi_3353_: array<f32, 3>;
     var phi_3354_: bool;
-    var phi_1506_: array<f32, 3>;
-    var phi_1513_: f32;
-    var phi_1520_: f32;
-    var phi_1525_: f32;
-    var phi_1532_: f32;
-    var phi_1537_: f32;
     var phi_1570_: type_14;
     var phi_1573_: f32;
-    var phi_1594_: bool;
-    var phi_1600_: type_15;
     var phi_1571_: type_14;
     var phi_1614_: type_15;
     var phi_1574_: f32;
     var local_11: f32;
-    var phi_1563_: f32;
     var phi_1627_: f32;
     var phi_1643_: array<f32, 3>;
     var phi_1644_: bool;
@@ -934,28 +543,17 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1646_: bool;
     var phi_1647_: array<f32, 3>;
     var phi_1648_: bool;
-    var phi_1657_: f32;
-    var phi_1663_: f32;
-    var phi_1668_: f32;
-    var phi_1674_: f32;
-    var phi_1679_: f32;
     var phi_1709_: type_14;
     var phi_1712_: f32;
-    var phi_1733_: bool;
-    var phi_1739_: type_15;
     var phi_1710_: type_14;
     var phi_1753_: type_15;
     var phi_1713_: f32;
     var local_12: f32;
-    var phi_1702_: f32;
     var phi_1766_: f32;
     var phi_1782_: array<f32, 3>;
     var phi_3358_: array<f32, 3>;
     var phi_3359_: array<f32, 3>;
     var phi_3360_: bool;
-    var phi_3364_: array<f32, 3>;
-    var phi_3381_: array<f32, 3>;
-    var phi_3409_: f32;
     var phi_3437_: array<f32, 3>;
     var phi_3438_: array<f32, 3>;
     var phi_3439_: array<f32, 4>;
@@ -966,2284 +564,1033 @@ fn function_12(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e55 = id_2;
-    let _e56 = n_2;
-    let _e57 = lane_2;
-    let _e68 = ((_e55.y * _e56.x) + _e55.x);
-    let _e71 = (_e56.x * _e56.y);
-    let _e74 = params.member.member_1.member_2;
-    let _e76 = contacts.member[0u];
-    if (_e74 < _e76) {
-        phi_185_ = _e74;
-    } else {
-        phi_185_ = _e76;
-    }
-    let _e79 = phi_185_;
-    let _e81 = params.member.member_1.member_1;
-    if (_e79 > _e81) {
-        let _e84 = params.member.member_1.member_1;
-        phi_195_ = (_e79 - _e84);
+    let _e53 = id_2;
+    let _e54 = n_2;
+    let _e55 = lane_2;
+    let _e66 = ((_e53.y * _e54.x) + _e53.x);
+    let _e69 = (_e54.x * _e54.y);
+    let _e72 = params.member.member_1.member_2;
+    let _e74 = contacts.member[0u];
+    let _e76 = select(_e74, _e72, (_e72 < _e74));
+    let _e78 = params.member.member_1.member_1;
+    if (_e76 > _e78) {
+        let _e81 = params.member.member_1.member_1;
+        phi_195_ = (_e76 - _e81);
     } else {
         phi_195_ = 0u;
     }
-    let _e87 = phi_195_;
-    let _e89 = params.member.member_1.member;
-    if (_e89 < _e87) {
-        phi_202_ = _e89;
-    } else {
-        phi_202_ = _e87;
-    }
-    let _e92 = phi_202_;
-    let _e93 = (_e92 / 64u);
-    if ((_e92 % 64u) > 0u) {
-        phi_218_ = (_e93 + 1u);
-    } else {
-        phi_218_ = _e93;
-    }
-    let _e98 = phi_218_;
-    if (_e98 > _e68) {
-        let _e100 = (_e98 - _e68);
-        if (_e71 == 0u) {
+    let _e84 = phi_195_;
+    let _e86 = params.member.member_1.member;
+    let _e88 = select(_e84, _e86, (_e86 < _e84));
+    let _e89 = (_e88 / 64u);
+    let _e93 = select(_e89, (_e89 + 1u), ((_e88 % 64u) > 0u));
+    if (_e93 > _e66) {
+        let _e95 = (_e93 - _e66);
+        if (_e69 == 0u) {
             return;
         }
-        let _e102 = (_e100 / _e71);
-        if (_e71 == 0u) {
+        let _e97 = (_e95 / _e69);
+        if (_e69 == 0u) {
             return;
         }
-        if ((_e100 % _e71) > 0u) {
-            phi_239_ = (_e102 + 1u);
-        } else {
-            phi_239_ = _e102;
-        }
-        let _e108 = phi_239_;
-        phi_240_ = _e108;
+        phi_240_ = select(_e97, (_e97 + 1u), ((_e95 % _e69) > 0u));
     } else {
         phi_240_ = 0u;
     }
-    let _e110 = phi_240_;
-    phi_243_ = type_9(0u, _e110);
+    let _e104 = phi_240_;
+    phi_243_ = type_9(0u, _e104);
     loop {
-        let _e113 = phi_243_;
-        if (_e113.member < _e113.member_1) {
-            phi_244_ = type_9((_e113.member + 1u), _e113.member_1);
-            phi_267_ = type_9(1u, _e113.member);
-        } else {
-            phi_244_ = _e113;
-            phi_267_ = type_9(0u, type_9().member_1);
-        }
-        let _e125 = phi_244_;
-        let _e127 = phi_267_;
-        let _e131 = (bitcast<i32>(_e127.member) != 0i);
-        if _e131 {
-            let _e135 = (((_e68 + (_e127.member_1 * _e71)) * 64u) + _e57);
-            if (_e135 < _e92) {
-                let _e139 = params.member.member_1.member_1;
-                let _e140 = (_e139 + _e135);
-                let _e141 = (7u * _e140);
-                let _e144 = contacts.member[(4u + _e141)];
-                let _e147 = contacts.member[(_e141 + 5u)];
-                let _e150 = contacts.member[(_e141 + 6u)];
-                let _e153 = contacts.member[(_e141 + 7u)];
-                let _e156 = contacts.member[(_e141 + 8u)];
-                let _e159 = contacts.member[(_e141 + 9u)];
-                if (_e144 == 0u) {
-                    let _e172 = faces.member[_e153];
-                    phi_410_ = type_23(0u, array<u32, 4>(_e150, _e172[0], _e172[1], _e172[2]));
+        let _e107 = phi_243_;
+        let _e110 = (_e107.member < _e107.member_1);
+        let _e123 = (bitcast<i32>(select(0u, 1u, _e110)) != 0i);
+        if _e123 {
+            let _e127 = (((_e66 + (select(type_9().member_1, _e107.member, _e110) * _e69)) * 64u) + _e55);
+            if (_e127 < _e88) {
+                let _e131 = params.member.member_1.member_1;
+                let _e132 = (_e131 + _e127);
+                let _e133 = (7u * _e132);
+                let _e136 = contacts.member[(4u + _e133)];
+                let _e139 = contacts.member[(_e133 + 5u)];
+                let _e142 = contacts.member[(_e133 + 6u)];
+                let _e145 = contacts.member[(_e133 + 7u)];
+                let _e148 = contacts.member[(_e133 + 8u)];
+                let _e151 = contacts.member[(_e133 + 9u)];
+                if (_e136 == 0u) {
+                    let _e164 = faces.member[_e145];
+                    phi_410_ = type_23(0u, array<u32, 4>(_e142, _e164[0], _e164[1], _e164[2]));
                 } else {
-                    let _e162 = edges.member[_e150];
-                    let _e164 = edges.member[_e153];
-                    phi_410_ = type_23(1u, array<u32, 4>(_e162[0], _e162[1], _e164[0], _e164[1]));
+                    let _e154 = edges.member[_e142];
+                    let _e156 = edges.member[_e145];
+                    phi_410_ = type_23(1u, array<u32, 4>(_e154[0], _e154[1], _e156[0], _e156[1]));
                 }
-                let _e179 = phi_410_;
-                let _e184 = paths.member[_e179.member_1[0]];
-                let _e187 = paths.member[_e179.member_1[1]];
-                let _e194 = paths.member[_e179.member_1[2]];
-                let _e197 = paths.member[_e179.member_1[3]];
-                local_1 = array<array<f32, 3>, 4>(array<f32, 3>(_e184.member[0], _e184.member[1], _e184.member[2]), array<f32, 3>(_e187.member[0], _e187.member[1], _e187.member[2]), array<f32, 3>(_e194.member[0], _e194.member[1], _e194.member[2]), array<f32, 3>(_e197.member[0], _e197.member[1], _e197.member[2]));
-                local_2 = array<array<f32, 3>, 4>(array<f32, 3>(_e184.member_1[0], _e184.member_1[1], _e184.member_1[2]), array<f32, 3>(_e187.member_1[0], _e187.member_1[1], _e187.member_1[2]), array<f32, 3>(_e194.member_1[0], _e194.member_1[1], _e194.member_1[2]), array<f32, 3>(_e197.member_1[0], _e197.member_1[1], _e197.member_1[2]));
-                let _e237 = (_e159 >> bitcast<u32>(20i));
-                if (_e237 <= 896u) {
-                    phi_553_ = 0u;
-                } else {
-                    phi_553_ = ((((_e237 - 896u) << bitcast<u32>(23i)) | ((_e159 & 1048575u) << bitcast<u32>(3i))) | (_e156 >> bitcast<u32>(29i)));
-                }
-                let _e250 = phi_553_;
-                if (_e250 < 1065353216u) {
-                    phi_559_ = bitcast<f32>(_e250);
-                } else {
-                    phi_559_ = 1f;
-                }
-                let _e254 = phi_559_;
-                let _e257 = params.member.member.member_4;
-                let _e258 = function_3(_e254, 1f);
-                if (_e179.member == 0u) {
-                    let _e260 = function_11((&local_1), (&local_2), _e258);
-                    phi_568_ = _e260;
+                let _e171 = phi_410_;
+                let _e176 = paths.member[_e171.member_1[0]];
+                let _e179 = paths.member[_e171.member_1[1]];
+                let _e186 = paths.member[_e171.member_1[2]];
+                let _e189 = paths.member[_e171.member_1[3]];
+                local_1 = array<array<f32, 3>, 4>(array<f32, 3>(_e176.member[0], _e176.member[1], _e176.member[2]), array<f32, 3>(_e179.member[0], _e179.member[1], _e179.member[2]), array<f32, 3>(_e186.member[0], _e186.member[1], _e186.member[2]), array<f32, 3>(_e189.member[0], _e189.member[1], _e189.member[2]));
+                local_2 = array<array<f32, 3>, 4>(array<f32, 3>(_e176.member_1[0], _e176.member_1[1], _e176.member_1[2]), array<f32, 3>(_e179.member_1[0], _e179.member_1[1], _e179.member_1[2]), array<f32, 3>(_e186.member_1[0], _e186.member_1[1], _e186.member_1[2]), array<f32, 3>(_e189.member_1[0], _e189.member_1[1], _e189.member_1[2]));
+                let _e229 = (_e151 >> bitcast<u32>(20i));
+                let _e241 = select(((((_e229 - 896u) << bitcast<u32>(23i)) | ((_e151 & 1048575u) << bitcast<u32>(3i))) | (_e148 >> bitcast<u32>(29i))), 0u, (_e229 <= 896u));
+                let _e247 = params.member.member.member_4;
+                let _e248 = function_3(select(1f, bitcast<f32>(_e241), (_e241 < 1065353216u)), 1f);
+                if (_e171.member == 0u) {
+                    let _e250 = function_11((&local_1), (&local_2), _e248);
+                    phi_568_ = _e250;
                 } else {
                     phi_568_ = 0u;
                 }
-                let _e262 = phi_568_;
-                let _e263 = function_10((&local_1), _e262);
-                let _e264 = function_10((&local_2), _e262);
-                if (_e179.member != 0u) {
-                    phi_729_ = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e263[2][0] - _e263[0][0]), (_e263[2][1] - _e263[0][1]), (_e263[2][2] - _e263[0][2])), array<f32, 3>((_e264[2][0] - _e264[0][0]), (_e264[2][1] - _e264[0][1]), (_e264[2][2] - _e264[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[1][0] - _e263[0][0]), (_e263[1][1] - _e263[0][1]), (_e263[1][2] - _e263[0][2])), array<f32, 3>((_e264[1][0] - _e264[0][0]), (_e264[1][1] - _e264[0][1]), (_e264[1][2] - _e264[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[2][0] - _e263[3][0]), (_e263[2][1] - _e263[3][1]), (_e263[2][2] - _e263[3][2])), array<f32, 3>((_e264[2][0] - _e264[3][0]), (_e264[2][1] - _e264[3][1]), (_e264[2][2] - _e264[3][2]))), (_e257 + _e257));
+                let _e252 = phi_568_;
+                let _e253 = function_10((&local_1), _e252);
+                let _e254 = function_10((&local_2), _e252);
+                if (_e171.member != 0u) {
+                    phi_729_ = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e253[2][0] - _e253[0][0]), (_e253[2][1] - _e253[0][1]), (_e253[2][2] - _e253[0][2])), array<f32, 3>((_e254[2][0] - _e254[0][0]), (_e254[2][1] - _e254[0][1]), (_e254[2][2] - _e254[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e253[1][0] - _e253[0][0]), (_e253[1][1] - _e253[0][1]), (_e253[1][2] - _e253[0][2])), array<f32, 3>((_e254[1][0] - _e254[0][0]), (_e254[1][1] - _e254[0][1]), (_e254[1][2] - _e254[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e253[2][0] - _e253[3][0]), (_e253[2][1] - _e253[3][1]), (_e253[2][2] - _e253[3][2])), array<f32, 3>((_e254[2][0] - _e254[3][0]), (_e254[2][1] - _e254[3][1]), (_e254[2][2] - _e254[3][2]))), (_e247 + _e247));
                 } else {
-                    phi_729_ = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e263[0][0] - _e263[1][0]), (_e263[0][1] - _e263[1][1]), (_e263[0][2] - _e263[1][2])), array<f32, 3>((_e264[0][0] - _e264[1][0]), (_e264[0][1] - _e264[1][1]), (_e264[0][2] - _e264[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[2][0] - _e263[1][0]), (_e263[2][1] - _e263[1][1]), (_e263[2][2] - _e263[1][2])), array<f32, 3>((_e264[2][0] - _e264[1][0]), (_e264[2][1] - _e264[1][1]), (_e264[2][2] - _e264[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e263[3][0] - _e263[1][0]), (_e263[3][1] - _e263[1][1]), (_e263[3][2] - _e263[1][2])), array<f32, 3>((_e264[3][0] - _e264[1][0]), (_e264[3][1] - _e264[1][1]), (_e264[3][2] - _e264[1][2]))), (_e257 + _e257));
+                    phi_729_ = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e253[0][0] - _e253[1][0]), (_e253[0][1] - _e253[1][1]), (_e253[0][2] - _e253[1][2])), array<f32, 3>((_e254[0][0] - _e254[1][0]), (_e254[0][1] - _e254[1][1]), (_e254[0][2] - _e254[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e253[2][0] - _e253[1][0]), (_e253[2][1] - _e253[1][1]), (_e253[2][2] - _e253[1][2])), array<f32, 3>((_e254[2][0] - _e254[1][0]), (_e254[2][1] - _e254[1][1]), (_e254[2][2] - _e254[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e253[3][0] - _e253[1][0]), (_e253[3][1] - _e253[1][1]), (_e253[3][2] - _e253[1][2])), array<f32, 3>((_e254[3][0] - _e254[1][0]), (_e254[3][1] - _e254[1][1]), (_e254[3][2] - _e254[1][2]))), (_e247 + _e247));
                 }
-                let _e421 = phi_729_;
-                let _e426 = function_9(_e421.member[0], _e421.member[1], _e258);
-                let _e431 = function_9(_e421.member_1[0], _e421.member_1[1], _e258);
-                let _e436 = function_9(_e421.member_2[0], _e421.member_2[1], _e258);
-                if (_e426[0] < 0f) {
-                    phi_745_ = -(_e426[0]);
-                } else {
-                    phi_745_ = _e426[0];
-                }
-                let _e441 = phi_745_;
-                if (_e426[1] < 0f) {
-                    phi_752_ = -(_e426[1]);
-                } else {
-                    phi_752_ = _e426[1];
-                }
-                let _e446 = phi_752_;
-                if (_e441 > _e446) {
-                    phi_757_ = _e441;
-                } else {
-                    phi_757_ = _e446;
-                }
-                let _e449 = phi_757_;
-                if (_e426[2] < 0f) {
-                    phi_764_ = -(_e426[2]);
-                } else {
-                    phi_764_ = _e426[2];
-                }
-                let _e454 = phi_764_;
-                if (_e449 > _e454) {
-                    phi_769_ = _e449;
-                } else {
-                    phi_769_ = _e454;
-                }
-                let _e457 = phi_769_;
-                if (_e431[0] < 0f) {
-                    phi_776_ = -(_e431[0]);
-                } else {
-                    phi_776_ = _e431[0];
-                }
-                let _e462 = phi_776_;
-                if (_e431[1] < 0f) {
-                    phi_783_ = -(_e431[1]);
-                } else {
-                    phi_783_ = _e431[1];
-                }
-                let _e467 = phi_783_;
-                if (_e462 > _e467) {
-                    phi_788_ = _e462;
-                } else {
-                    phi_788_ = _e467;
-                }
-                let _e470 = phi_788_;
-                if (_e431[2] < 0f) {
-                    phi_795_ = -(_e431[2]);
-                } else {
-                    phi_795_ = _e431[2];
-                }
-                let _e475 = phi_795_;
-                if (_e470 > _e475) {
-                    phi_800_ = _e470;
-                } else {
-                    phi_800_ = _e475;
-                }
-                let _e478 = phi_800_;
-                if (_e457 > _e478) {
-                    phi_805_ = _e457;
-                } else {
-                    phi_805_ = _e478;
-                }
-                let _e481 = phi_805_;
-                if (_e436[0] < 0f) {
-                    phi_812_ = -(_e436[0]);
-                } else {
-                    phi_812_ = _e436[0];
-                }
-                let _e486 = phi_812_;
-                if (_e436[1] < 0f) {
-                    phi_819_ = -(_e436[1]);
-                } else {
-                    phi_819_ = _e436[1];
-                }
-                let _e491 = phi_819_;
-                if (_e486 > _e491) {
-                    phi_824_ = _e486;
-                } else {
-                    phi_824_ = _e491;
-                }
-                let _e494 = phi_824_;
-                if (_e436[2] < 0f) {
-                    phi_831_ = -(_e436[2]);
-                } else {
-                    phi_831_ = _e436[2];
-                }
-                let _e499 = phi_831_;
-                if (_e494 > _e499) {
-                    phi_836_ = _e494;
-                } else {
-                    phi_836_ = _e499;
-                }
-                let _e502 = phi_836_;
-                if (_e481 > _e502) {
-                    phi_841_ = _e481;
-                } else {
-                    phi_841_ = _e502;
-                }
-                let _e505 = phi_841_;
-                let _e506 = function_8(_e505);
-                let _e514 = (_e431[0] * _e506);
-                let _e516 = (_e431[1] * _e506);
-                let _e518 = (_e431[2] * _e506);
-                let _e520 = (_e436[0] * _e506);
-                let _e522 = (_e436[1] * _e506);
-                let _e524 = (_e436[2] * _e506);
-                if (_e421.member[0][0] < 0f) {
-                    phi_871_ = -(_e421.member[0][0]);
-                } else {
-                    phi_871_ = _e421.member[0][0];
-                }
-                let _e531 = phi_871_;
-                if (_e421.member[0][1] < 0f) {
-                    phi_878_ = -(_e421.member[0][1]);
-                } else {
-                    phi_878_ = _e421.member[0][1];
-                }
-                let _e536 = phi_878_;
-                if (_e531 > _e536) {
-                    phi_883_ = _e531;
-                } else {
-                    phi_883_ = _e536;
-                }
-                let _e539 = phi_883_;
-                if (_e421.member[0][2] < 0f) {
-                    phi_890_ = -(_e421.member[0][2]);
-                } else {
-                    phi_890_ = _e421.member[0][2];
-                }
-                let _e544 = phi_890_;
-                if (_e539 > _e544) {
-                    phi_895_ = _e539;
-                } else {
-                    phi_895_ = _e544;
-                }
-                let _e547 = phi_895_;
-                if (_e421.member[1][0] < 0f) {
-                    phi_903_ = -(_e421.member[1][0]);
-                } else {
-                    phi_903_ = _e421.member[1][0];
-                }
-                let _e554 = phi_903_;
-                if (_e421.member[1][1] < 0f) {
-                    phi_910_ = -(_e421.member[1][1]);
-                } else {
-                    phi_910_ = _e421.member[1][1];
-                }
-                let _e559 = phi_910_;
-                if (_e554 > _e559) {
-                    phi_915_ = _e554;
-                } else {
-                    phi_915_ = _e559;
-                }
-                let _e562 = phi_915_;
-                if (_e421.member[1][2] < 0f) {
-                    phi_922_ = -(_e421.member[1][2]);
-                } else {
-                    phi_922_ = _e421.member[1][2];
-                }
-                let _e567 = phi_922_;
-                if (_e562 > _e567) {
-                    phi_927_ = _e562;
-                } else {
-                    phi_927_ = _e567;
-                }
-                let _e570 = phi_927_;
-                if (_e547 > _e570) {
-                    phi_932_ = _e547;
-                } else {
-                    phi_932_ = _e570;
-                }
-                let _e573 = phi_932_;
-                if (_e421.member_1[0][0] < 0f) {
-                    phi_942_ = -(_e421.member_1[0][0]);
-                } else {
-                    phi_942_ = _e421.member_1[0][0];
-                }
-                let _e582 = phi_942_;
-                if (_e421.member_1[0][1] < 0f) {
-                    phi_949_ = -(_e421.member_1[0][1]);
-                } else {
-                    phi_949_ = _e421.member_1[0][1];
-                }
-                let _e587 = phi_949_;
-                if (_e582 > _e587) {
-                    phi_954_ = _e582;
-                } else {
-                    phi_954_ = _e587;
-                }
-                let _e590 = phi_954_;
-                if (_e421.member_1[0][2] < 0f) {
-                    phi_961_ = -(_e421.member_1[0][2]);
-                } else {
-                    phi_961_ = _e421.member_1[0][2];
-                }
-                let _e595 = phi_961_;
-                if (_e590 > _e595) {
-                    phi_966_ = _e590;
-                } else {
-                    phi_966_ = _e595;
-                }
-                let _e598 = phi_966_;
-                if (_e421.member_1[1][0] < 0f) {
-                    phi_974_ = -(_e421.member_1[1][0]);
-                } else {
-                    phi_974_ = _e421.member_1[1][0];
-                }
-                let _e605 = phi_974_;
-                if (_e421.member_1[1][1] < 0f) {
-                    phi_981_ = -(_e421.member_1[1][1]);
-                } else {
-                    phi_981_ = _e421.member_1[1][1];
-                }
-                let _e610 = phi_981_;
-                if (_e605 > _e610) {
-                    phi_986_ = _e605;
-                } else {
-                    phi_986_ = _e610;
-                }
-                let _e613 = phi_986_;
-                if (_e421.member_1[1][2] < 0f) {
-                    phi_993_ = -(_e421.member_1[1][2]);
-                } else {
-                    phi_993_ = _e421.member_1[1][2];
-                }
-                let _e618 = phi_993_;
-                if (_e613 > _e618) {
-                    phi_998_ = _e613;
-                } else {
-                    phi_998_ = _e618;
-                }
-                let _e621 = phi_998_;
-                if (_e598 > _e621) {
-                    phi_1003_ = _e598;
-                } else {
-                    phi_1003_ = _e621;
-                }
-                let _e624 = phi_1003_;
-                let _e626 = (_e624 + _e421.member_3);
-                if (_e421.member_2[0][0] < 0f) {
-                    phi_1013_ = -(_e421.member_2[0][0]);
-                } else {
-                    phi_1013_ = _e421.member_2[0][0];
-                }
-                let _e633 = phi_1013_;
-                if (_e421.member_2[0][1] < 0f) {
-                    phi_1020_ = -(_e421.member_2[0][1]);
-                } else {
-                    phi_1020_ = _e421.member_2[0][1];
-                }
-                let _e638 = phi_1020_;
-                if (_e633 > _e638) {
-                    phi_1025_ = _e633;
-                } else {
-                    phi_1025_ = _e638;
-                }
-                let _e641 = phi_1025_;
-                if (_e421.member_2[0][2] < 0f) {
-                    phi_1032_ = -(_e421.member_2[0][2]);
-                } else {
-                    phi_1032_ = _e421.member_2[0][2];
-                }
-                let _e646 = phi_1032_;
-                if (_e641 > _e646) {
-                    phi_1037_ = _e641;
-                } else {
-                    phi_1037_ = _e646;
-                }
-                let _e649 = phi_1037_;
-                if (_e421.member_2[1][0] < 0f) {
-                    phi_1045_ = -(_e421.member_2[1][0]);
-                } else {
-                    phi_1045_ = _e421.member_2[1][0];
-                }
-                let _e656 = phi_1045_;
-                if (_e421.member_2[1][1] < 0f) {
-                    phi_1052_ = -(_e421.member_2[1][1]);
-                } else {
-                    phi_1052_ = _e421.member_2[1][1];
-                }
-                let _e661 = phi_1052_;
-                if (_e656 > _e661) {
-                    phi_1057_ = _e656;
-                } else {
-                    phi_1057_ = _e661;
-                }
-                let _e664 = phi_1057_;
-                if (_e421.member_2[1][2] < 0f) {
-                    phi_1064_ = -(_e421.member_2[1][2]);
-                } else {
-                    phi_1064_ = _e421.member_2[1][2];
-                }
-                let _e669 = phi_1064_;
-                if (_e664 > _e669) {
-                    phi_1069_ = _e664;
-                } else {
-                    phi_1069_ = _e669;
-                }
-                let _e672 = phi_1069_;
-                if (_e649 > _e672) {
-                    phi_1074_ = _e649;
-                } else {
-                    phi_1074_ = _e672;
-                }
-                let _e675 = phi_1074_;
-                let _e677 = (_e675 + _e421.member_3);
-                let _e678 = (0.000000059604645f * 16f);
-                let _e680 = (_e421.member_3 * 4f);
-                let _e688 = ((_e516 * _e524) - (_e518 * _e522));
-                let _e691 = ((_e518 * _e520) - (_e514 * _e524));
-                let _e694 = ((_e514 * _e522) - (_e516 * _e520));
-                if (_e520 < 0f) {
-                    phi_1105_ = -(_e520);
-                } else {
-                    phi_1105_ = _e520;
-                }
-                let _e703 = phi_1105_;
-                if (_e522 < 0f) {
-                    phi_1111_ = -(_e522);
-                } else {
-                    phi_1111_ = _e522;
-                }
-                let _e707 = phi_1111_;
-                if (_e703 > _e707) {
-                    phi_1116_ = _e703;
-                } else {
-                    phi_1116_ = _e707;
-                }
-                let _e710 = phi_1116_;
-                if (_e524 < 0f) {
-                    phi_1122_ = -(_e524);
-                } else {
-                    phi_1122_ = _e524;
-                }
-                let _e714 = phi_1122_;
-                if (_e710 > _e714) {
-                    phi_1127_ = _e710;
-                } else {
-                    phi_1127_ = _e714;
-                }
-                let _e717 = phi_1127_;
-                if (_e514 < 0f) {
-                    phi_1135_ = -(_e514);
-                } else {
-                    phi_1135_ = _e514;
-                }
-                let _e723 = phi_1135_;
-                if (_e516 < 0f) {
-                    phi_1141_ = -(_e516);
-                } else {
-                    phi_1141_ = _e516;
-                }
-                let _e727 = phi_1141_;
-                if (_e723 > _e727) {
-                    phi_1146_ = _e723;
-                } else {
-                    phi_1146_ = _e727;
-                }
-                let _e730 = phi_1146_;
-                if (_e518 < 0f) {
-                    phi_1152_ = -(_e518);
-                } else {
-                    phi_1152_ = _e518;
-                }
-                let _e734 = phi_1152_;
-                if (_e730 > _e734) {
-                    phi_1157_ = _e730;
-                } else {
-                    phi_1157_ = _e734;
-                }
-                let _e737 = phi_1157_;
-                let _e739 = (((((_e626 * _e678) + _e680) * _e506) * _e717) + ((((_e677 * _e678) + _e680) * _e506) * _e737));
-                let _e744 = (((_e688 * _e688) + (_e691 * _e691)) + (_e694 * _e694));
-                if (_e744 <= 0.000000000000000000000000000000000000011754944f) {
-                    if (_e744 > 0f) {
-                        phi_1178_ = (0.000000000000000000106433627f * 2f);
-                    } else {
-                        phi_1178_ = 0f;
-                    }
-                    let _e797 = phi_1178_;
-                    phi_1242_ = _e797;
+                let _e411 = phi_729_;
+                let _e416 = function_9(_e411.member[0], _e411.member[1], _e248);
+                let _e421 = function_9(_e411.member_1[0], _e411.member_1[1], _e248);
+                let _e426 = function_9(_e411.member_2[0], _e411.member_2[1], _e248);
+                let _e430 = select(_e416[0], -(_e416[0]), (_e416[0] < 0f));
+                let _e434 = select(_e416[1], -(_e416[1]), (_e416[1] < 0f));
+                let _e436 = select(_e434, _e430, (_e430 > _e434));
+                let _e440 = select(_e416[2], -(_e416[2]), (_e416[2] < 0f));
+                let _e442 = select(_e440, _e436, (_e436 > _e440));
+                let _e446 = select(_e421[0], -(_e421[0]), (_e421[0] < 0f));
+                let _e450 = select(_e421[1], -(_e421[1]), (_e421[1] < 0f));
+                let _e452 = select(_e450, _e446, (_e446 > _e450));
+                let _e456 = select(_e421[2], -(_e421[2]), (_e421[2] < 0f));
+                let _e458 = select(_e456, _e452, (_e452 > _e456));
+                let _e460 = select(_e458, _e442, (_e442 > _e458));
+                let _e464 = select(_e426[0], -(_e426[0]), (_e426[0] < 0f));
+                let _e468 = select(_e426[1], -(_e426[1]), (_e426[1] < 0f));
+                let _e470 = select(_e468, _e464, (_e464 > _e468));
+                let _e474 = select(_e426[2], -(_e426[2]), (_e426[2] < 0f));
+                let _e476 = select(_e474, _e470, (_e470 > _e474));
+                let _e479 = function_8(select(_e476, _e460, (_e460 > _e476)));
+                let _e487 = (_e421[0] * _e479);
+                let _e489 = (_e421[1] * _e479);
+                let _e491 = (_e421[2] * _e479);
+                let _e493 = (_e426[0] * _e479);
+                let _e495 = (_e426[1] * _e479);
+                let _e497 = (_e426[2] * _e479);
+                let _e503 = select(_e411.member[0][0], -(_e411.member[0][0]), (_e411.member[0][0] < 0f));
+                let _e507 = select(_e411.member[0][1], -(_e411.member[0][1]), (_e411.member[0][1] < 0f));
+                let _e509 = select(_e507, _e503, (_e503 > _e507));
+                let _e513 = select(_e411.member[0][2], -(_e411.member[0][2]), (_e411.member[0][2] < 0f));
+                let _e515 = select(_e513, _e509, (_e509 > _e513));
+                let _e521 = select(_e411.member[1][0], -(_e411.member[1][0]), (_e411.member[1][0] < 0f));
+                let _e525 = select(_e411.member[1][1], -(_e411.member[1][1]), (_e411.member[1][1] < 0f));
+                let _e527 = select(_e525, _e521, (_e521 > _e525));
+                let _e531 = select(_e411.member[1][2], -(_e411.member[1][2]), (_e411.member[1][2] < 0f));
+                let _e533 = select(_e531, _e527, (_e527 > _e531));
+                let _e543 = select(_e411.member_1[0][0], -(_e411.member_1[0][0]), (_e411.member_1[0][0] < 0f));
+                let _e547 = select(_e411.member_1[0][1], -(_e411.member_1[0][1]), (_e411.member_1[0][1] < 0f));
+                let _e549 = select(_e547, _e543, (_e543 > _e547));
+                let _e553 = select(_e411.member_1[0][2], -(_e411.member_1[0][2]), (_e411.member_1[0][2] < 0f));
+                let _e555 = select(_e553, _e549, (_e549 > _e553));
+                let _e561 = select(_e411.member_1[1][0], -(_e411.member_1[1][0]), (_e411.member_1[1][0] < 0f));
+                let _e565 = select(_e411.member_1[1][1], -(_e411.member_1[1][1]), (_e411.member_1[1][1] < 0f));
+                let _e567 = select(_e565, _e561, (_e561 > _e565));
+                let _e571 = select(_e411.member_1[1][2], -(_e411.member_1[1][2]), (_e411.member_1[1][2] < 0f));
+                let _e573 = select(_e571, _e567, (_e567 > _e571));
+                let _e577 = (select(_e573, _e555, (_e555 > _e573)) + _e411.member_3);
+                let _e583 = select(_e411.member_2[0][0], -(_e411.member_2[0][0]), (_e411.member_2[0][0] < 0f));
+                let _e587 = select(_e411.member_2[0][1], -(_e411.member_2[0][1]), (_e411.member_2[0][1] < 0f));
+                let _e589 = select(_e587, _e583, (_e583 > _e587));
+                let _e593 = select(_e411.member_2[0][2], -(_e411.member_2[0][2]), (_e411.member_2[0][2] < 0f));
+                let _e595 = select(_e593, _e589, (_e589 > _e593));
+                let _e601 = select(_e411.member_2[1][0], -(_e411.member_2[1][0]), (_e411.member_2[1][0] < 0f));
+                let _e605 = select(_e411.member_2[1][1], -(_e411.member_2[1][1]), (_e411.member_2[1][1] < 0f));
+                let _e607 = select(_e605, _e601, (_e601 > _e605));
+                let _e611 = select(_e411.member_2[1][2], -(_e411.member_2[1][2]), (_e411.member_2[1][2] < 0f));
+                let _e613 = select(_e611, _e607, (_e607 > _e611));
+                let _e617 = (select(_e613, _e595, (_e595 > _e613)) + _e411.member_3);
+                let _e618 = (0.000000059604645f * 16f);
+                let _e620 = (_e411.member_3 * 4f);
+                let _e628 = ((_e489 * _e497) - (_e491 * _e495));
+                let _e631 = ((_e491 * _e493) - (_e487 * _e497));
+                let _e634 = ((_e487 * _e495) - (_e489 * _e493));
+                let _e642 = select(_e493, -(_e493), (_e493 < 0f));
+                let _e645 = select(_e495, -(_e495), (_e495 < 0f));
+                let _e647 = select(_e645, _e642, (_e642 > _e645));
+                let _e650 = select(_e497, -(_e497), (_e497 < 0f));
+                let _e657 = select(_e487, -(_e487), (_e487 < 0f));
+                let _e660 = select(_e489, -(_e489), (_e489 < 0f));
+                let _e662 = select(_e660, _e657, (_e657 > _e660));
+                let _e665 = select(_e491, -(_e491), (_e491 < 0f));
+                let _e669 = (((((_e577 * _e618) + _e620) * _e479) * select(_e650, _e647, (_e647 > _e650))) + ((((_e617 * _e618) + _e620) * _e479) * select(_e665, _e662, (_e662 > _e665))));
+                let _e674 = (((_e628 * _e628) + (_e631 * _e631)) + (_e634 * _e634));
+                if (_e674 <= 0.000000000000000000000000000000000000011754944f) {
+                    phi_1242_ = select(0f, (0.000000000000000000106433627f * 2f), (_e674 > 0f));
                 } else {
                     phi_1185_ = type_14(0i, 5i);
-                    phi_1188_ = bitcast<f32>(((bitcast<u32>(_e744) >> bitcast<u32>(1i)) + 532369198u));
+                    phi_1188_ = bitcast<f32>(((bitcast<u32>(_e674) >> bitcast<u32>(1i)) + 532369198u));
                     loop {
-                        let _e752 = phi_1185_;
-                        let _e754 = phi_1188_;
-                        local_3 = _e754;
-                        if (_e752.member < _e752.member_1) {
-                            let _e761 = (_e752.member + 1i);
-                            if ((false == (_e761 > _e752.member)) != false) {
-                                phi_1209_ = true;
-                            } else {
-                                phi_1209_ = false;
-                            }
-                            let _e766 = phi_1209_;
-                            if _e766 {
-                                phi_1215_ = type_15(0u, type_15().member_1);
-                            } else {
-                                phi_1215_ = type_15(1u, _e761);
-                            }
-                            let _e771 = phi_1215_;
-                            phi_1186_ = type_14(_e771.member_1, _e752.member_1);
-                            phi_1229_ = type_15(1u, _e752.member);
+                        let _e682 = phi_1185_;
+                        let _e684 = phi_1188_;
+                        local_3 = _e684;
+                        if (_e682.member < _e682.member_1) {
+                            let _e691 = (_e682.member + 1i);
+                            phi_1186_ = type_14(select(_e691, type_15().member_1, select(false, true, ((false == (_e691 > _e682.member)) != false))), _e682.member_1);
+                            phi_1229_ = type_15(1u, _e682.member);
                         } else {
-                            phi_1186_ = _e752;
+                            phi_1186_ = _e682;
                             phi_1229_ = type_15(0u, type_15().member_1);
                         }
-                        let _e777 = phi_1186_;
-                        let _e779 = phi_1229_;
-                        let _e782 = (bitcast<i32>(_e779.member) != 0i);
-                        if _e782 {
-                            phi_1189_ = (0.5f * (_e754 + (_e744 / _e754)));
+                        let _e702 = phi_1186_;
+                        let _e704 = phi_1229_;
+                        let _e707 = (bitcast<i32>(_e704.member) != 0i);
+                        if _e707 {
+                            phi_1189_ = (0.5f * (_e684 + (_e674 / _e684)));
                         } else {
                             phi_1189_ = f32();
                         }
-                        let _e787 = phi_1189_;
+                        let _e712 = phi_1189_;
                         continue;
                         continuing {
-                            phi_1185_ = _e777;
-                            phi_1188_ = _e787;
-                            break if !(_e782);
+                            phi_1185_ = _e702;
+                            phi_1188_ = _e712;
+                            break if !(_e707);
                         }
                     }
-                    let _e792 = local_3;
-                    phi_1242_ = (_e792 * (1f + (8f * 0.000000059604645f)));
+                    let _e717 = local_3;
+                    phi_1242_ = (_e717 * (1f + (8f * 0.000000059604645f)));
                 }
-                let _e799 = phi_1242_;
-                if (_e799 > 0f) {
-                    phi_1250_ = ((_e799 + (_e744 / _e799)) * 0.5f);
+                let _e723 = phi_1242_;
+                if (_e723 > 0f) {
+                    phi_1250_ = ((_e723 + (_e674 / _e723)) * 0.5f);
                 } else {
-                    phi_1250_ = _e799;
+                    phi_1250_ = _e723;
                 }
-                let _e805 = phi_1250_;
-                if (_e805 > _e739) {
-                    phi_1255_ = _e805;
-                } else {
-                    phi_1255_ = 0f;
-                }
-                let _e808 = phi_1255_;
-                local = type_26(array<f32, 3>((_e426[0] * _e506), (_e426[1] * _e506), (_e426[2] * _e506)), array<f32, 3>(_e514, _e516, _e518), array<f32, 3>(_e520, _e522, _e524), array<f32, 3>(_e688, _e691, _e694), _e808, _e739, ((((((_e573 + _e421.member_3) + _e626) + _e677) * _e678) + _e680) * _e506));
-                let _e814 = function_7((&local), _e179.member);
-                if (_e814.member_3 <= 0.000000000000000000000000000000000000011754944f) {
-                    if (_e814.member_3 > 0f) {
-                        phi_1298_ = (0.000000000000000000106433627f * 2f);
-                    } else {
-                        phi_1298_ = 0f;
-                    }
-                    let _e870 = phi_1298_;
-                    phi_1362_ = _e870;
+                let _e729 = phi_1250_;
+                local = type_26(array<f32, 3>((_e416[0] * _e479), (_e416[1] * _e479), (_e416[2] * _e479)), array<f32, 3>(_e487, _e489, _e491), array<f32, 3>(_e493, _e495, _e497), array<f32, 3>(_e628, _e631, _e634), select(0f, _e729, (_e729 > _e669)), _e669, ((((((select(_e533, _e515, (_e515 > _e533)) + _e411.member_3) + _e577) + _e617) * _e618) + _e620) * _e479));
+                let _e737 = function_7((&local), _e171.member);
+                if (_e737.member_3 <= 0.000000000000000000000000000000000000011754944f) {
+                    phi_1362_ = select(0f, (0.000000000000000000106433627f * 2f), (_e737.member_3 > 0f));
                 } else {
                     phi_1305_ = type_14(0i, 5i);
-                    phi_1308_ = bitcast<f32>(((bitcast<u32>(_e814.member_3) >> bitcast<u32>(1i)) + 532369198u));
+                    phi_1308_ = bitcast<f32>(((bitcast<u32>(_e737.member_3) >> bitcast<u32>(1i)) + 532369198u));
                     loop {
-                        let _e825 = phi_1305_;
-                        let _e827 = phi_1308_;
-                        local_4 = _e827;
-                        if (_e825.member < _e825.member_1) {
-                            let _e834 = (_e825.member + 1i);
-                            if ((false == (_e834 > _e825.member)) != false) {
-                                phi_1329_ = true;
-                            } else {
-                                phi_1329_ = false;
-                            }
-                            let _e839 = phi_1329_;
-                            if _e839 {
-                                phi_1335_ = type_15(0u, type_15().member_1);
-                            } else {
-                                phi_1335_ = type_15(1u, _e834);
-                            }
-                            let _e844 = phi_1335_;
-                            phi_1306_ = type_14(_e844.member_1, _e825.member_1);
-                            phi_1349_ = type_15(1u, _e825.member);
+                        let _e748 = phi_1305_;
+                        let _e750 = phi_1308_;
+                        local_4 = _e750;
+                        if (_e748.member < _e748.member_1) {
+                            let _e757 = (_e748.member + 1i);
+                            phi_1306_ = type_14(select(_e757, type_15().member_1, select(false, true, ((false == (_e757 > _e748.member)) != false))), _e748.member_1);
+                            phi_1349_ = type_15(1u, _e748.member);
                         } else {
-                            phi_1306_ = _e825;
+                            phi_1306_ = _e748;
                             phi_1349_ = type_15(0u, type_15().member_1);
                         }
-                        let _e850 = phi_1306_;
-                        let _e852 = phi_1349_;
-                        let _e855 = (bitcast<i32>(_e852.member) != 0i);
-                        if _e855 {
-                            phi_1309_ = (0.5f * (_e827 + (_e814.member_3 / _e827)));
+                        let _e768 = phi_1306_;
+                        let _e770 = phi_1349_;
+                        let _e773 = (bitcast<i32>(_e770.member) != 0i);
+                        if _e773 {
+                            phi_1309_ = (0.5f * (_e750 + (_e737.member_3 / _e750)));
                         } else {
                             phi_1309_ = f32();
                         }
-                        let _e860 = phi_1309_;
+                        let _e778 = phi_1309_;
                         continue;
                         continuing {
-                            phi_1305_ = _e850;
-                            phi_1308_ = _e860;
-                            break if !(_e855);
+                            phi_1305_ = _e768;
+                            phi_1308_ = _e778;
+                            break if !(_e773);
                         }
                     }
-                    let _e865 = local_4;
-                    phi_1362_ = (_e865 * (1f + (8f * 0.000000059604645f)));
+                    let _e783 = local_4;
+                    phi_1362_ = (_e783 * (1f + (8f * 0.000000059604645f)));
                 }
-                let _e872 = phi_1362_;
-                if (_e872 > 0f) {
-                    phi_1370_ = ((_e872 + (_e814.member_3 / _e872)) * 0.5f);
+                let _e789 = phi_1362_;
+                if (_e789 > 0f) {
+                    phi_1370_ = ((_e789 + (_e737.member_3 / _e789)) * 0.5f);
                 } else {
-                    phi_1370_ = _e872;
+                    phi_1370_ = _e789;
                 }
-                let _e878 = phi_1370_;
-                if (_e179.member == 0u) {
-                    phi_1376_ = 1f;
-                } else {
-                    phi_1376_ = -(1f);
-                }
-                let _e882 = phi_1376_;
-                let _e884 = function_1(_e421.member);
-                let _e886 = function_1(_e421.member_1);
-                let _e900 = function_1(_e421.member_2);
-                let _e910 = (((_e884[0] - (_e886[0] * _e814.member)) - (_e900[0] * _e814.member_1)) * _e882);
-                let _e911 = (((_e884[1] - (_e886[1] * _e814.member)) - (_e900[1] * _e814.member_1)) * _e882);
-                let _e912 = (((_e884[2] - (_e886[2] * _e814.member)) - (_e900[2] * _e814.member_1)) * _e882);
-                if (_e814.member > 0f) {
-                    phi_1415_ = (_e814.member < 1f);
-                } else {
-                    phi_1415_ = false;
-                }
-                let _e919 = phi_1415_;
-                if (_e814.member_1 > 0f) {
-                    phi_1421_ = (_e814.member_1 < 1f);
-                } else {
-                    phi_1421_ = false;
-                }
-                let _e923 = phi_1421_;
-                let _e924 = (_e882 > 0f);
-                if _e919 {
-                    if _e923 {
-                        if _e924 {
-                            phi_1436_ = ((_e814.member + _e814.member_1) < (1f - (0.000000059604645f * 4f)));
-                        } else {
-                            phi_1436_ = true;
-                        }
-                        let _e930 = phi_1436_;
-                        phi_1437_ = _e930;
-                        phi_1438_ = false;
-                    } else {
-                        phi_1437_ = bool();
-                        phi_1438_ = true;
-                    }
-                    let _e932 = phi_1437_;
-                    let _e934 = phi_1438_;
-                    phi_1439_ = _e932;
-                    phi_1440_ = _e934;
-                } else {
-                    phi_1439_ = bool();
-                    phi_1440_ = true;
-                }
-                let _e936 = phi_1439_;
-                let _e938 = phi_1440_;
-                if _e938 {
-                    phi_1444_ = false;
-                } else {
-                    phi_1444_ = _e936;
-                }
-                let _e940 = phi_1444_;
-                let _e942 = local.member_4;
-                let _e943 = (_e942 > 0f);
-                let _e945 = local.member_3;
-                let _e949 = (_e945[0] * _e882);
-                let _e950 = (_e945[1] * _e882);
-                let _e951 = (_e945[2] * _e882);
-                let _e954 = local.member_6;
-                if (_e878 > _e954) {
-                    let _e2110 = (_e814.member_2[0] * _e882);
-                    let _e2112 = (_e814.member_2[1] * _e882);
-                    let _e2114 = (_e814.member_2[2] * _e882);
-                    if _e943 {
-                        if _e940 {
-                            let _e2116 = local.member_5;
-                            let _e2119 = local.member_6;
-                            let _e2121 = local.member_4;
-                            if ((_e2116 * _e878) <= (_e2119 * _e2121)) {
-                                if ((((_e2110 * _e949) + (_e2112 * _e950)) + (_e2114 * _e951)) >= 0f) {
-                                    phi_1506_ = array<f32, 3>(_e949, _e950, _e951);
-                                } else {
-                                    let _e2130 = -(1f);
-                                    phi_1506_ = array<f32, 3>((_e949 * _e2130), (_e950 * _e2130), (_e951 * _e2130));
-                                }
-                                let _e2136 = phi_1506_;
-                                if (_e2136[0] < 0f) {
-                                    phi_1513_ = -(_e2136[0]);
-                                } else {
-                                    phi_1513_ = _e2136[0];
-                                }
-                                let _e2141 = phi_1513_;
-                                if (_e2136[1] < 0f) {
-                                    phi_1520_ = -(_e2136[1]);
-                                } else {
-                                    phi_1520_ = _e2136[1];
-                                }
-                                let _e2146 = phi_1520_;
-                                if (_e2141 > _e2146) {
-                                    phi_1525_ = _e2141;
-                                } else {
-                                    phi_1525_ = _e2146;
-                                }
-                                let _e2149 = phi_1525_;
-                                if (_e2136[2] < 0f) {
-                                    phi_1532_ = -(_e2136[2]);
-                                } else {
-                                    phi_1532_ = _e2136[2];
-                                }
-                                let _e2154 = phi_1532_;
-                                if (_e2149 > _e2154) {
-                                    phi_1537_ = _e2149;
-                                } else {
-                                    phi_1537_ = _e2154;
-                                }
-                                let _e2157 = phi_1537_;
-                                let _e2158 = function_8(_e2157);
-                                let _e2160 = (_e2136[0] * _e2158);
-                                let _e2162 = (_e2136[1] * _e2158);
-                                let _e2164 = (_e2136[2] * _e2158);
-                                let _e2169 = (((_e2160 * _e2160) + (_e2162 * _e2162)) + (_e2164 * _e2164));
-                                if (_e2169 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e2169 > 0f) {
-                                        phi_1563_ = (0.000000000000000000106433627f * 2f);
-                                    } else {
-                                        phi_1563_ = 0f;
-                                    }
-                                    let _e2222 = phi_1563_;
-                                    phi_1627_ = _e2222;
+                let _e795 = phi_1370_;
+                let _e798 = select(-(1f), 1f, (_e171.member == 0u));
+                let _e800 = function_1(_e411.member);
+                let _e802 = function_1(_e411.member_1);
+                let _e816 = function_1(_e411.member_2);
+                let _e826 = (((_e800[0] - (_e802[0] * _e737.member)) - (_e816[0] * _e737.member_1)) * _e798);
+                let _e827 = (((_e800[1] - (_e802[1] * _e737.member)) - (_e816[1] * _e737.member_1)) * _e798);
+                let _e828 = (((_e800[2] - (_e802[2] * _e737.member)) - (_e816[2] * _e737.member_1)) * _e798);
+                let _e834 = select(false, (_e737.member < 1f), (_e737.member > 0f));
+                let _e837 = select(false, (_e737.member_1 < 1f), (_e737.member_1 > 0f));
+                let _e838 = (_e798 > 0f);
+                let _e848 = select(select(bool(), select(bool(), select(true, ((_e737.member + _e737.member_1) < (1f - (0.000000059604645f * 4f))), _e838), _e837), _e834), false, select(true, select(true, false, _e837), _e834));
+                let _e850 = local.member_4;
+                let _e851 = (_e850 > 0f);
+                let _e853 = local.member_3;
+                let _e857 = (_e853[0] * _e798);
+                let _e858 = (_e853[1] * _e798);
+                let _e859 = (_e853[2] * _e798);
+                let _e861 = local.member_6;
+                if (_e795 > _e861) {
+                    let _e1861 = (_e737.member_2[0] * _e798);
+                    let _e1863 = (_e737.member_2[1] * _e798);
+                    let _e1865 = (_e737.member_2[2] * _e798);
+                    if _e851 {
+                        if _e848 {
+                            let _e1867 = local.member_5;
+                            let _e1870 = local.member_6;
+                            let _e1872 = local.member_4;
+                            if ((_e1867 * _e795) <= (_e1870 * _e1872)) {
+                                let _e1880 = ((((_e1861 * _e857) + (_e1863 * _e858)) + (_e1865 * _e859)) >= 0f);
+                                let _e1881 = -(1f);
+                                let _e1885 = select((_e857 * _e1881), _e857, _e1880);
+                                let _e1886 = select((_e858 * _e1881), _e858, _e1880);
+                                let _e1887 = select((_e859 * _e1881), _e859, _e1880);
+                                let _e1890 = select(_e1885, -(_e1885), (_e1885 < 0f));
+                                let _e1893 = select(_e1886, -(_e1886), (_e1886 < 0f));
+                                let _e1895 = select(_e1893, _e1890, (_e1890 > _e1893));
+                                let _e1898 = select(_e1887, -(_e1887), (_e1887 < 0f));
+                                let _e1901 = function_8(select(_e1898, _e1895, (_e1895 > _e1898)));
+                                let _e1902 = (_e1885 * _e1901);
+                                let _e1903 = (_e1886 * _e1901);
+                                let _e1904 = (_e1887 * _e1901);
+                                let _e1909 = (((_e1902 * _e1902) + (_e1903 * _e1903)) + (_e1904 * _e1904));
+                                if (_e1909 <= 0.000000000000000000000000000000000000011754944f) {
+                                    phi_1627_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1909 > 0f));
                                 } else {
                                     phi_1570_ = type_14(0i, 5i);
-                                    phi_1573_ = bitcast<f32>(((bitcast<u32>(_e2169) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_1573_ = bitcast<f32>(((bitcast<u32>(_e1909) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e2177 = phi_1570_;
-                                        let _e2179 = phi_1573_;
-                                        local_11 = _e2179;
-                                        if (_e2177.member < _e2177.member_1) {
-                                            let _e2186 = (_e2177.member + 1i);
-                                            if ((false == (_e2186 > _e2177.member)) != false) {
-                                                phi_1594_ = true;
-                                            } else {
-                                                phi_1594_ = false;
-                                            }
-                                            let _e2191 = phi_1594_;
-                                            if _e2191 {
-                                                phi_1600_ = type_15(0u, type_15().member_1);
-                                            } else {
-                                                phi_1600_ = type_15(1u, _e2186);
-                                            }
-                                            let _e2196 = phi_1600_;
-                                            phi_1571_ = type_14(_e2196.member_1, _e2177.member_1);
-                                            phi_1614_ = type_15(1u, _e2177.member);
+                                        let _e1917 = phi_1570_;
+                                        let _e1919 = phi_1573_;
+                                        local_11 = _e1919;
+                                        if (_e1917.member < _e1917.member_1) {
+                                            let _e1926 = (_e1917.member + 1i);
+                                            phi_1571_ = type_14(select(_e1926, type_15().member_1, select(false, true, ((false == (_e1926 > _e1917.member)) != false))), _e1917.member_1);
+                                            phi_1614_ = type_15(1u, _e1917.member);
                                         } else {
-                                            phi_1571_ = _e2177;
+                                            phi_1571_ = _e1917;
                                             phi_1614_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e2202 = phi_1571_;
-                                        let _e2204 = phi_1614_;
-                                        let _e2207 = (bitcast<i32>(_e2204.member) != 0i);
-                                        if _e2207 {
-                                            phi_1574_ = (0.5f * (_e2179 + (_e2169 / _e2179)));
+                                        let _e1937 = phi_1571_;
+                                        let _e1939 = phi_1614_;
+                                        let _e1942 = (bitcast<i32>(_e1939.member) != 0i);
+                                        if _e1942 {
+                                            phi_1574_ = (0.5f * (_e1919 + (_e1909 / _e1919)));
                                         } else {
                                             phi_1574_ = f32();
                                         }
-                                        let _e2212 = phi_1574_;
+                                        let _e1947 = phi_1574_;
                                         continue;
                                         continuing {
-                                            phi_1570_ = _e2202;
-                                            phi_1573_ = _e2212;
-                                            break if !(_e2207);
+                                            phi_1570_ = _e1937;
+                                            phi_1573_ = _e1947;
+                                            break if !(_e1942);
                                         }
                                     }
-                                    let _e2217 = local_11;
-                                    phi_1627_ = (_e2217 * (1f + (8f * 0.000000059604645f)));
+                                    let _e1952 = local_11;
+                                    phi_1627_ = (_e1952 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e2224 = phi_1627_;
-                                let _e2225 = (1f / _e2224);
-                                let _e2226 = (_e2160 * _e2225);
-                                let _e2227 = (_e2162 * _e2225);
-                                let _e2228 = (_e2164 * _e2225);
-                                let _e2235 = ((3f - (((_e2226 * _e2226) + (_e2227 * _e2227)) + (_e2228 * _e2228))) * 0.5f);
-                                phi_1643_ = array<f32, 3>((_e2226 * _e2235), (_e2227 * _e2235), (_e2228 * _e2235));
+                                let _e1958 = phi_1627_;
+                                let _e1959 = (1f / _e1958);
+                                let _e1960 = (_e1902 * _e1959);
+                                let _e1961 = (_e1903 * _e1959);
+                                let _e1962 = (_e1904 * _e1959);
+                                let _e1969 = ((3f - (((_e1960 * _e1960) + (_e1961 * _e1961)) + (_e1962 * _e1962))) * 0.5f);
+                                phi_1643_ = array<f32, 3>((_e1960 * _e1969), (_e1961 * _e1969), (_e1962 * _e1969));
                                 phi_1644_ = false;
                             } else {
                                 phi_1643_ = array<f32, 3>();
                                 phi_1644_ = true;
                             }
-                            let _e2241 = phi_1643_;
-                            let _e2243 = phi_1644_;
-                            phi_1645_ = _e2241;
-                            phi_1646_ = _e2243;
+                            let _e1975 = phi_1643_;
+                            let _e1977 = phi_1644_;
+                            phi_1645_ = _e1975;
+                            phi_1646_ = _e1977;
                         } else {
                             phi_1645_ = array<f32, 3>();
                             phi_1646_ = true;
                         }
-                        let _e2245 = phi_1645_;
-                        let _e2247 = phi_1646_;
-                        phi_1647_ = _e2245;
-                        phi_1648_ = _e2247;
+                        let _e1979 = phi_1645_;
+                        let _e1981 = phi_1646_;
+                        phi_1647_ = _e1979;
+                        phi_1648_ = _e1981;
                     } else {
                         phi_1647_ = array<f32, 3>();
                         phi_1648_ = true;
                     }
-                    let _e2249 = phi_1647_;
-                    let _e2251 = phi_1648_;
-                    if _e2251 {
-                        if (_e2110 < 0f) {
-                            phi_1657_ = -(_e2110);
-                        } else {
-                            phi_1657_ = _e2110;
-                        }
-                        let _e2255 = phi_1657_;
-                        if (_e2112 < 0f) {
-                            phi_1663_ = -(_e2112);
-                        } else {
-                            phi_1663_ = _e2112;
-                        }
-                        let _e2259 = phi_1663_;
-                        if (_e2255 > _e2259) {
-                            phi_1668_ = _e2255;
-                        } else {
-                            phi_1668_ = _e2259;
-                        }
-                        let _e2262 = phi_1668_;
-                        if (_e2114 < 0f) {
-                            phi_1674_ = -(_e2114);
-                        } else {
-                            phi_1674_ = _e2114;
-                        }
-                        let _e2266 = phi_1674_;
-                        if (_e2262 > _e2266) {
-                            phi_1679_ = _e2262;
-                        } else {
-                            phi_1679_ = _e2266;
-                        }
-                        let _e2269 = phi_1679_;
-                        let _e2270 = function_8(_e2269);
-                        let _e2271 = (_e2110 * _e2270);
-                        let _e2272 = (_e2112 * _e2270);
-                        let _e2273 = (_e2114 * _e2270);
-                        let _e2278 = (((_e2271 * _e2271) + (_e2272 * _e2272)) + (_e2273 * _e2273));
-                        if (_e2278 <= 0.000000000000000000000000000000000000011754944f) {
-                            if (_e2278 > 0f) {
-                                phi_1702_ = (0.000000000000000000106433627f * 2f);
-                            } else {
-                                phi_1702_ = 0f;
-                            }
-                            let _e2331 = phi_1702_;
-                            phi_1766_ = _e2331;
+                    let _e1983 = phi_1647_;
+                    let _e1985 = phi_1648_;
+                    if _e1985 {
+                        let _e1988 = select(_e1861, -(_e1861), (_e1861 < 0f));
+                        let _e1991 = select(_e1863, -(_e1863), (_e1863 < 0f));
+                        let _e1993 = select(_e1991, _e1988, (_e1988 > _e1991));
+                        let _e1996 = select(_e1865, -(_e1865), (_e1865 < 0f));
+                        let _e1999 = function_8(select(_e1996, _e1993, (_e1993 > _e1996)));
+                        let _e2000 = (_e1861 * _e1999);
+                        let _e2001 = (_e1863 * _e1999);
+                        let _e2002 = (_e1865 * _e1999);
+                        let _e2007 = (((_e2000 * _e2000) + (_e2001 * _e2001)) + (_e2002 * _e2002));
+                        if (_e2007 <= 0.000000000000000000000000000000000000011754944f) {
+                            phi_1766_ = select(0f, (0.000000000000000000106433627f * 2f), (_e2007 > 0f));
                         } else {
                             phi_1709_ = type_14(0i, 5i);
-                            phi_1712_ = bitcast<f32>(((bitcast<u32>(_e2278) >> bitcast<u32>(1i)) + 532369198u));
+                            phi_1712_ = bitcast<f32>(((bitcast<u32>(_e2007) >> bitcast<u32>(1i)) + 532369198u));
                             loop {
-                                let _e2286 = phi_1709_;
-                                let _e2288 = phi_1712_;
-                                local_12 = _e2288;
-                                if (_e2286.member < _e2286.member_1) {
-                                    let _e2295 = (_e2286.member + 1i);
-                                    if ((false == (_e2295 > _e2286.member)) != false) {
-                                        phi_1733_ = true;
-                                    } else {
-                                        phi_1733_ = false;
-                                    }
-                                    let _e2300 = phi_1733_;
-                                    if _e2300 {
-                                        phi_1739_ = type_15(0u, type_15().member_1);
-                                    } else {
-                                        phi_1739_ = type_15(1u, _e2295);
-                                    }
-                                    let _e2305 = phi_1739_;
-                                    phi_1710_ = type_14(_e2305.member_1, _e2286.member_1);
-                                    phi_1753_ = type_15(1u, _e2286.member);
+                                let _e2015 = phi_1709_;
+                                let _e2017 = phi_1712_;
+                                local_12 = _e2017;
+                                if (_e2015.member < _e2015.member_1) {
+                                    let _e2024 = (_e2015.member + 1i);
+                                    phi_1710_ = type_14(select(_e2024, type_15().member_1, select(false, true, ((false == (_e2024 > _e2015.member)) != false))), _e2015.member_1);
+                                    phi_1753_ = type_15(1u, _e2015.member);
                                 } else {
-                                    phi_1710_ = _e2286;
+                                    phi_1710_ = _e2015;
                                     phi_1753_ = type_15(0u, type_15().member_1);
                                 }
-                                let _e2311 = phi_1710_;
-                                let _e2313 = phi_1753_;
-                                let _e2316 = (bitcast<i32>(_e2313.member) != 0i);
-                                if _e2316 {
-                                    phi_1713_ = (0.5f * (_e2288 + (_e2278 / _e2288)));
+                                let _e2035 = phi_1710_;
+                                let _e2037 = phi_1753_;
+                                let _e2040 = (bitcast<i32>(_e2037.member) != 0i);
+                                if _e2040 {
+                                    phi_1713_ = (0.5f * (_e2017 + (_e2007 / _e2017)));
                                 } else {
                                     phi_1713_ = f32();
                                 }
-                                let _e2321 = phi_1713_;
+                                let _e2045 = phi_1713_;
                                 continue;
                                 continuing {
-                                    phi_1709_ = _e2311;
-                                    phi_1712_ = _e2321;
-                                    break if !(_e2316);
+                                    phi_1709_ = _e2035;
+                                    phi_1712_ = _e2045;
+                                    break if !(_e2040);
                                 }
                             }
-                            let _e2326 = local_12;
-                            phi_1766_ = (_e2326 * (1f + (8f * 0.000000059604645f)));
+                            let _e2050 = local_12;
+                            phi_1766_ = (_e2050 * (1f + (8f * 0.000000059604645f)));
                         }
-                        let _e2333 = phi_1766_;
-                        let _e2334 = (1f / _e2333);
-                        let _e2335 = (_e2271 * _e2334);
-                        let _e2336 = (_e2272 * _e2334);
-                        let _e2337 = (_e2273 * _e2334);
-                        let _e2344 = ((3f - (((_e2335 * _e2335) + (_e2336 * _e2336)) + (_e2337 * _e2337))) * 0.5f);
-                        phi_1782_ = array<f32, 3>((_e2335 * _e2344), (_e2336 * _e2344), (_e2337 * _e2344));
+                        let _e2056 = phi_1766_;
+                        let _e2057 = (1f / _e2056);
+                        let _e2058 = (_e2000 * _e2057);
+                        let _e2059 = (_e2001 * _e2057);
+                        let _e2060 = (_e2002 * _e2057);
+                        let _e2067 = ((3f - (((_e2058 * _e2058) + (_e2059 * _e2059)) + (_e2060 * _e2060))) * 0.5f);
+                        phi_1782_ = array<f32, 3>((_e2058 * _e2067), (_e2059 * _e2067), (_e2060 * _e2067));
                     } else {
-                        phi_1782_ = _e2249;
+                        phi_1782_ = _e1983;
                     }
-                    let _e2350 = phi_1782_;
-                    phi_3358_ = _e2350;
+                    let _e2073 = phi_1782_;
+                    phi_3358_ = _e2073;
                     phi_3359_ = array<f32, 3>();
                     phi_3360_ = true;
                 } else {
-                    if (_e421.member[0][0] < 0f) {
-                        phi_1790_ = -(_e421.member[0][0]);
-                    } else {
-                        phi_1790_ = _e421.member[0][0];
-                    }
-                    let _e962 = phi_1790_;
-                    if (_e421.member[0][1] < 0f) {
-                        phi_1797_ = -(_e421.member[0][1]);
-                    } else {
-                        phi_1797_ = _e421.member[0][1];
-                    }
-                    let _e967 = phi_1797_;
-                    if (_e962 > _e967) {
-                        phi_1802_ = _e962;
-                    } else {
-                        phi_1802_ = _e967;
-                    }
-                    let _e970 = phi_1802_;
-                    if (_e421.member[0][2] < 0f) {
-                        phi_1809_ = -(_e421.member[0][2]);
-                    } else {
-                        phi_1809_ = _e421.member[0][2];
-                    }
-                    let _e975 = phi_1809_;
-                    if (_e970 > _e975) {
-                        phi_1814_ = _e970;
-                    } else {
-                        phi_1814_ = _e975;
-                    }
-                    let _e978 = phi_1814_;
-                    if (_e421.member[1][0] < 0f) {
-                        phi_1822_ = -(_e421.member[1][0]);
-                    } else {
-                        phi_1822_ = _e421.member[1][0];
-                    }
-                    let _e985 = phi_1822_;
-                    if (_e421.member[1][1] < 0f) {
-                        phi_1829_ = -(_e421.member[1][1]);
-                    } else {
-                        phi_1829_ = _e421.member[1][1];
-                    }
-                    let _e990 = phi_1829_;
-                    if (_e985 > _e990) {
-                        phi_1834_ = _e985;
-                    } else {
-                        phi_1834_ = _e990;
-                    }
-                    let _e993 = phi_1834_;
-                    if (_e421.member[1][2] < 0f) {
-                        phi_1841_ = -(_e421.member[1][2]);
-                    } else {
-                        phi_1841_ = _e421.member[1][2];
-                    }
-                    let _e998 = phi_1841_;
-                    if (_e993 > _e998) {
-                        phi_1846_ = _e993;
-                    } else {
-                        phi_1846_ = _e998;
-                    }
-                    let _e1001 = phi_1846_;
-                    if (_e978 > _e1001) {
-                        phi_1851_ = _e978;
-                    } else {
-                        phi_1851_ = _e1001;
-                    }
-                    let _e1004 = phi_1851_;
-                    if (_e421.member_1[0][0] < 0f) {
-                        phi_1861_ = -(_e421.member_1[0][0]);
-                    } else {
-                        phi_1861_ = _e421.member_1[0][0];
-                    }
-                    let _e1013 = phi_1861_;
-                    if (_e421.member_1[0][1] < 0f) {
-                        phi_1868_ = -(_e421.member_1[0][1]);
-                    } else {
-                        phi_1868_ = _e421.member_1[0][1];
-                    }
-                    let _e1018 = phi_1868_;
-                    if (_e1013 > _e1018) {
-                        phi_1873_ = _e1013;
-                    } else {
-                        phi_1873_ = _e1018;
-                    }
-                    let _e1021 = phi_1873_;
-                    if (_e421.member_1[0][2] < 0f) {
-                        phi_1880_ = -(_e421.member_1[0][2]);
-                    } else {
-                        phi_1880_ = _e421.member_1[0][2];
-                    }
-                    let _e1026 = phi_1880_;
-                    if (_e1021 > _e1026) {
-                        phi_1885_ = _e1021;
-                    } else {
-                        phi_1885_ = _e1026;
-                    }
-                    let _e1029 = phi_1885_;
-                    if (_e421.member_1[1][0] < 0f) {
-                        phi_1893_ = -(_e421.member_1[1][0]);
-                    } else {
-                        phi_1893_ = _e421.member_1[1][0];
-                    }
-                    let _e1036 = phi_1893_;
-                    if (_e421.member_1[1][1] < 0f) {
-                        phi_1900_ = -(_e421.member_1[1][1]);
-                    } else {
-                        phi_1900_ = _e421.member_1[1][1];
-                    }
-                    let _e1041 = phi_1900_;
-                    if (_e1036 > _e1041) {
-                        phi_1905_ = _e1036;
-                    } else {
-                        phi_1905_ = _e1041;
-                    }
-                    let _e1044 = phi_1905_;
-                    if (_e421.member_1[1][2] < 0f) {
-                        phi_1912_ = -(_e421.member_1[1][2]);
-                    } else {
-                        phi_1912_ = _e421.member_1[1][2];
-                    }
-                    let _e1049 = phi_1912_;
-                    if (_e1044 > _e1049) {
-                        phi_1917_ = _e1044;
-                    } else {
-                        phi_1917_ = _e1049;
-                    }
-                    let _e1052 = phi_1917_;
-                    if (_e1029 > _e1052) {
-                        phi_1922_ = _e1029;
-                    } else {
-                        phi_1922_ = _e1052;
-                    }
-                    let _e1055 = phi_1922_;
-                    if (_e421.member_2[0][0] < 0f) {
-                        phi_1932_ = -(_e421.member_2[0][0]);
-                    } else {
-                        phi_1932_ = _e421.member_2[0][0];
-                    }
-                    let _e1064 = phi_1932_;
-                    if (_e421.member_2[0][1] < 0f) {
-                        phi_1939_ = -(_e421.member_2[0][1]);
-                    } else {
-                        phi_1939_ = _e421.member_2[0][1];
-                    }
-                    let _e1069 = phi_1939_;
-                    if (_e1064 > _e1069) {
-                        phi_1944_ = _e1064;
-                    } else {
-                        phi_1944_ = _e1069;
-                    }
-                    let _e1072 = phi_1944_;
-                    if (_e421.member_2[0][2] < 0f) {
-                        phi_1951_ = -(_e421.member_2[0][2]);
-                    } else {
-                        phi_1951_ = _e421.member_2[0][2];
-                    }
-                    let _e1077 = phi_1951_;
-                    if (_e1072 > _e1077) {
-                        phi_1956_ = _e1072;
-                    } else {
-                        phi_1956_ = _e1077;
-                    }
-                    let _e1080 = phi_1956_;
-                    if (_e421.member_2[1][0] < 0f) {
-                        phi_1964_ = -(_e421.member_2[1][0]);
-                    } else {
-                        phi_1964_ = _e421.member_2[1][0];
-                    }
-                    let _e1087 = phi_1964_;
-                    if (_e421.member_2[1][1] < 0f) {
-                        phi_1971_ = -(_e421.member_2[1][1]);
-                    } else {
-                        phi_1971_ = _e421.member_2[1][1];
-                    }
-                    let _e1092 = phi_1971_;
-                    if (_e1087 > _e1092) {
-                        phi_1976_ = _e1087;
-                    } else {
-                        phi_1976_ = _e1092;
-                    }
-                    let _e1095 = phi_1976_;
-                    if (_e421.member_2[1][2] < 0f) {
-                        phi_1983_ = -(_e421.member_2[1][2]);
-                    } else {
-                        phi_1983_ = _e421.member_2[1][2];
-                    }
-                    let _e1100 = phi_1983_;
-                    if (_e1095 > _e1100) {
-                        phi_1988_ = _e1095;
-                    } else {
-                        phi_1988_ = _e1100;
-                    }
-                    let _e1103 = phi_1988_;
-                    if (_e1080 > _e1103) {
-                        phi_1993_ = _e1080;
-                    } else {
-                        phi_1993_ = _e1103;
-                    }
-                    let _e1106 = phi_1993_;
-                    let _e1115 = (((((_e1004 + _e421.member_3) + (_e1055 + _e421.member_3)) + (_e1106 + _e421.member_3)) * (0.000000059604645f * 32f)) + (_e421.member_3 * 8f));
-                    if _e943 {
-                        if (_e949 < 0f) {
-                            phi_2011_ = -(_e949);
-                        } else {
-                            phi_2011_ = _e949;
-                        }
-                        let _e1119 = phi_2011_;
-                        if (_e950 < 0f) {
-                            phi_2017_ = -(_e950);
-                        } else {
-                            phi_2017_ = _e950;
-                        }
-                        let _e1123 = phi_2017_;
-                        if (_e1119 > _e1123) {
-                            phi_2022_ = _e1119;
-                        } else {
-                            phi_2022_ = _e1123;
-                        }
-                        let _e1126 = phi_2022_;
-                        if (_e951 < 0f) {
-                            phi_2028_ = -(_e951);
-                        } else {
-                            phi_2028_ = _e951;
-                        }
-                        let _e1130 = phi_2028_;
-                        if (_e1126 > _e1130) {
-                            phi_2033_ = _e1126;
-                        } else {
-                            phi_2033_ = _e1130;
-                        }
-                        let _e1133 = phi_2033_;
-                        let _e1134 = function_8(_e1133);
-                        let _e1135 = (_e949 * _e1134);
-                        let _e1136 = (_e950 * _e1134);
-                        let _e1137 = (_e951 * _e1134);
-                        let _e1142 = (((_e1135 * _e1135) + (_e1136 * _e1136)) + (_e1137 * _e1137));
-                        if (_e1142 <= 0.000000000000000000000000000000000000011754944f) {
-                            if (_e1142 > 0f) {
-                                phi_2056_ = (0.000000000000000000106433627f * 2f);
-                            } else {
-                                phi_2056_ = 0f;
-                            }
-                            let _e1195 = phi_2056_;
-                            phi_2120_ = _e1195;
+                    let _e868 = select(_e411.member[0][0], -(_e411.member[0][0]), (_e411.member[0][0] < 0f));
+                    let _e872 = select(_e411.member[0][1], -(_e411.member[0][1]), (_e411.member[0][1] < 0f));
+                    let _e874 = select(_e872, _e868, (_e868 > _e872));
+                    let _e878 = select(_e411.member[0][2], -(_e411.member[0][2]), (_e411.member[0][2] < 0f));
+                    let _e880 = select(_e878, _e874, (_e874 > _e878));
+                    let _e886 = select(_e411.member[1][0], -(_e411.member[1][0]), (_e411.member[1][0] < 0f));
+                    let _e890 = select(_e411.member[1][1], -(_e411.member[1][1]), (_e411.member[1][1] < 0f));
+                    let _e892 = select(_e890, _e886, (_e886 > _e890));
+                    let _e896 = select(_e411.member[1][2], -(_e411.member[1][2]), (_e411.member[1][2] < 0f));
+                    let _e898 = select(_e896, _e892, (_e892 > _e896));
+                    let _e908 = select(_e411.member_1[0][0], -(_e411.member_1[0][0]), (_e411.member_1[0][0] < 0f));
+                    let _e912 = select(_e411.member_1[0][1], -(_e411.member_1[0][1]), (_e411.member_1[0][1] < 0f));
+                    let _e914 = select(_e912, _e908, (_e908 > _e912));
+                    let _e918 = select(_e411.member_1[0][2], -(_e411.member_1[0][2]), (_e411.member_1[0][2] < 0f));
+                    let _e920 = select(_e918, _e914, (_e914 > _e918));
+                    let _e926 = select(_e411.member_1[1][0], -(_e411.member_1[1][0]), (_e411.member_1[1][0] < 0f));
+                    let _e930 = select(_e411.member_1[1][1], -(_e411.member_1[1][1]), (_e411.member_1[1][1] < 0f));
+                    let _e932 = select(_e930, _e926, (_e926 > _e930));
+                    let _e936 = select(_e411.member_1[1][2], -(_e411.member_1[1][2]), (_e411.member_1[1][2] < 0f));
+                    let _e938 = select(_e936, _e932, (_e932 > _e936));
+                    let _e948 = select(_e411.member_2[0][0], -(_e411.member_2[0][0]), (_e411.member_2[0][0] < 0f));
+                    let _e952 = select(_e411.member_2[0][1], -(_e411.member_2[0][1]), (_e411.member_2[0][1] < 0f));
+                    let _e954 = select(_e952, _e948, (_e948 > _e952));
+                    let _e958 = select(_e411.member_2[0][2], -(_e411.member_2[0][2]), (_e411.member_2[0][2] < 0f));
+                    let _e960 = select(_e958, _e954, (_e954 > _e958));
+                    let _e966 = select(_e411.member_2[1][0], -(_e411.member_2[1][0]), (_e411.member_2[1][0] < 0f));
+                    let _e970 = select(_e411.member_2[1][1], -(_e411.member_2[1][1]), (_e411.member_2[1][1] < 0f));
+                    let _e972 = select(_e970, _e966, (_e966 > _e970));
+                    let _e976 = select(_e411.member_2[1][2], -(_e411.member_2[1][2]), (_e411.member_2[1][2] < 0f));
+                    let _e978 = select(_e976, _e972, (_e972 > _e976));
+                    let _e989 = (((((select(_e898, _e880, (_e880 > _e898)) + _e411.member_3) + (select(_e938, _e920, (_e920 > _e938)) + _e411.member_3)) + (select(_e978, _e960, (_e960 > _e978)) + _e411.member_3)) * (0.000000059604645f * 32f)) + (_e411.member_3 * 8f));
+                    if _e851 {
+                        let _e992 = select(_e857, -(_e857), (_e857 < 0f));
+                        let _e995 = select(_e858, -(_e858), (_e858 < 0f));
+                        let _e997 = select(_e995, _e992, (_e992 > _e995));
+                        let _e1000 = select(_e859, -(_e859), (_e859 < 0f));
+                        let _e1003 = function_8(select(_e1000, _e997, (_e997 > _e1000)));
+                        let _e1004 = (_e857 * _e1003);
+                        let _e1005 = (_e858 * _e1003);
+                        let _e1006 = (_e859 * _e1003);
+                        let _e1011 = (((_e1004 * _e1004) + (_e1005 * _e1005)) + (_e1006 * _e1006));
+                        if (_e1011 <= 0.000000000000000000000000000000000000011754944f) {
+                            phi_2120_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1011 > 0f));
                         } else {
                             phi_2063_ = type_14(0i, 5i);
-                            phi_2066_ = bitcast<f32>(((bitcast<u32>(_e1142) >> bitcast<u32>(1i)) + 532369198u));
+                            phi_2066_ = bitcast<f32>(((bitcast<u32>(_e1011) >> bitcast<u32>(1i)) + 532369198u));
                             loop {
-                                let _e1150 = phi_2063_;
-                                let _e1152 = phi_2066_;
-                                local_5 = _e1152;
-                                if (_e1150.member < _e1150.member_1) {
-                                    let _e1159 = (_e1150.member + 1i);
-                                    if ((false == (_e1159 > _e1150.member)) != false) {
-                                        phi_2087_ = true;
-                                    } else {
-                                        phi_2087_ = false;
-                                    }
-                                    let _e1164 = phi_2087_;
-                                    if _e1164 {
-                                        phi_2093_ = type_15(0u, type_15().member_1);
-                                    } else {
-                                        phi_2093_ = type_15(1u, _e1159);
-                                    }
-                                    let _e1169 = phi_2093_;
-                                    phi_2064_ = type_14(_e1169.member_1, _e1150.member_1);
-                                    phi_2107_ = type_15(1u, _e1150.member);
+                                let _e1019 = phi_2063_;
+                                let _e1021 = phi_2066_;
+                                local_5 = _e1021;
+                                if (_e1019.member < _e1019.member_1) {
+                                    let _e1028 = (_e1019.member + 1i);
+                                    phi_2064_ = type_14(select(_e1028, type_15().member_1, select(false, true, ((false == (_e1028 > _e1019.member)) != false))), _e1019.member_1);
+                                    phi_2107_ = type_15(1u, _e1019.member);
                                 } else {
-                                    phi_2064_ = _e1150;
+                                    phi_2064_ = _e1019;
                                     phi_2107_ = type_15(0u, type_15().member_1);
                                 }
-                                let _e1175 = phi_2064_;
-                                let _e1177 = phi_2107_;
-                                let _e1180 = (bitcast<i32>(_e1177.member) != 0i);
-                                if _e1180 {
-                                    phi_2067_ = (0.5f * (_e1152 + (_e1142 / _e1152)));
+                                let _e1039 = phi_2064_;
+                                let _e1041 = phi_2107_;
+                                let _e1044 = (bitcast<i32>(_e1041.member) != 0i);
+                                if _e1044 {
+                                    phi_2067_ = (0.5f * (_e1021 + (_e1011 / _e1021)));
                                 } else {
                                     phi_2067_ = f32();
                                 }
-                                let _e1185 = phi_2067_;
+                                let _e1049 = phi_2067_;
                                 continue;
                                 continuing {
-                                    phi_2063_ = _e1175;
-                                    phi_2066_ = _e1185;
-                                    break if !(_e1180);
+                                    phi_2063_ = _e1039;
+                                    phi_2066_ = _e1049;
+                                    break if !(_e1044);
                                 }
                             }
-                            let _e1190 = local_5;
-                            phi_2120_ = (_e1190 * (1f + (8f * 0.000000059604645f)));
+                            let _e1054 = local_5;
+                            phi_2120_ = (_e1054 * (1f + (8f * 0.000000059604645f)));
                         }
-                        let _e1197 = phi_2120_;
-                        let _e1198 = (1f / _e1197);
-                        let _e1199 = (_e1135 * _e1198);
-                        let _e1200 = (_e1136 * _e1198);
-                        let _e1201 = (_e1137 * _e1198);
-                        let _e1208 = ((3f - (((_e1199 * _e1199) + (_e1200 * _e1200)) + (_e1201 * _e1201))) * 0.5f);
-                        let _e1209 = (_e1199 * _e1208);
-                        let _e1210 = (_e1200 * _e1208);
-                        let _e1211 = (_e1201 * _e1208);
-                        let _e1217 = (((_e910 * _e1209) + (_e911 * _e1210)) + (_e912 * _e1211));
-                        if (_e910 < 0f) {
-                            phi_2146_ = -(_e910);
-                        } else {
-                            phi_2146_ = _e910;
-                        }
-                        let _e1221 = phi_2146_;
-                        if (_e911 < 0f) {
-                            phi_2152_ = -(_e911);
-                        } else {
-                            phi_2152_ = _e911;
-                        }
-                        let _e1225 = phi_2152_;
-                        if (_e912 < 0f) {
-                            phi_2159_ = -(_e912);
-                        } else {
-                            phi_2159_ = _e912;
-                        }
-                        let _e1230 = phi_2159_;
-                        let _e1233 = local.member_5;
-                        let _e1235 = local.member_4;
-                        if (_e1217 < 0f) {
-                            phi_2173_ = -(_e1217);
-                        } else {
-                            phi_2173_ = _e1217;
-                        }
-                        let _e1242 = phi_2173_;
-                        if (_e1242 > (_e1115 + (((_e1221 + _e1225) + _e1230) * (_e1233 / _e1235)))) {
-                            if (_e1217 < 0f) {
-                                phi_2187_ = array<f32, 3>(_e1209, _e1210, _e1211);
-                            } else {
-                                let _e1245 = -(1f);
-                                phi_2187_ = array<f32, 3>((_e1209 * _e1245), (_e1210 * _e1245), (_e1211 * _e1245));
-                            }
-                            let _e1251 = phi_2187_;
-                            phi_2188_ = _e1251;
+                        let _e1060 = phi_2120_;
+                        let _e1061 = (1f / _e1060);
+                        let _e1062 = (_e1004 * _e1061);
+                        let _e1063 = (_e1005 * _e1061);
+                        let _e1064 = (_e1006 * _e1061);
+                        let _e1071 = ((3f - (((_e1062 * _e1062) + (_e1063 * _e1063)) + (_e1064 * _e1064))) * 0.5f);
+                        let _e1072 = (_e1062 * _e1071);
+                        let _e1073 = (_e1063 * _e1071);
+                        let _e1074 = (_e1064 * _e1071);
+                        let _e1079 = (((_e826 * _e1072) + (_e827 * _e1073)) + (_e828 * _e1074));
+                        let _e1092 = local.member_5;
+                        let _e1094 = local.member_4;
+                        if (select(_e1079, -(_e1079), (_e1079 < 0f)) > (_e989 + (((select(_e826, -(_e826), (_e826 < 0f)) + select(_e827, -(_e827), (_e827 < 0f))) + select(_e828, -(_e828), (_e828 < 0f))) * (_e1092 / _e1094)))) {
+                            let _e1102 = (_e1079 < 0f);
+                            let _e1103 = -(1f);
+                            phi_2188_ = array<f32, 3>(select((_e1072 * _e1103), _e1072, _e1102), select((_e1073 * _e1103), _e1073, _e1102), select((_e1074 * _e1103), _e1074, _e1102));
                             phi_2189_ = false;
                         } else {
                             phi_2188_ = array<f32, 3>();
                             phi_2189_ = true;
                         }
-                        let _e1253 = phi_2188_;
-                        let _e1255 = phi_2189_;
-                        phi_2190_ = _e1253;
-                        phi_2191_ = _e1255;
+                        let _e1112 = phi_2188_;
+                        let _e1114 = phi_2189_;
+                        phi_2190_ = _e1112;
+                        phi_2191_ = _e1114;
                     } else {
                         phi_2190_ = array<f32, 3>();
                         phi_2191_ = true;
                     }
-                    let _e1257 = phi_2190_;
-                    let _e1259 = phi_2191_;
-                    if _e1259 {
-                        if _e943 {
-                            if _e940 {
-                                phi_2201_ = false;
-                            } else {
-                                phi_2201_ = true;
-                            }
-                            let _e1261 = phi_2201_;
-                            phi_2202_ = _e1261;
-                        } else {
-                            phi_2202_ = true;
-                        }
-                        let _e1263 = phi_2202_;
-                        if _e1263 {
-                            if _e924 {
-                                if _e919 {
-                                    if _e923 {
-                                        let _e1265 = local.member_2;
-                                        let _e1270 = local.member_1;
-                                        phi_2237_ = array<f32, 3>((_e1265[0] - _e1270[0]), (_e1265[1] - _e1270[1]), (_e1265[2] - _e1270[2]));
+                    let _e1116 = phi_2190_;
+                    let _e1118 = phi_2191_;
+                    if _e1118 {
+                        if select(true, select(true, false, _e848), _e851) {
+                            if _e838 {
+                                if _e834 {
+                                    if _e837 {
+                                        let _e1122 = local.member_2;
+                                        let _e1127 = local.member_1;
+                                        phi_2237_ = array<f32, 3>((_e1122[0] - _e1127[0]), (_e1122[1] - _e1127[1]), (_e1122[2] - _e1127[2]));
                                         phi_2238_ = false;
                                     } else {
                                         phi_2237_ = array<f32, 3>();
                                         phi_2238_ = true;
                                     }
-                                    let _e1279 = phi_2237_;
-                                    let _e1281 = phi_2238_;
-                                    phi_2239_ = _e1279;
-                                    phi_2240_ = _e1281;
+                                    let _e1136 = phi_2237_;
+                                    let _e1138 = phi_2238_;
+                                    phi_2239_ = _e1136;
+                                    phi_2240_ = _e1138;
                                 } else {
                                     phi_2239_ = array<f32, 3>();
                                     phi_2240_ = true;
                                 }
-                                let _e1283 = phi_2239_;
-                                let _e1285 = phi_2240_;
-                                phi_2241_ = _e1283;
-                                phi_2242_ = _e1285;
+                                let _e1140 = phi_2239_;
+                                let _e1142 = phi_2240_;
+                                phi_2241_ = _e1140;
+                                phi_2242_ = _e1142;
                             } else {
                                 phi_2241_ = array<f32, 3>();
                                 phi_2242_ = true;
                             }
-                            let _e1287 = phi_2241_;
-                            let _e1289 = phi_2242_;
-                            if _e1289 {
-                                if _e919 {
-                                    if _e923 {
-                                        let _e1291 = local.member_2;
-                                        if (_e1291[0] < 0f) {
-                                            phi_2264_ = -(_e1291[0]);
-                                        } else {
-                                            phi_2264_ = _e1291[0];
-                                        }
-                                        let _e1298 = phi_2264_;
-                                        if (_e1291[1] < 0f) {
-                                            phi_2271_ = -(_e1291[1]);
-                                        } else {
-                                            phi_2271_ = _e1291[1];
-                                        }
-                                        let _e1302 = phi_2271_;
-                                        if (_e1298 > _e1302) {
-                                            phi_2276_ = _e1298;
-                                        } else {
-                                            phi_2276_ = _e1302;
-                                        }
-                                        let _e1305 = phi_2276_;
-                                        if (_e1291[2] < 0f) {
-                                            phi_2283_ = -(_e1291[2]);
-                                        } else {
-                                            phi_2283_ = _e1291[2];
-                                        }
-                                        let _e1309 = phi_2283_;
-                                        if (_e1305 > _e1309) {
-                                            phi_2288_ = _e1305;
-                                        } else {
-                                            phi_2288_ = _e1309;
-                                        }
-                                        let _e1312 = phi_2288_;
-                                        let _e1314 = local.member_1;
-                                        if (_e1314[0] < 0f) {
-                                            phi_2301_ = -(_e1314[0]);
-                                        } else {
-                                            phi_2301_ = _e1314[0];
-                                        }
-                                        let _e1321 = phi_2301_;
-                                        if (_e1314[1] < 0f) {
-                                            phi_2308_ = -(_e1314[1]);
-                                        } else {
-                                            phi_2308_ = _e1314[1];
-                                        }
-                                        let _e1325 = phi_2308_;
-                                        if (_e1321 > _e1325) {
-                                            phi_2313_ = _e1321;
-                                        } else {
-                                            phi_2313_ = _e1325;
-                                        }
-                                        let _e1328 = phi_2313_;
-                                        if (_e1314[2] < 0f) {
-                                            phi_2320_ = -(_e1314[2]);
-                                        } else {
-                                            phi_2320_ = _e1314[2];
-                                        }
-                                        let _e1332 = phi_2320_;
-                                        if (_e1328 > _e1332) {
-                                            phi_2325_ = _e1328;
-                                        } else {
-                                            phi_2325_ = _e1332;
-                                        }
-                                        let _e1335 = phi_2325_;
-                                        if (_e1312 > _e1335) {
-                                            phi_2330_ = false;
-                                        } else {
-                                            phi_2330_ = true;
-                                        }
-                                        let _e1338 = phi_2330_;
-                                        phi_2331_ = _e1338;
+                            let _e1144 = phi_2241_;
+                            let _e1146 = phi_2242_;
+                            if _e1146 {
+                                if _e834 {
+                                    if _e837 {
+                                        let _e1148 = local.member_2;
+                                        let _e1154 = select(_e1148[0], -(_e1148[0]), (_e1148[0] < 0f));
+                                        let _e1157 = select(_e1148[1], -(_e1148[1]), (_e1148[1] < 0f));
+                                        let _e1159 = select(_e1157, _e1154, (_e1154 > _e1157));
+                                        let _e1162 = select(_e1148[2], -(_e1148[2]), (_e1148[2] < 0f));
+                                        let _e1166 = local.member_1;
+                                        let _e1172 = select(_e1166[0], -(_e1166[0]), (_e1166[0] < 0f));
+                                        let _e1175 = select(_e1166[1], -(_e1166[1]), (_e1166[1] < 0f));
+                                        let _e1177 = select(_e1175, _e1172, (_e1172 > _e1175));
+                                        let _e1180 = select(_e1166[2], -(_e1166[2]), (_e1166[2] < 0f));
+                                        phi_2331_ = select(true, false, (select(_e1162, _e1159, (_e1159 > _e1162)) > select(_e1180, _e1177, (_e1177 > _e1180))));
                                     } else {
                                         phi_2331_ = true;
                                     }
-                                    let _e1340 = phi_2331_;
-                                    if _e1340 {
-                                        let _e1342 = local.member_1;
-                                        phi_2341_ = array<f32, 3>(_e1342[0], _e1342[1], _e1342[2]);
+                                    let _e1186 = phi_2331_;
+                                    if _e1186 {
+                                        let _e1188 = local.member_1;
+                                        phi_2341_ = array<f32, 3>(_e1188[0], _e1188[1], _e1188[2]);
                                         phi_2342_ = false;
                                     } else {
                                         phi_2341_ = array<f32, 3>();
                                         phi_2342_ = true;
                                     }
-                                    let _e1348 = phi_2341_;
-                                    let _e1350 = phi_2342_;
-                                    phi_2343_ = _e1348;
-                                    phi_2344_ = _e1350;
+                                    let _e1194 = phi_2341_;
+                                    let _e1196 = phi_2342_;
+                                    phi_2343_ = _e1194;
+                                    phi_2344_ = _e1196;
                                 } else {
                                     phi_2343_ = array<f32, 3>();
                                     phi_2344_ = true;
                                 }
-                                let _e1352 = phi_2343_;
-                                let _e1354 = phi_2344_;
-                                if _e1354 {
-                                    if _e923 {
-                                        let _e1356 = local.member_2;
-                                        phi_2358_ = array<f32, 3>(_e1356[0], _e1356[1], _e1356[2]);
+                                let _e1198 = phi_2343_;
+                                let _e1200 = phi_2344_;
+                                if _e1200 {
+                                    if _e837 {
+                                        let _e1202 = local.member_2;
+                                        phi_2358_ = array<f32, 3>(_e1202[0], _e1202[1], _e1202[2]);
                                     } else {
                                         phi_2358_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e1362 = phi_2358_;
-                                    phi_2359_ = _e1362;
+                                    let _e1208 = phi_2358_;
+                                    phi_2359_ = _e1208;
                                 } else {
-                                    phi_2359_ = _e1352;
+                                    phi_2359_ = _e1198;
                                 }
-                                let _e1364 = phi_2359_;
-                                phi_2360_ = _e1364;
+                                let _e1210 = phi_2359_;
+                                phi_2360_ = _e1210;
                             } else {
-                                phi_2360_ = _e1287;
+                                phi_2360_ = _e1144;
                             }
-                            let _e1366 = phi_2360_;
-                            if (_e1366[0] < 0f) {
-                                phi_2367_ = -(_e1366[0]);
-                            } else {
-                                phi_2367_ = _e1366[0];
-                            }
-                            let _e1371 = phi_2367_;
-                            if (_e1366[1] < 0f) {
-                                phi_2374_ = -(_e1366[1]);
-                            } else {
-                                phi_2374_ = _e1366[1];
-                            }
-                            let _e1376 = phi_2374_;
-                            if (_e1371 > _e1376) {
-                                phi_2379_ = _e1371;
-                            } else {
-                                phi_2379_ = _e1376;
-                            }
-                            let _e1379 = phi_2379_;
-                            if (_e1366[2] < 0f) {
-                                phi_2386_ = -(_e1366[2]);
-                            } else {
-                                phi_2386_ = _e1366[2];
-                            }
-                            let _e1384 = phi_2386_;
-                            if (_e1379 > _e1384) {
-                                phi_2391_ = _e1379;
-                            } else {
-                                phi_2391_ = _e1384;
-                            }
-                            let _e1387 = phi_2391_;
-                            let _e1389 = local.member_6;
-                            if (_e1387 > _e1389) {
-                                phi_2399_ = _e1366;
-                            } else {
-                                phi_2399_ = array<f32, 3>(0f, 0f, 0f);
-                            }
-                            let _e1392 = phi_2399_;
-                            if (_e1392[0] < 0f) {
-                                phi_2406_ = -(_e1392[0]);
-                            } else {
-                                phi_2406_ = _e1392[0];
-                            }
-                            let _e1397 = phi_2406_;
-                            if (_e1392[1] < 0f) {
-                                phi_2413_ = -(_e1392[1]);
-                            } else {
-                                phi_2413_ = _e1392[1];
-                            }
-                            let _e1402 = phi_2413_;
-                            if (_e1397 > _e1402) {
-                                phi_2418_ = _e1397;
-                            } else {
-                                phi_2418_ = _e1402;
-                            }
-                            let _e1405 = phi_2418_;
-                            if (_e1392[2] < 0f) {
-                                phi_2425_ = -(_e1392[2]);
-                            } else {
-                                phi_2425_ = _e1392[2];
-                            }
-                            let _e1410 = phi_2425_;
-                            if (_e1405 > _e1410) {
-                                phi_2430_ = _e1405;
-                            } else {
-                                phi_2430_ = _e1410;
-                            }
-                            let _e1413 = phi_2430_;
-                            if (_e1413 > 0f) {
-                                if (_e1392[0] < 0f) {
-                                    phi_2441_ = -(_e1392[0]);
-                                } else {
-                                    phi_2441_ = _e1392[0];
-                                }
-                                let _e1419 = phi_2441_;
-                                if (_e1392[1] < 0f) {
-                                    phi_2448_ = -(_e1392[1]);
-                                } else {
-                                    phi_2448_ = _e1392[1];
-                                }
-                                let _e1424 = phi_2448_;
-                                if (_e1419 > _e1424) {
-                                    phi_2453_ = _e1419;
-                                } else {
-                                    phi_2453_ = _e1424;
-                                }
-                                let _e1427 = phi_2453_;
-                                if (_e1392[2] < 0f) {
-                                    phi_2460_ = -(_e1392[2]);
-                                } else {
-                                    phi_2460_ = _e1392[2];
-                                }
-                                let _e1432 = phi_2460_;
-                                if (_e1427 > _e1432) {
-                                    phi_2465_ = _e1427;
-                                } else {
-                                    phi_2465_ = _e1432;
-                                }
-                                let _e1435 = phi_2465_;
-                                let _e1436 = function_8(_e1435);
-                                let _e1438 = (_e1392[0] * _e1436);
-                                let _e1440 = (_e1392[1] * _e1436);
-                                let _e1442 = (_e1392[2] * _e1436);
-                                let _e1447 = (((_e1438 * _e1438) + (_e1440 * _e1440)) + (_e1442 * _e1442));
-                                if (_e1447 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e1447 > 0f) {
-                                        phi_2491_ = (0.000000000000000000106433627f * 2f);
-                                    } else {
-                                        phi_2491_ = 0f;
-                                    }
-                                    let _e1500 = phi_2491_;
-                                    phi_2555_ = _e1500;
+                            let _e1212 = phi_2360_;
+                            let _e1216 = select(_e1212[0], -(_e1212[0]), (_e1212[0] < 0f));
+                            let _e1220 = select(_e1212[1], -(_e1212[1]), (_e1212[1] < 0f));
+                            let _e1222 = select(_e1220, _e1216, (_e1216 > _e1220));
+                            let _e1226 = select(_e1212[2], -(_e1212[2]), (_e1212[2] < 0f));
+                            let _e1230 = local.member_6;
+                            let _e1231 = (select(_e1226, _e1222, (_e1222 > _e1226)) > _e1230);
+                            let _e1233 = select(0f, _e1212[0], _e1231);
+                            let _e1235 = select(0f, _e1212[1], _e1231);
+                            let _e1237 = select(0f, _e1212[2], _e1231);
+                            let _e1240 = select(_e1233, -(_e1233), (_e1233 < 0f));
+                            let _e1243 = select(_e1235, -(_e1235), (_e1235 < 0f));
+                            let _e1245 = select(_e1243, _e1240, (_e1240 > _e1243));
+                            let _e1248 = select(_e1237, -(_e1237), (_e1237 < 0f));
+                            if (select(_e1248, _e1245, (_e1245 > _e1248)) > 0f) {
+                                let _e1254 = select(_e1233, -(_e1233), (_e1233 < 0f));
+                                let _e1257 = select(_e1235, -(_e1235), (_e1235 < 0f));
+                                let _e1259 = select(_e1257, _e1254, (_e1254 > _e1257));
+                                let _e1262 = select(_e1237, -(_e1237), (_e1237 < 0f));
+                                let _e1265 = function_8(select(_e1262, _e1259, (_e1259 > _e1262)));
+                                let _e1266 = (_e1233 * _e1265);
+                                let _e1267 = (_e1235 * _e1265);
+                                let _e1268 = (_e1237 * _e1265);
+                                let _e1273 = (((_e1266 * _e1266) + (_e1267 * _e1267)) + (_e1268 * _e1268));
+                                if (_e1273 <= 0.000000000000000000000000000000000000011754944f) {
+                                    phi_2555_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1273 > 0f));
                                 } else {
                                     phi_2498_ = type_14(0i, 5i);
-                                    phi_2501_ = bitcast<f32>(((bitcast<u32>(_e1447) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_2501_ = bitcast<f32>(((bitcast<u32>(_e1273) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e1455 = phi_2498_;
-                                        let _e1457 = phi_2501_;
-                                        local_6 = _e1457;
-                                        if (_e1455.member < _e1455.member_1) {
-                                            let _e1464 = (_e1455.member + 1i);
-                                            if ((false == (_e1464 > _e1455.member)) != false) {
-                                                phi_2522_ = true;
-                                            } else {
-                                                phi_2522_ = false;
-                                            }
-                                            let _e1469 = phi_2522_;
-                                            if _e1469 {
-                                                phi_2528_ = type_15(0u, type_15().member_1);
-                                            } else {
-                                                phi_2528_ = type_15(1u, _e1464);
-                                            }
-                                            let _e1474 = phi_2528_;
-                                            phi_2499_ = type_14(_e1474.member_1, _e1455.member_1);
-                                            phi_2542_ = type_15(1u, _e1455.member);
+                                        let _e1281 = phi_2498_;
+                                        let _e1283 = phi_2501_;
+                                        local_6 = _e1283;
+                                        if (_e1281.member < _e1281.member_1) {
+                                            let _e1290 = (_e1281.member + 1i);
+                                            phi_2499_ = type_14(select(_e1290, type_15().member_1, select(false, true, ((false == (_e1290 > _e1281.member)) != false))), _e1281.member_1);
+                                            phi_2542_ = type_15(1u, _e1281.member);
                                         } else {
-                                            phi_2499_ = _e1455;
+                                            phi_2499_ = _e1281;
                                             phi_2542_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e1480 = phi_2499_;
-                                        let _e1482 = phi_2542_;
-                                        let _e1485 = (bitcast<i32>(_e1482.member) != 0i);
-                                        if _e1485 {
-                                            phi_2502_ = (0.5f * (_e1457 + (_e1447 / _e1457)));
+                                        let _e1301 = phi_2499_;
+                                        let _e1303 = phi_2542_;
+                                        let _e1306 = (bitcast<i32>(_e1303.member) != 0i);
+                                        if _e1306 {
+                                            phi_2502_ = (0.5f * (_e1283 + (_e1273 / _e1283)));
                                         } else {
                                             phi_2502_ = f32();
                                         }
-                                        let _e1490 = phi_2502_;
+                                        let _e1311 = phi_2502_;
                                         continue;
                                         continuing {
-                                            phi_2498_ = _e1480;
-                                            phi_2501_ = _e1490;
-                                            break if !(_e1485);
+                                            phi_2498_ = _e1301;
+                                            phi_2501_ = _e1311;
+                                            break if !(_e1306);
                                         }
                                     }
-                                    let _e1495 = local_6;
-                                    phi_2555_ = (_e1495 * (1f + (8f * 0.000000059604645f)));
+                                    let _e1316 = local_6;
+                                    phi_2555_ = (_e1316 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e1502 = phi_2555_;
-                                let _e1503 = (1f / _e1502);
-                                let _e1504 = (_e1438 * _e1503);
-                                let _e1505 = (_e1440 * _e1503);
-                                let _e1506 = (_e1442 * _e1503);
-                                let _e1513 = ((3f - (((_e1504 * _e1504) + (_e1505 * _e1505)) + (_e1506 * _e1506))) * 0.5f);
-                                let _e1514 = (_e1504 * _e1513);
-                                let _e1515 = (_e1505 * _e1513);
-                                let _e1516 = (_e1506 * _e1513);
-                                let _e1521 = (((_e910 * _e1514) + (_e911 * _e1515)) + (_e912 * _e1516));
-                                phi_2582_ = array<f32, 3>((_e910 - (_e1514 * _e1521)), (_e911 - (_e1515 * _e1521)), (_e912 - (_e1516 * _e1521)));
+                                let _e1322 = phi_2555_;
+                                let _e1323 = (1f / _e1322);
+                                let _e1324 = (_e1266 * _e1323);
+                                let _e1325 = (_e1267 * _e1323);
+                                let _e1326 = (_e1268 * _e1323);
+                                let _e1333 = ((3f - (((_e1324 * _e1324) + (_e1325 * _e1325)) + (_e1326 * _e1326))) * 0.5f);
+                                let _e1334 = (_e1324 * _e1333);
+                                let _e1335 = (_e1325 * _e1333);
+                                let _e1336 = (_e1326 * _e1333);
+                                let _e1341 = (((_e826 * _e1334) + (_e827 * _e1335)) + (_e828 * _e1336));
+                                phi_2582_ = array<f32, 3>((_e826 - (_e1334 * _e1341)), (_e827 - (_e1335 * _e1341)), (_e828 - (_e1336 * _e1341)));
                             } else {
-                                phi_2582_ = array<f32, 3>(_e910, _e911, _e912);
+                                phi_2582_ = array<f32, 3>(_e826, _e827, _e828);
                             }
-                            let _e1530 = phi_2582_;
-                            if (_e1530[0] < 0f) {
-                                phi_2589_ = -(_e1530[0]);
-                            } else {
-                                phi_2589_ = _e1530[0];
-                            }
-                            let _e1535 = phi_2589_;
-                            if (_e1530[1] < 0f) {
-                                phi_2596_ = -(_e1530[1]);
-                            } else {
-                                phi_2596_ = _e1530[1];
-                            }
-                            let _e1540 = phi_2596_;
-                            if (_e1530[2] < 0f) {
-                                phi_2604_ = -(_e1530[2]);
-                            } else {
-                                phi_2604_ = _e1530[2];
-                            }
-                            let _e1546 = phi_2604_;
-                            if (((_e1535 + _e1540) + _e1546) > _e1115) {
-                                let _e1549 = -(1f);
-                                let _e1551 = (_e1530[0] * _e1549);
-                                let _e1553 = (_e1530[1] * _e1549);
-                                let _e1555 = (_e1530[2] * _e1549);
-                                if (_e1551 < 0f) {
-                                    phi_2622_ = -(_e1551);
-                                } else {
-                                    phi_2622_ = _e1551;
-                                }
-                                let _e1559 = phi_2622_;
-                                if (_e1553 < 0f) {
-                                    phi_2628_ = -(_e1553);
-                                } else {
-                                    phi_2628_ = _e1553;
-                                }
-                                let _e1563 = phi_2628_;
-                                if (_e1559 > _e1563) {
-                                    phi_2633_ = _e1559;
-                                } else {
-                                    phi_2633_ = _e1563;
-                                }
-                                let _e1566 = phi_2633_;
-                                if (_e1555 < 0f) {
-                                    phi_2639_ = -(_e1555);
-                                } else {
-                                    phi_2639_ = _e1555;
-                                }
-                                let _e1570 = phi_2639_;
-                                if (_e1566 > _e1570) {
-                                    phi_2644_ = _e1566;
-                                } else {
-                                    phi_2644_ = _e1570;
-                                }
-                                let _e1573 = phi_2644_;
-                                let _e1574 = function_8(_e1573);
-                                let _e1575 = (_e1551 * _e1574);
-                                let _e1576 = (_e1553 * _e1574);
-                                let _e1577 = (_e1555 * _e1574);
-                                let _e1582 = (((_e1575 * _e1575) + (_e1576 * _e1576)) + (_e1577 * _e1577));
-                                if (_e1582 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e1582 > 0f) {
-                                        phi_2667_ = (0.000000000000000000106433627f * 2f);
-                                    } else {
-                                        phi_2667_ = 0f;
-                                    }
-                                    let _e1635 = phi_2667_;
-                                    phi_2731_ = _e1635;
+                            let _e1350 = phi_2582_;
+                            if (((select(_e1350[0], -(_e1350[0]), (_e1350[0] < 0f)) + select(_e1350[1], -(_e1350[1]), (_e1350[1] < 0f))) + select(_e1350[2], -(_e1350[2]), (_e1350[2] < 0f))) > _e989) {
+                                let _e1366 = -(1f);
+                                let _e1368 = (_e1350[0] * _e1366);
+                                let _e1370 = (_e1350[1] * _e1366);
+                                let _e1372 = (_e1350[2] * _e1366);
+                                let _e1375 = select(_e1368, -(_e1368), (_e1368 < 0f));
+                                let _e1378 = select(_e1370, -(_e1370), (_e1370 < 0f));
+                                let _e1380 = select(_e1378, _e1375, (_e1375 > _e1378));
+                                let _e1383 = select(_e1372, -(_e1372), (_e1372 < 0f));
+                                let _e1386 = function_8(select(_e1383, _e1380, (_e1380 > _e1383)));
+                                let _e1387 = (_e1368 * _e1386);
+                                let _e1388 = (_e1370 * _e1386);
+                                let _e1389 = (_e1372 * _e1386);
+                                let _e1394 = (((_e1387 * _e1387) + (_e1388 * _e1388)) + (_e1389 * _e1389));
+                                if (_e1394 <= 0.000000000000000000000000000000000000011754944f) {
+                                    phi_2731_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1394 > 0f));
                                 } else {
                                     phi_2674_ = type_14(0i, 5i);
-                                    phi_2677_ = bitcast<f32>(((bitcast<u32>(_e1582) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_2677_ = bitcast<f32>(((bitcast<u32>(_e1394) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e1590 = phi_2674_;
-                                        let _e1592 = phi_2677_;
-                                        local_7 = _e1592;
-                                        if (_e1590.member < _e1590.member_1) {
-                                            let _e1599 = (_e1590.member + 1i);
-                                            if ((false == (_e1599 > _e1590.member)) != false) {
-                                                phi_2698_ = true;
-                                            } else {
-                                                phi_2698_ = false;
-                                            }
-                                            let _e1604 = phi_2698_;
-                                            if _e1604 {
-                                                phi_2704_ = type_15(0u, type_15().member_1);
-                                            } else {
-                                                phi_2704_ = type_15(1u, _e1599);
-                                            }
-                                            let _e1609 = phi_2704_;
-                                            phi_2675_ = type_14(_e1609.member_1, _e1590.member_1);
-                                            phi_2718_ = type_15(1u, _e1590.member);
+                                        let _e1402 = phi_2674_;
+                                        let _e1404 = phi_2677_;
+                                        local_7 = _e1404;
+                                        if (_e1402.member < _e1402.member_1) {
+                                            let _e1411 = (_e1402.member + 1i);
+                                            phi_2675_ = type_14(select(_e1411, type_15().member_1, select(false, true, ((false == (_e1411 > _e1402.member)) != false))), _e1402.member_1);
+                                            phi_2718_ = type_15(1u, _e1402.member);
                                         } else {
-                                            phi_2675_ = _e1590;
+                                            phi_2675_ = _e1402;
                                             phi_2718_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e1615 = phi_2675_;
-                                        let _e1617 = phi_2718_;
-                                        let _e1620 = (bitcast<i32>(_e1617.member) != 0i);
-                                        if _e1620 {
-                                            phi_2678_ = (0.5f * (_e1592 + (_e1582 / _e1592)));
+                                        let _e1422 = phi_2675_;
+                                        let _e1424 = phi_2718_;
+                                        let _e1427 = (bitcast<i32>(_e1424.member) != 0i);
+                                        if _e1427 {
+                                            phi_2678_ = (0.5f * (_e1404 + (_e1394 / _e1404)));
                                         } else {
                                             phi_2678_ = f32();
                                         }
-                                        let _e1625 = phi_2678_;
+                                        let _e1432 = phi_2678_;
                                         continue;
                                         continuing {
-                                            phi_2674_ = _e1615;
-                                            phi_2677_ = _e1625;
-                                            break if !(_e1620);
+                                            phi_2674_ = _e1422;
+                                            phi_2677_ = _e1432;
+                                            break if !(_e1427);
                                         }
                                     }
-                                    let _e1630 = local_7;
-                                    phi_2731_ = (_e1630 * (1f + (8f * 0.000000059604645f)));
+                                    let _e1437 = local_7;
+                                    phi_2731_ = (_e1437 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e1637 = phi_2731_;
-                                let _e1638 = (1f / _e1637);
-                                let _e1639 = (_e1575 * _e1638);
-                                let _e1640 = (_e1576 * _e1638);
-                                let _e1641 = (_e1577 * _e1638);
-                                let _e1648 = ((3f - (((_e1639 * _e1639) + (_e1640 * _e1640)) + (_e1641 * _e1641))) * 0.5f);
-                                phi_2747_ = array<f32, 3>((_e1639 * _e1648), (_e1640 * _e1648), (_e1641 * _e1648));
+                                let _e1443 = phi_2731_;
+                                let _e1444 = (1f / _e1443);
+                                let _e1445 = (_e1387 * _e1444);
+                                let _e1446 = (_e1388 * _e1444);
+                                let _e1447 = (_e1389 * _e1444);
+                                let _e1454 = ((3f - (((_e1445 * _e1445) + (_e1446 * _e1446)) + (_e1447 * _e1447))) * 0.5f);
+                                phi_2747_ = array<f32, 3>((_e1445 * _e1454), (_e1446 * _e1454), (_e1447 * _e1454));
                                 phi_2748_ = false;
                             } else {
                                 phi_2747_ = array<f32, 3>();
                                 phi_2748_ = true;
                             }
-                            let _e1654 = phi_2747_;
-                            let _e1656 = phi_2748_;
-                            phi_2749_ = _e1654;
-                            phi_2750_ = _e1656;
+                            let _e1460 = phi_2747_;
+                            let _e1462 = phi_2748_;
+                            phi_2749_ = _e1460;
+                            phi_2750_ = _e1462;
                         } else {
                             phi_2749_ = array<f32, 3>();
                             phi_2750_ = true;
                         }
-                        let _e1658 = phi_2749_;
-                        let _e1660 = phi_2750_;
-                        if _e1660 {
-                            if _e943 {
-                                if (_e949 < 0f) {
-                                    phi_2762_ = -(_e949);
-                                } else {
-                                    phi_2762_ = _e949;
-                                }
-                                let _e1983 = phi_2762_;
-                                if (_e950 < 0f) {
-                                    phi_2768_ = -(_e950);
-                                } else {
-                                    phi_2768_ = _e950;
-                                }
-                                let _e1987 = phi_2768_;
-                                if (_e1983 > _e1987) {
-                                    phi_2773_ = _e1983;
-                                } else {
-                                    phi_2773_ = _e1987;
-                                }
-                                let _e1990 = phi_2773_;
-                                if (_e951 < 0f) {
-                                    phi_2779_ = -(_e951);
-                                } else {
-                                    phi_2779_ = _e951;
-                                }
-                                let _e1994 = phi_2779_;
-                                if (_e1990 > _e1994) {
-                                    phi_2784_ = _e1990;
-                                } else {
-                                    phi_2784_ = _e1994;
-                                }
-                                let _e1997 = phi_2784_;
-                                let _e1998 = function_8(_e1997);
-                                let _e1999 = (_e949 * _e1998);
-                                let _e2000 = (_e950 * _e1998);
-                                let _e2001 = (_e951 * _e1998);
-                                let _e2006 = (((_e1999 * _e1999) + (_e2000 * _e2000)) + (_e2001 * _e2001));
-                                if (_e2006 <= 0.000000000000000000000000000000000000011754944f) {
-                                    if (_e2006 > 0f) {
-                                        phi_2807_ = (0.000000000000000000106433627f * 2f);
-                                    } else {
-                                        phi_2807_ = 0f;
-                                    }
-                                    let _e2059 = phi_2807_;
-                                    phi_2871_ = _e2059;
+                        let _e1464 = phi_2749_;
+                        let _e1466 = phi_2750_;
+                        if _e1466 {
+                            if _e851 {
+                                let _e1740 = select(_e857, -(_e857), (_e857 < 0f));
+                                let _e1743 = select(_e858, -(_e858), (_e858 < 0f));
+                                let _e1745 = select(_e1743, _e1740, (_e1740 > _e1743));
+                                let _e1748 = select(_e859, -(_e859), (_e859 < 0f));
+                                let _e1751 = function_8(select(_e1748, _e1745, (_e1745 > _e1748)));
+                                let _e1752 = (_e857 * _e1751);
+                                let _e1753 = (_e858 * _e1751);
+                                let _e1754 = (_e859 * _e1751);
+                                let _e1759 = (((_e1752 * _e1752) + (_e1753 * _e1753)) + (_e1754 * _e1754));
+                                if (_e1759 <= 0.000000000000000000000000000000000000011754944f) {
+                                    phi_2871_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1759 > 0f));
                                 } else {
                                     phi_2814_ = type_14(0i, 5i);
-                                    phi_2817_ = bitcast<f32>(((bitcast<u32>(_e2006) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_2817_ = bitcast<f32>(((bitcast<u32>(_e1759) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e2014 = phi_2814_;
-                                        let _e2016 = phi_2817_;
-                                        local_10 = _e2016;
-                                        if (_e2014.member < _e2014.member_1) {
-                                            let _e2023 = (_e2014.member + 1i);
-                                            if ((false == (_e2023 > _e2014.member)) != false) {
-                                                phi_2838_ = true;
-                                            } else {
-                                                phi_2838_ = false;
-                                            }
-                                            let _e2028 = phi_2838_;
-                                            if _e2028 {
-                                                phi_2844_ = type_15(0u, type_15().member_1);
-                                            } else {
-                                                phi_2844_ = type_15(1u, _e2023);
-                                            }
-                                            let _e2033 = phi_2844_;
-                                            phi_2815_ = type_14(_e2033.member_1, _e2014.member_1);
-                                            phi_2858_ = type_15(1u, _e2014.member);
+                                        let _e1767 = phi_2814_;
+                                        let _e1769 = phi_2817_;
+                                        local_10 = _e1769;
+                                        if (_e1767.member < _e1767.member_1) {
+                                            let _e1776 = (_e1767.member + 1i);
+                                            phi_2815_ = type_14(select(_e1776, type_15().member_1, select(false, true, ((false == (_e1776 > _e1767.member)) != false))), _e1767.member_1);
+                                            phi_2858_ = type_15(1u, _e1767.member);
                                         } else {
-                                            phi_2815_ = _e2014;
+                                            phi_2815_ = _e1767;
                                             phi_2858_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e2039 = phi_2815_;
-                                        let _e2041 = phi_2858_;
-                                        let _e2044 = (bitcast<i32>(_e2041.member) != 0i);
-                                        if _e2044 {
-                                            phi_2818_ = (0.5f * (_e2016 + (_e2006 / _e2016)));
+                                        let _e1787 = phi_2815_;
+                                        let _e1789 = phi_2858_;
+                                        let _e1792 = (bitcast<i32>(_e1789.member) != 0i);
+                                        if _e1792 {
+                                            phi_2818_ = (0.5f * (_e1769 + (_e1759 / _e1769)));
                                         } else {
                                             phi_2818_ = f32();
                                         }
-                                        let _e2049 = phi_2818_;
+                                        let _e1797 = phi_2818_;
                                         continue;
                                         continuing {
-                                            phi_2814_ = _e2039;
-                                            phi_2817_ = _e2049;
-                                            break if !(_e2044);
+                                            phi_2814_ = _e1787;
+                                            phi_2817_ = _e1797;
+                                            break if !(_e1792);
                                         }
                                     }
-                                    let _e2054 = local_10;
-                                    phi_2871_ = (_e2054 * (1f + (8f * 0.000000059604645f)));
+                                    let _e1802 = local_10;
+                                    phi_2871_ = (_e1802 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e2061 = phi_2871_;
-                                let _e2062 = (1f / _e2061);
-                                let _e2063 = (_e1999 * _e2062);
-                                let _e2064 = (_e2000 * _e2062);
-                                let _e2065 = (_e2001 * _e2062);
-                                let _e2072 = ((3f - (((_e2063 * _e2063) + (_e2064 * _e2064)) + (_e2065 * _e2065))) * 0.5f);
-                                phi_3328_ = array<f32, 3>((_e2063 * _e2072), (_e2064 * _e2072), (_e2065 * _e2072));
+                                let _e1808 = phi_2871_;
+                                let _e1809 = (1f / _e1808);
+                                let _e1810 = (_e1752 * _e1809);
+                                let _e1811 = (_e1753 * _e1809);
+                                let _e1812 = (_e1754 * _e1809);
+                                let _e1819 = ((3f - (((_e1810 * _e1810) + (_e1811 * _e1811)) + (_e1812 * _e1812))) * 0.5f);
+                                phi_3328_ = array<f32, 3>((_e1810 * _e1819), (_e1811 * _e1819), (_e1812 * _e1819));
                             } else {
-                                let _e1662 = local.member_1;
-                                let _e1668 = local.member_2;
-                                if (_e1668[0] < 0f) {
-                                    phi_2905_ = -(_e1668[0]);
-                                } else {
-                                    phi_2905_ = _e1668[0];
-                                }
-                                let _e1676 = phi_2905_;
-                                if (_e1668[1] < 0f) {
-                                    phi_2912_ = -(_e1668[1]);
-                                } else {
-                                    phi_2912_ = _e1668[1];
-                                }
-                                let _e1680 = phi_2912_;
-                                if (_e1676 > _e1680) {
-                                    phi_2917_ = _e1676;
-                                } else {
-                                    phi_2917_ = _e1680;
-                                }
-                                let _e1683 = phi_2917_;
-                                if (_e1668[2] < 0f) {
-                                    phi_2924_ = -(_e1668[2]);
-                                } else {
-                                    phi_2924_ = _e1668[2];
-                                }
-                                let _e1687 = phi_2924_;
-                                if (_e1683 > _e1687) {
-                                    phi_2929_ = _e1683;
-                                } else {
-                                    phi_2929_ = _e1687;
-                                }
-                                let _e1690 = phi_2929_;
-                                if (_e1662[0] < 0f) {
-                                    phi_2936_ = -(_e1662[0]);
-                                } else {
-                                    phi_2936_ = _e1662[0];
-                                }
-                                let _e1694 = phi_2936_;
-                                if (_e1662[1] < 0f) {
-                                    phi_2943_ = -(_e1662[1]);
-                                } else {
-                                    phi_2943_ = _e1662[1];
-                                }
-                                let _e1698 = phi_2943_;
-                                if (_e1694 > _e1698) {
-                                    phi_2948_ = _e1694;
-                                } else {
-                                    phi_2948_ = _e1698;
-                                }
-                                let _e1701 = phi_2948_;
-                                if (_e1662[2] < 0f) {
-                                    phi_2955_ = -(_e1662[2]);
-                                } else {
-                                    phi_2955_ = _e1662[2];
-                                }
-                                let _e1705 = phi_2955_;
-                                if (_e1701 > _e1705) {
-                                    phi_2960_ = _e1701;
-                                } else {
-                                    phi_2960_ = _e1705;
-                                }
-                                let _e1708 = phi_2960_;
-                                if (_e1690 > _e1708) {
-                                    phi_2965_ = array<f32, 3>(_e1668[0], _e1668[1], _e1668[2]);
-                                } else {
-                                    phi_2965_ = array<f32, 3>(_e1662[0], _e1662[1], _e1662[2]);
-                                }
-                                let _e1711 = phi_2965_;
-                                if (_e1711[0] < 0f) {
-                                    phi_2972_ = -(_e1711[0]);
-                                } else {
-                                    phi_2972_ = _e1711[0];
-                                }
-                                let _e1716 = phi_2972_;
-                                if (_e1711[1] < 0f) {
-                                    phi_2979_ = -(_e1711[1]);
-                                } else {
-                                    phi_2979_ = _e1711[1];
-                                }
-                                let _e1721 = phi_2979_;
-                                if (_e1716 > _e1721) {
-                                    phi_2984_ = _e1716;
-                                } else {
-                                    phi_2984_ = _e1721;
-                                }
-                                let _e1724 = phi_2984_;
-                                if (_e1711[2] < 0f) {
-                                    phi_2991_ = -(_e1711[2]);
-                                } else {
-                                    phi_2991_ = _e1711[2];
-                                }
-                                let _e1729 = phi_2991_;
-                                if (_e1724 > _e1729) {
-                                    phi_2996_ = _e1724;
-                                } else {
-                                    phi_2996_ = _e1729;
-                                }
-                                let _e1732 = phi_2996_;
-                                if (_e1732 > 0f) {
-                                    if (_e1711[0] < 0f) {
-                                        phi_3007_ = -(_e1711[0]);
-                                    } else {
-                                        phi_3007_ = _e1711[0];
-                                    }
-                                    let _e1738 = phi_3007_;
-                                    if (_e1711[1] < 0f) {
-                                        phi_3014_ = -(_e1711[1]);
-                                    } else {
-                                        phi_3014_ = _e1711[1];
-                                    }
-                                    let _e1743 = phi_3014_;
-                                    if (_e1711[2] < 0f) {
-                                        phi_3021_ = -(_e1711[2]);
-                                    } else {
-                                        phi_3021_ = _e1711[2];
-                                    }
-                                    let _e1748 = phi_3021_;
-                                    if (_e1738 <= _e1743) {
-                                        if (_e1738 <= _e1748) {
-                                            phi_3031_ = array<f32, 3>(1f, 0f, 0f);
-                                            phi_3032_ = false;
-                                        } else {
-                                            phi_3031_ = array<f32, 3>();
-                                            phi_3032_ = true;
-                                        }
-                                        let _e1752 = phi_3031_;
-                                        let _e1754 = phi_3032_;
-                                        phi_3033_ = _e1752;
-                                        phi_3034_ = _e1754;
+                                let _e1468 = local.member_1;
+                                let _e1473 = local.member_2;
+                                let _e1479 = select(_e1473[0], -(_e1473[0]), (_e1473[0] < 0f));
+                                let _e1482 = select(_e1473[1], -(_e1473[1]), (_e1473[1] < 0f));
+                                let _e1484 = select(_e1482, _e1479, (_e1479 > _e1482));
+                                let _e1487 = select(_e1473[2], -(_e1473[2]), (_e1473[2] < 0f));
+                                let _e1492 = select(_e1468[0], -(_e1468[0]), (_e1468[0] < 0f));
+                                let _e1495 = select(_e1468[1], -(_e1468[1]), (_e1468[1] < 0f));
+                                let _e1497 = select(_e1495, _e1492, (_e1492 > _e1495));
+                                let _e1500 = select(_e1468[2], -(_e1468[2]), (_e1468[2] < 0f));
+                                let _e1503 = (select(_e1487, _e1484, (_e1484 > _e1487)) > select(_e1500, _e1497, (_e1497 > _e1500)));
+                                let _e1504 = select(_e1468[0], _e1473[0], _e1503);
+                                let _e1505 = select(_e1468[1], _e1473[1], _e1503);
+                                let _e1506 = select(_e1468[2], _e1473[2], _e1503);
+                                let _e1509 = select(_e1504, -(_e1504), (_e1504 < 0f));
+                                let _e1512 = select(_e1505, -(_e1505), (_e1505 < 0f));
+                                let _e1514 = select(_e1512, _e1509, (_e1509 > _e1512));
+                                let _e1517 = select(_e1506, -(_e1506), (_e1506 < 0f));
+                                if (select(_e1517, _e1514, (_e1514 > _e1517)) > 0f) {
+                                    let _e1523 = select(_e1504, -(_e1504), (_e1504 < 0f));
+                                    let _e1526 = select(_e1505, -(_e1505), (_e1505 < 0f));
+                                    let _e1529 = select(_e1506, -(_e1506), (_e1506 < 0f));
+                                    if (_e1523 <= _e1526) {
+                                        let _e1531 = (_e1523 <= _e1529);
+                                        phi_3033_ = array<f32, 3>(select(array<f32, 3>()[0], 1f, _e1531), select(array<f32, 3>()[1], 0f, _e1531), select(array<f32, 3>()[2], 0f, _e1531));
+                                        phi_3034_ = select(true, false, _e1531);
                                     } else {
                                         phi_3033_ = array<f32, 3>();
                                         phi_3034_ = true;
                                     }
-                                    let _e1756 = phi_3033_;
-                                    let _e1758 = phi_3034_;
-                                    if _e1758 {
-                                        if (_e1743 <= _e1748) {
-                                            phi_3044_ = array<f32, 3>(0f, 1f, 0f);
-                                        } else {
-                                            phi_3044_ = array<f32, 3>(0f, 0f, 1f);
-                                        }
-                                        let _e1761 = phi_3044_;
-                                        phi_3045_ = _e1761;
+                                    let _e1541 = phi_3033_;
+                                    let _e1543 = phi_3034_;
+                                    if _e1543 {
+                                        let _e1544 = (_e1526 <= _e1529);
+                                        phi_3045_ = array<f32, 3>(0f, select(0f, 1f, _e1544), select(1f, 0f, _e1544));
                                     } else {
-                                        phi_3045_ = _e1756;
+                                        phi_3045_ = _e1541;
                                     }
-                                    let _e1763 = phi_3045_;
-                                    if (_e1711[0] < 0f) {
-                                        phi_3052_ = -(_e1711[0]);
-                                    } else {
-                                        phi_3052_ = _e1711[0];
-                                    }
-                                    let _e1768 = phi_3052_;
-                                    if (_e1711[1] < 0f) {
-                                        phi_3059_ = -(_e1711[1]);
-                                    } else {
-                                        phi_3059_ = _e1711[1];
-                                    }
-                                    let _e1773 = phi_3059_;
-                                    if (_e1768 > _e1773) {
-                                        phi_3064_ = _e1768;
-                                    } else {
-                                        phi_3064_ = _e1773;
-                                    }
-                                    let _e1776 = phi_3064_;
-                                    if (_e1711[2] < 0f) {
-                                        phi_3071_ = -(_e1711[2]);
-                                    } else {
-                                        phi_3071_ = _e1711[2];
-                                    }
-                                    let _e1781 = phi_3071_;
-                                    if (_e1776 > _e1781) {
-                                        phi_3076_ = _e1776;
-                                    } else {
-                                        phi_3076_ = _e1781;
-                                    }
-                                    let _e1784 = phi_3076_;
-                                    let _e1785 = function_8(_e1784);
-                                    let _e1787 = (_e1711[0] * _e1785);
-                                    let _e1789 = (_e1711[1] * _e1785);
-                                    let _e1791 = (_e1711[2] * _e1785);
-                                    let _e1796 = (((_e1787 * _e1787) + (_e1789 * _e1789)) + (_e1791 * _e1791));
-                                    if (_e1796 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e1796 > 0f) {
-                                            phi_3102_ = (0.000000000000000000106433627f * 2f);
-                                        } else {
-                                            phi_3102_ = 0f;
-                                        }
-                                        let _e1849 = phi_3102_;
-                                        phi_3166_ = _e1849;
+                                    let _e1549 = phi_3045_;
+                                    let _e1552 = select(_e1504, -(_e1504), (_e1504 < 0f));
+                                    let _e1555 = select(_e1505, -(_e1505), (_e1505 < 0f));
+                                    let _e1557 = select(_e1555, _e1552, (_e1552 > _e1555));
+                                    let _e1560 = select(_e1506, -(_e1506), (_e1506 < 0f));
+                                    let _e1563 = function_8(select(_e1560, _e1557, (_e1557 > _e1560)));
+                                    let _e1564 = (_e1504 * _e1563);
+                                    let _e1565 = (_e1505 * _e1563);
+                                    let _e1566 = (_e1506 * _e1563);
+                                    let _e1571 = (((_e1564 * _e1564) + (_e1565 * _e1565)) + (_e1566 * _e1566));
+                                    if (_e1571 <= 0.000000000000000000000000000000000000011754944f) {
+                                        phi_3166_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1571 > 0f));
                                     } else {
                                         phi_3109_ = type_14(0i, 5i);
-                                        phi_3112_ = bitcast<f32>(((bitcast<u32>(_e1796) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_3112_ = bitcast<f32>(((bitcast<u32>(_e1571) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e1804 = phi_3109_;
-                                            let _e1806 = phi_3112_;
-                                            local_8 = _e1806;
-                                            if (_e1804.member < _e1804.member_1) {
-                                                let _e1813 = (_e1804.member + 1i);
-                                                if ((false == (_e1813 > _e1804.member)) != false) {
-                                                    phi_3133_ = true;
-                                                } else {
-                                                    phi_3133_ = false;
-                                                }
-                                                let _e1818 = phi_3133_;
-                                                if _e1818 {
-                                                    phi_3139_ = type_15(0u, type_15().member_1);
-                                                } else {
-                                                    phi_3139_ = type_15(1u, _e1813);
-                                                }
-                                                let _e1823 = phi_3139_;
-                                                phi_3110_ = type_14(_e1823.member_1, _e1804.member_1);
-                                                phi_3153_ = type_15(1u, _e1804.member);
+                                            let _e1579 = phi_3109_;
+                                            let _e1581 = phi_3112_;
+                                            local_8 = _e1581;
+                                            if (_e1579.member < _e1579.member_1) {
+                                                let _e1588 = (_e1579.member + 1i);
+                                                phi_3110_ = type_14(select(_e1588, type_15().member_1, select(false, true, ((false == (_e1588 > _e1579.member)) != false))), _e1579.member_1);
+                                                phi_3153_ = type_15(1u, _e1579.member);
                                             } else {
-                                                phi_3110_ = _e1804;
+                                                phi_3110_ = _e1579;
                                                 phi_3153_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e1829 = phi_3110_;
-                                            let _e1831 = phi_3153_;
-                                            let _e1834 = (bitcast<i32>(_e1831.member) != 0i);
-                                            if _e1834 {
-                                                phi_3113_ = (0.5f * (_e1806 + (_e1796 / _e1806)));
+                                            let _e1599 = phi_3110_;
+                                            let _e1601 = phi_3153_;
+                                            let _e1604 = (bitcast<i32>(_e1601.member) != 0i);
+                                            if _e1604 {
+                                                phi_3113_ = (0.5f * (_e1581 + (_e1571 / _e1581)));
                                             } else {
                                                 phi_3113_ = f32();
                                             }
-                                            let _e1839 = phi_3113_;
+                                            let _e1609 = phi_3113_;
                                             continue;
                                             continuing {
-                                                phi_3109_ = _e1829;
-                                                phi_3112_ = _e1839;
-                                                break if !(_e1834);
+                                                phi_3109_ = _e1599;
+                                                phi_3112_ = _e1609;
+                                                break if !(_e1604);
                                             }
                                         }
-                                        let _e1844 = local_8;
-                                        phi_3166_ = (_e1844 * (1f + (8f * 0.000000059604645f)));
+                                        let _e1614 = local_8;
+                                        phi_3166_ = (_e1614 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e1851 = phi_3166_;
-                                    let _e1852 = (1f / _e1851);
-                                    let _e1853 = (_e1787 * _e1852);
-                                    let _e1854 = (_e1789 * _e1852);
-                                    let _e1855 = (_e1791 * _e1852);
-                                    let _e1862 = ((3f - (((_e1853 * _e1853) + (_e1854 * _e1854)) + (_e1855 * _e1855))) * 0.5f);
-                                    let _e1863 = (_e1853 * _e1862);
-                                    let _e1864 = (_e1854 * _e1862);
-                                    let _e1865 = (_e1855 * _e1862);
-                                    let _e1870 = ((_e1864 * _e1763[2]) - (_e1865 * _e1763[1]));
-                                    let _e1875 = ((_e1865 * _e1763[0]) - (_e1863 * _e1763[2]));
-                                    let _e1880 = ((_e1863 * _e1763[1]) - (_e1864 * _e1763[0]));
-                                    if (_e1870 < 0f) {
-                                        phi_3201_ = -(_e1870);
-                                    } else {
-                                        phi_3201_ = _e1870;
-                                    }
-                                    let _e1884 = phi_3201_;
-                                    if (_e1875 < 0f) {
-                                        phi_3207_ = -(_e1875);
-                                    } else {
-                                        phi_3207_ = _e1875;
-                                    }
-                                    let _e1888 = phi_3207_;
-                                    if (_e1884 > _e1888) {
-                                        phi_3212_ = _e1884;
-                                    } else {
-                                        phi_3212_ = _e1888;
-                                    }
-                                    let _e1891 = phi_3212_;
-                                    if (_e1880 < 0f) {
-                                        phi_3218_ = -(_e1880);
-                                    } else {
-                                        phi_3218_ = _e1880;
-                                    }
-                                    let _e1895 = phi_3218_;
-                                    if (_e1891 > _e1895) {
-                                        phi_3223_ = _e1891;
-                                    } else {
-                                        phi_3223_ = _e1895;
-                                    }
-                                    let _e1898 = phi_3223_;
-                                    let _e1899 = function_8(_e1898);
-                                    let _e1900 = (_e1870 * _e1899);
-                                    let _e1901 = (_e1875 * _e1899);
-                                    let _e1902 = (_e1880 * _e1899);
-                                    let _e1907 = (((_e1900 * _e1900) + (_e1901 * _e1901)) + (_e1902 * _e1902));
-                                    if (_e1907 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e1907 > 0f) {
-                                            phi_3246_ = (0.000000000000000000106433627f * 2f);
-                                        } else {
-                                            phi_3246_ = 0f;
-                                        }
-                                        let _e1960 = phi_3246_;
-                                        phi_3310_ = _e1960;
+                                    let _e1620 = phi_3166_;
+                                    let _e1621 = (1f / _e1620);
+                                    let _e1622 = (_e1564 * _e1621);
+                                    let _e1623 = (_e1565 * _e1621);
+                                    let _e1624 = (_e1566 * _e1621);
+                                    let _e1631 = ((3f - (((_e1622 * _e1622) + (_e1623 * _e1623)) + (_e1624 * _e1624))) * 0.5f);
+                                    let _e1632 = (_e1622 * _e1631);
+                                    let _e1633 = (_e1623 * _e1631);
+                                    let _e1634 = (_e1624 * _e1631);
+                                    let _e1639 = ((_e1633 * _e1549[2]) - (_e1634 * _e1549[1]));
+                                    let _e1644 = ((_e1634 * _e1549[0]) - (_e1632 * _e1549[2]));
+                                    let _e1649 = ((_e1632 * _e1549[1]) - (_e1633 * _e1549[0]));
+                                    let _e1652 = select(_e1639, -(_e1639), (_e1639 < 0f));
+                                    let _e1655 = select(_e1644, -(_e1644), (_e1644 < 0f));
+                                    let _e1657 = select(_e1655, _e1652, (_e1652 > _e1655));
+                                    let _e1660 = select(_e1649, -(_e1649), (_e1649 < 0f));
+                                    let _e1663 = function_8(select(_e1660, _e1657, (_e1657 > _e1660)));
+                                    let _e1664 = (_e1639 * _e1663);
+                                    let _e1665 = (_e1644 * _e1663);
+                                    let _e1666 = (_e1649 * _e1663);
+                                    let _e1671 = (((_e1664 * _e1664) + (_e1665 * _e1665)) + (_e1666 * _e1666));
+                                    if (_e1671 <= 0.000000000000000000000000000000000000011754944f) {
+                                        phi_3310_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1671 > 0f));
                                     } else {
                                         phi_3253_ = type_14(0i, 5i);
-                                        phi_3256_ = bitcast<f32>(((bitcast<u32>(_e1907) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_3256_ = bitcast<f32>(((bitcast<u32>(_e1671) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e1915 = phi_3253_;
-                                            let _e1917 = phi_3256_;
-                                            local_9 = _e1917;
-                                            if (_e1915.member < _e1915.member_1) {
-                                                let _e1924 = (_e1915.member + 1i);
-                                                if ((false == (_e1924 > _e1915.member)) != false) {
-                                                    phi_3277_ = true;
-                                                } else {
-                                                    phi_3277_ = false;
-                                                }
-                                                let _e1929 = phi_3277_;
-                                                if _e1929 {
-                                                    phi_3283_ = type_15(0u, type_15().member_1);
-                                                } else {
-                                                    phi_3283_ = type_15(1u, _e1924);
-                                                }
-                                                let _e1934 = phi_3283_;
-                                                phi_3254_ = type_14(_e1934.member_1, _e1915.member_1);
-                                                phi_3297_ = type_15(1u, _e1915.member);
+                                            let _e1679 = phi_3253_;
+                                            let _e1681 = phi_3256_;
+                                            local_9 = _e1681;
+                                            if (_e1679.member < _e1679.member_1) {
+                                                let _e1688 = (_e1679.member + 1i);
+                                                phi_3254_ = type_14(select(_e1688, type_15().member_1, select(false, true, ((false == (_e1688 > _e1679.member)) != false))), _e1679.member_1);
+                                                phi_3297_ = type_15(1u, _e1679.member);
                                             } else {
-                                                phi_3254_ = _e1915;
+                                                phi_3254_ = _e1679;
                                                 phi_3297_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e1940 = phi_3254_;
-                                            let _e1942 = phi_3297_;
-                                            let _e1945 = (bitcast<i32>(_e1942.member) != 0i);
-                                            if _e1945 {
-                                                phi_3257_ = (0.5f * (_e1917 + (_e1907 / _e1917)));
+                                            let _e1699 = phi_3254_;
+                                            let _e1701 = phi_3297_;
+                                            let _e1704 = (bitcast<i32>(_e1701.member) != 0i);
+                                            if _e1704 {
+                                                phi_3257_ = (0.5f * (_e1681 + (_e1671 / _e1681)));
                                             } else {
                                                 phi_3257_ = f32();
                                             }
-                                            let _e1950 = phi_3257_;
+                                            let _e1709 = phi_3257_;
                                             continue;
                                             continuing {
-                                                phi_3253_ = _e1940;
-                                                phi_3256_ = _e1950;
-                                                break if !(_e1945);
+                                                phi_3253_ = _e1699;
+                                                phi_3256_ = _e1709;
+                                                break if !(_e1704);
                                             }
                                         }
-                                        let _e1955 = local_9;
-                                        phi_3310_ = (_e1955 * (1f + (8f * 0.000000059604645f)));
+                                        let _e1714 = local_9;
+                                        phi_3310_ = (_e1714 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e1962 = phi_3310_;
-                                    let _e1963 = (1f / _e1962);
-                                    let _e1964 = (_e1900 * _e1963);
-                                    let _e1965 = (_e1901 * _e1963);
-                                    let _e1966 = (_e1902 * _e1963);
-                                    let _e1973 = ((3f - (((_e1964 * _e1964) + (_e1965 * _e1965)) + (_e1966 * _e1966))) * 0.5f);
-                                    phi_3327_ = array<f32, 3>((_e1964 * _e1973), (_e1965 * _e1973), (_e1966 * _e1973));
+                                    let _e1720 = phi_3310_;
+                                    let _e1721 = (1f / _e1720);
+                                    let _e1722 = (_e1664 * _e1721);
+                                    let _e1723 = (_e1665 * _e1721);
+                                    let _e1724 = (_e1666 * _e1721);
+                                    let _e1731 = ((3f - (((_e1722 * _e1722) + (_e1723 * _e1723)) + (_e1724 * _e1724))) * 0.5f);
+                                    phi_3327_ = array<f32, 3>((_e1722 * _e1731), (_e1723 * _e1731), (_e1724 * _e1731));
                                 } else {
                                     phi_3327_ = array<f32, 3>(1f, 0f, 0f);
                                 }
-                                let _e1979 = phi_3327_;
-                                phi_3328_ = _e1979;
+                                let _e1737 = phi_3327_;
+                                phi_3328_ = _e1737;
                             }
-                            let _e2078 = phi_3328_;
-                            if ((((_e910 * _e2078[0]) + (_e911 * _e2078[1])) + (_e912 * _e2078[2])) > _e1115) {
-                                let _e2088 = -(1f);
-                                phi_3349_ = array<f32, 3>((_e2078[0] * _e2088), (_e2078[1] * _e2088), (_e2078[2] * _e2088));
-                            } else {
-                                phi_3349_ = _e2078;
-                            }
-                            let _e2097 = phi_3349_;
-                            phi_3350_ = _e2097;
+                            let _e1825 = phi_3328_;
+                            let _e1834 = ((((_e826 * _e1825[0]) + (_e827 * _e1825[1])) + (_e828 * _e1825[2])) > _e989);
+                            let _e1835 = -(1f);
+                            phi_3350_ = array<f32, 3>(select(_e1825[0], (_e1825[0] * _e1835), _e1834), select(_e1825[1], (_e1825[1] * _e1835), _e1834), select(_e1825[2], (_e1825[2] * _e1835), _e1834));
                             phi_3351_ = false;
                         } else {
                             phi_3350_ = array<f32, 3>();
                             phi_3351_ = true;
                         }
-                        let _e2099 = phi_3350_;
-                        let _e2101 = phi_3351_;
-                        phi_3352_ = _e2099;
-                        phi_3353_ = _e1658;
-                        phi_3354_ = _e2101;
+                        let _e1850 = phi_3350_;
+                        let _e1852 = phi_3351_;
+                        phi_3352_ = _e1850;
+                        phi_3353_ = _e1464;
+                        phi_3354_ = _e1852;
                     } else {
                         phi_3352_ = array<f32, 3>();
-                        phi_3353_ = _e1257;
+                        phi_3353_ = _e1116;
                         phi_3354_ = true;
                     }
-                    let _e2103 = phi_3352_;
-                    let _e2105 = phi_3353_;
-                    let _e2107 = phi_3354_;
-                    phi_3358_ = _e2105;
-                    phi_3359_ = _e2103;
-                    phi_3360_ = _e2107;
+                    let _e1854 = phi_3352_;
+                    let _e1856 = phi_3353_;
+                    let _e1858 = phi_3354_;
+                    phi_3358_ = _e1856;
+                    phi_3359_ = _e1854;
+                    phi_3360_ = _e1858;
                 }
-                let _e2352 = phi_3358_;
-                let _e2354 = phi_3359_;
-                let _e2356 = phi_3360_;
-                if _e2356 {
-                    phi_3364_ = _e2352;
+                let _e2075 = phi_3358_;
+                let _e2077 = phi_3359_;
+                let _e2079 = phi_3360_;
+                let _e2082 = select(_e2077[0], _e2075[0], _e2079);
+                let _e2085 = select(_e2077[1], _e2075[1], _e2079);
+                let _e2088 = select(_e2077[2], _e2075[2], _e2079);
+                let _e2094 = ((((_e2082 * _e2082) + (_e2085 * _e2085)) + (_e2088 * _e2088)) > 0.5f);
+                let _e2101 = function_9(_e253[0], _e254[0], _e248);
+                let _e2104 = function_9(_e253[1], _e254[1], _e248);
+                let _e2107 = function_9(_e253[2], _e254[2], _e248);
+                let _e2110 = function_9(_e253[3], _e254[3], _e248);
+                if (_e171.member != 0u) {
+                    let _e2146 = function_9(_e2101, _e2104, _e737.member);
+                    let _e2147 = function_9(_e2107, _e2110, _e737.member_1);
+                    phi_3437_ = _e2147;
+                    phi_3438_ = _e2146;
+                    phi_3439_ = array<f32, 4>((1f - _e737.member), _e737.member, (1f - _e737.member_1), _e737.member_1);
                 } else {
-                    phi_3364_ = _e2354;
+                    let _e2113 = ((1f - _e737.member) - _e737.member_1);
+                    let _e2115 = select(0f, _e2113, (_e2113 > 0f));
+                    let _e2142 = function_(array<f32, 4>(1f, _e2115, _e737.member, _e737.member_1), _e252);
+                    phi_3437_ = array<f32, 3>((((_e2104[0] * _e2115) + (_e2107[0] * _e737.member)) + (_e2110[0] * _e737.member_1)), (((_e2104[1] * _e2115) + (_e2107[1] * _e737.member)) + (_e2110[1] * _e737.member_1)), (((_e2104[2] * _e2115) + (_e2107[2] * _e737.member)) + (_e2110[2] * _e737.member_1)));
+                    phi_3438_ = _e2101;
+                    phi_3439_ = _e2142;
                 }
-                let _e2358 = phi_3364_;
-                if ((((_e2358[0] * _e2358[0]) + (_e2358[1] * _e2358[1])) + (_e2358[2] * _e2358[2])) > 0.5f) {
-                    phi_3381_ = _e2358;
-                } else {
-                    phi_3381_ = array<f32, 3>(1f, 0f, 0f);
-                }
-                let _e2372 = phi_3381_;
-                let _e2375 = function_9(_e263[0], _e264[0], _e258);
-                let _e2378 = function_9(_e263[1], _e264[1], _e258);
-                let _e2381 = function_9(_e263[2], _e264[2], _e258);
-                let _e2384 = function_9(_e263[3], _e264[3], _e258);
-                if (_e179.member != 0u) {
-                    let _e2421 = function_9(_e2375, _e2378, _e814.member);
-                    let _e2422 = function_9(_e2381, _e2384, _e814.member_1);
-                    phi_3437_ = _e2422;
-                    phi_3438_ = _e2421;
-                    phi_3439_ = array<f32, 4>((1f - _e814.member), _e814.member, (1f - _e814.member_1), _e814.member_1);
-                } else {
-                    let _e2387 = ((1f - _e814.member) - _e814.member_1);
-                    if (_e2387 > 0f) {
-                        phi_3409_ = _e2387;
-                    } else {
-                        phi_3409_ = 0f;
-                    }
-                    let _e2390 = phi_3409_;
-                    let _e2417 = function_(array<f32, 4>(1f, _e2390, _e814.member, _e814.member_1), _e262);
-                    phi_3437_ = array<f32, 3>((((_e2378[0] * _e2390) + (_e2381[0] * _e814.member)) + (_e2384[0] * _e814.member_1)), (((_e2378[1] * _e2390) + (_e2381[1] * _e814.member)) + (_e2384[1] * _e814.member_1)), (((_e2378[2] * _e2390) + (_e2381[2] * _e814.member)) + (_e2384[2] * _e814.member_1)));
-                    phi_3438_ = _e2375;
-                    phi_3439_ = _e2417;
-                }
-                let _e2424 = phi_3437_;
-                let _e2426 = phi_3438_;
-                let _e2428 = phi_3439_;
-                let _e2429 = function_9(_e2426, _e2424, 0.5f);
-                let _e2433 = params.member.member_2.member;
-                let _e2436 = params.member.member_2.member_1;
-                geometry.member[_e140] = type_33(array<f32, 3>(((_e2429[0] * _e2436) + _e2433[0]), ((_e2429[1] * _e2436) + _e2433[1]), ((_e2429[2] * _e2436) + _e2433[2])), ((_e878 / _e506) * _e2436), _e2372, _e147, _e2428, _e179.member_1);
+                let _e2149 = phi_3437_;
+                let _e2151 = phi_3438_;
+                let _e2153 = phi_3439_;
+                let _e2154 = function_9(_e2151, _e2149, 0.5f);
+                let _e2158 = params.member.member_2.member;
+                let _e2161 = params.member.member_2.member_1;
+                geometry.member[_e132] = type_33(array<f32, 3>(((_e2154[0] * _e2161) + _e2158[0]), ((_e2154[1] * _e2161) + _e2158[1]), ((_e2154[2] * _e2161) + _e2158[2])), ((_e795 / _e479) * _e2161), array<f32, 3>(select(1f, _e2082, _e2094), select(0f, _e2085, _e2094), select(0f, _e2088, _e2094)), _e139, _e2153, _e171.member_1);
             }
         }
         continue;
         continuing {
-            phi_243_ = _e125;
-            break if !(_e131);
+            phi_243_ = type_9(select(_e107.member, (_e107.member + 1u), _e110), select(_e107.member_1, _e107.member_1, _e110));
+            break if !(_e123);
         }
     }
     return;

@@ -184,30 +184,9 @@ fn function_3(param_4: type_44, param_5: type_44) -> type_44 {
 }
 
 fn function_4(param_6: f64, param_7: f64) -> f64 {
-    var phi_3770_: f64;
-    var phi_3775_: f64;
-    var phi_3776_: f64;
-
     let _e3 = f64(0f);
-    if (param_6 > _e3) {
-        if (param_6 < param_7) {
-            phi_3770_ = param_6;
-        } else {
-            phi_3770_ = param_7;
-        }
-        let _e7 = phi_3770_;
-        if (_e7 > _e3) {
-            phi_3775_ = _e7;
-        } else {
-            phi_3775_ = _e3;
-        }
-        let _e10 = phi_3775_;
-        phi_3776_ = _e10;
-    } else {
-        phi_3776_ = _e3;
-    }
-    let _e12 = phi_3776_;
-    return _e12;
+    let _e6 = select(param_7, param_6, (param_6 < param_7));
+    return select(_e3, select(_e3, _e6, (_e6 > _e3)), (param_6 > _e3));
 }
 
 fn function_5(param_8: ptr<function, type_35>, param_9: f64, param_10: f64) -> f64 {
@@ -241,16 +220,10 @@ fn function_7(param_14: ptr<function, type_35>, param_15: f64, param_16: f64) ->
 }
 
 fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
-    var phi_4399_: f64;
-    var phi_4406_: f64;
     var phi_4418_: type_44;
     var phi_4419_: bool;
     var phi_4420_: type_44;
     var phi_4421_: bool;
-    var phi_4276_: bool;
-    var phi_4277_: bool;
-    var phi_4293_: f64;
-    var phi_4299_: f64;
     var phi_4302_: type_44;
     var phi_4303_: bool;
     var phi_4304_: type_44;
@@ -269,73 +242,49 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
     let _e11 = (param_18 == 0u);
     let _e13 = (*param_17).member_4;
     if (_e13 > _e9) {
-        let _e93 = (*param_17).member_3;
-        let _e98 = (*param_17).member_3;
-        let _e106 = (((_e93[0] * _e98[0]) + (_e93[1] * _e98[1])) + (_e93[2] * _e98[2]));
-        let _e108 = (*param_17).member;
-        let _e113 = (*param_17).member_2;
-        let _e127 = (*param_17).member_3;
-        let _e136 = ((((((_e108[1] * _e113[2]) - (_e108[2] * _e113[1])) * _e127[0]) + (((_e108[2] * _e113[0]) - (_e108[0] * _e113[2])) * _e127[1])) + (((_e108[0] * _e113[1]) - (_e108[1] * _e113[0])) * _e127[2])) / _e106);
-        let _e138 = (*param_17).member_1;
-        let _e143 = (*param_17).member;
-        let _e157 = (*param_17).member_3;
-        let _e166 = ((((((_e138[1] * _e143[2]) - (_e138[2] * _e143[1])) * _e157[0]) + (((_e138[2] * _e143[0]) - (_e138[0] * _e143[2])) * _e157[1])) + (((_e138[0] * _e143[1]) - (_e138[1] * _e143[0])) * _e157[2])) / _e106);
-        if _e11 {
-            phi_4277_ = ((_e136 + _e166) <= _e10);
-        } else {
-            if (_e136 <= _e10) {
-                phi_4276_ = (_e166 <= _e10);
-            } else {
-                phi_4276_ = false;
-            }
-            let _e170 = phi_4276_;
-            phi_4277_ = _e170;
-        }
-        let _e174 = phi_4277_;
-        if (_e136 >= _e9) {
-            if (_e166 >= _e9) {
-                if _e174 {
-                    if _e11 {
-                        phi_4293_ = (_e10 - _e136);
-                    } else {
-                        phi_4293_ = _e10;
-                    }
-                    let _e179 = phi_4293_;
-                    let _e180 = function_7(param_17, _e136, _e179);
-                    if _e11 {
-                        phi_4299_ = (_e10 - _e180);
-                    } else {
-                        phi_4299_ = _e10;
-                    }
-                    let _e183 = phi_4299_;
-                    let _e184 = function_5(param_17, _e180, _e183);
-                    let _e185 = function_6(param_17, _e184, _e180);
-                    phi_4302_ = _e185;
+        let _e91 = (*param_17).member_3;
+        let _e96 = (*param_17).member_3;
+        let _e104 = (((_e91[0] * _e96[0]) + (_e91[1] * _e96[1])) + (_e91[2] * _e96[2]));
+        let _e106 = (*param_17).member;
+        let _e111 = (*param_17).member_2;
+        let _e125 = (*param_17).member_3;
+        let _e134 = ((((((_e106[1] * _e111[2]) - (_e106[2] * _e111[1])) * _e125[0]) + (((_e106[2] * _e111[0]) - (_e106[0] * _e111[2])) * _e125[1])) + (((_e106[0] * _e111[1]) - (_e106[1] * _e111[0])) * _e125[2])) / _e104);
+        let _e136 = (*param_17).member_1;
+        let _e141 = (*param_17).member;
+        let _e155 = (*param_17).member_3;
+        let _e164 = ((((((_e136[1] * _e141[2]) - (_e136[2] * _e141[1])) * _e155[0]) + (((_e136[2] * _e141[0]) - (_e136[0] * _e141[2])) * _e155[1])) + (((_e136[0] * _e141[1]) - (_e136[1] * _e141[0])) * _e155[2])) / _e104);
+        if (_e134 >= _e9) {
+            if (_e164 >= _e9) {
+                if select(select(false, (_e164 <= _e10), (_e134 <= _e10)), ((_e134 + _e164) <= _e10), _e11) {
+                    let _e175 = function_7(param_17, _e134, select(_e10, (_e10 - _e134), _e11));
+                    let _e178 = function_5(param_17, _e175, select(_e10, (_e10 - _e175), _e11));
+                    let _e179 = function_6(param_17, _e178, _e175);
+                    phi_4302_ = _e179;
                     phi_4303_ = false;
                 } else {
                     phi_4302_ = type_44();
                     phi_4303_ = true;
                 }
-                let _e187 = phi_4302_;
-                let _e189 = phi_4303_;
-                phi_4304_ = _e187;
-                phi_4305_ = _e189;
+                let _e181 = phi_4302_;
+                let _e183 = phi_4303_;
+                phi_4304_ = _e181;
+                phi_4305_ = _e183;
             } else {
                 phi_4304_ = type_44();
                 phi_4305_ = true;
             }
-            let _e191 = phi_4304_;
-            let _e193 = phi_4305_;
-            phi_4306_ = _e191;
-            phi_4307_ = _e193;
+            let _e185 = phi_4304_;
+            let _e187 = phi_4305_;
+            phi_4306_ = _e185;
+            phi_4307_ = _e187;
         } else {
             phi_4306_ = type_44();
             phi_4307_ = true;
         }
-        let _e195 = phi_4306_;
-        let _e197 = phi_4307_;
-        phi_4425_ = _e195;
-        phi_4426_ = _e197;
+        let _e189 = phi_4306_;
+        let _e191 = phi_4307_;
+        phi_4425_ = _e189;
+        phi_4426_ = _e191;
     } else {
         if _e11 {
             phi_4420_ = type_44();
@@ -351,112 +300,93 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
             let _e54 = (*param_17).member_1;
             let _e59 = (*param_17).member_1;
             let _e67 = (((_e54[0] * _e59[0]) + (_e54[1] * _e59[1])) + (_e54[2] * _e59[2]));
-            if (_e29 < _e52) {
-                phi_4399_ = _e29;
-            } else {
-                phi_4399_ = _e52;
-            }
-            let _e70 = phi_4399_;
-            let _e72 = function_4((_e70 / _e67), _e10);
-            if (_e29 > _e52) {
-                phi_4406_ = _e29;
-            } else {
-                phi_4406_ = _e52;
-            }
-            let _e75 = phi_4406_;
-            let _e77 = function_4((_e75 / _e67), _e10);
-            if (_e72 < _e77) {
-                let _e81 = ((_e72 + _e77) * f64(0.5f));
-                let _e82 = function_7(param_17, _e81, _e10);
-                let _e83 = function_6(param_17, _e81, _e82);
-                phi_4418_ = _e83;
+            let _e71 = function_4((select(_e52, _e29, (_e29 < _e52)) / _e67), _e10);
+            let _e75 = function_4((select(_e52, _e29, (_e29 > _e52)) / _e67), _e10);
+            if (_e71 < _e75) {
+                let _e79 = ((_e71 + _e75) * f64(0.5f));
+                let _e80 = function_7(param_17, _e79, _e10);
+                let _e81 = function_6(param_17, _e79, _e80);
+                phi_4418_ = _e81;
                 phi_4419_ = false;
             } else {
                 phi_4418_ = type_44();
                 phi_4419_ = true;
             }
-            let _e85 = phi_4418_;
-            let _e87 = phi_4419_;
-            phi_4420_ = _e85;
-            phi_4421_ = _e87;
+            let _e83 = phi_4418_;
+            let _e85 = phi_4419_;
+            phi_4420_ = _e83;
+            phi_4421_ = _e85;
         }
-        let _e89 = phi_4420_;
-        let _e91 = phi_4421_;
-        phi_4425_ = _e89;
-        phi_4426_ = _e91;
+        let _e87 = phi_4420_;
+        let _e89 = phi_4421_;
+        phi_4425_ = _e87;
+        phi_4426_ = _e89;
     }
-    let _e199 = phi_4425_;
-    let _e201 = phi_4426_;
-    if _e201 {
-        let _e202 = function_5(param_17, _e9, _e10);
-        let _e203 = function_6(param_17, _e202, _e9);
-        let _e204 = function_7(param_17, _e9, _e10);
-        let _e205 = function_6(param_17, _e9, _e204);
-        let _e206 = function_3(_e203, _e205);
+    let _e193 = phi_4425_;
+    let _e195 = phi_4426_;
+    if _e195 {
+        let _e196 = function_5(param_17, _e9, _e10);
+        let _e197 = function_6(param_17, _e196, _e9);
+        let _e198 = function_7(param_17, _e9, _e10);
+        let _e199 = function_6(param_17, _e9, _e198);
+        let _e200 = function_3(_e197, _e199);
         if _e11 {
-            let _e214 = (*param_17).member_2;
-            let _e219 = (*param_17).member_1;
-            let _e223 = (_e214[0] - _e219[0]);
-            let _e224 = (_e214[1] - _e219[1]);
-            let _e225 = (_e214[2] - _e219[2]);
-            let _e227 = (*param_17).member;
-            let _e232 = (*param_17).member_1;
-            let _e250 = function_4((((((_e227[0] - _e232[0]) * _e223) + ((_e227[1] - _e232[1]) * _e224)) + ((_e227[2] - _e232[2]) * _e225)) / (((_e223 * _e223) + (_e224 * _e224)) + (_e225 * _e225))), _e10);
-            let _e252 = function_6(param_17, (_e10 - _e250), _e250);
-            let _e253 = function_3(_e206, _e252);
-            phi_4501_ = _e253;
+            let _e208 = (*param_17).member_2;
+            let _e213 = (*param_17).member_1;
+            let _e217 = (_e208[0] - _e213[0]);
+            let _e218 = (_e208[1] - _e213[1]);
+            let _e219 = (_e208[2] - _e213[2]);
+            let _e221 = (*param_17).member;
+            let _e226 = (*param_17).member_1;
+            let _e244 = function_4((((((_e221[0] - _e226[0]) * _e217) + ((_e221[1] - _e226[1]) * _e218)) + ((_e221[2] - _e226[2]) * _e219)) / (((_e217 * _e217) + (_e218 * _e218)) + (_e219 * _e219))), _e10);
+            let _e246 = function_6(param_17, (_e10 - _e244), _e244);
+            let _e247 = function_3(_e200, _e246);
+            phi_4501_ = _e247;
         } else {
-            let _e207 = function_7(param_17, _e10, _e10);
-            let _e208 = function_6(param_17, _e10, _e207);
-            let _e209 = function_5(param_17, _e10, _e10);
-            let _e210 = function_6(param_17, _e209, _e10);
-            let _e211 = function_3(_e208, _e210);
-            let _e212 = function_3(_e206, _e211);
-            phi_4501_ = _e212;
+            let _e201 = function_7(param_17, _e10, _e10);
+            let _e202 = function_6(param_17, _e10, _e201);
+            let _e203 = function_5(param_17, _e10, _e10);
+            let _e204 = function_6(param_17, _e203, _e10);
+            let _e205 = function_3(_e202, _e204);
+            let _e206 = function_3(_e200, _e205);
+            phi_4501_ = _e206;
         }
-        let _e255 = phi_4501_;
-        phi_4502_ = _e255;
+        let _e249 = phi_4501_;
+        phi_4502_ = _e249;
         phi_4503_ = false;
     } else {
         phi_4502_ = type_44();
         phi_4503_ = true;
     }
-    let _e257 = phi_4502_;
-    let _e259 = phi_4503_;
-    if _e259 {
-        phi_4507_ = _e199;
+    let _e251 = phi_4502_;
+    let _e253 = phi_4503_;
+    if _e253 {
+        phi_4507_ = _e193;
     } else {
-        phi_4507_ = _e257;
+        phi_4507_ = _e251;
     }
-    let _e261 = phi_4507_;
-    return _e261;
+    let _e255 = phi_4507_;
+    return _e255;
 }
 
 fn function_9(param_19: f64) -> f64 {
-    var phi_4128_: u64;
     var phi_4132_: f64;
     var phi_4134_: f64;
 
     if ((bitcast<u64>(param_19) & 9218868437227405312lu) != 9218868437227405312lu) {
         if (param_19 >= 2.2250738585072014e-308lf) {
             let _e15 = (9214364837600034816lu - (bitcast<u64>(param_19) & 9218868437227405312lu));
-            if (_e15 > 4503599627370496lu) {
-                phi_4128_ = _e15;
-            } else {
-                phi_4128_ = 4503599627370496lu;
-            }
-            let _e18 = phi_4128_;
-            phi_4132_ = bitcast<f64>(_e18);
+            phi_4132_ = bitcast<f64>(select(4503599627370496lu, _e15, (_e15 > 4503599627370496lu)));
         } else {
             phi_4132_ = (f64(1f) / 2.2250738585072014e-308lf);
         }
-        let _e21 = phi_4132_;
-        phi_4134_ = _e21;
+        let _e20 = phi_4132_;
+        phi_4134_ = _e20;
     } else {
         phi_4134_ = f64(1f);
     }
-    let _e23 = phi_4134_;
-    return _e23;
+    let _e22 = phi_4134_;
+    return _e22;
 }
 
 fn function_10(param_20: array<f64, 3>, param_21: array<f64, 3>, param_22: f64) -> array<f64, 3> {
@@ -495,384 +425,112 @@ fn function_11(param_23: ptr<function, array<array<f64, 3>, 4>>, param_24: u32) 
 }
 
 fn function_12(param_25: ptr<function, array<array<f64, 3>, 4>>, param_26: ptr<function, array<array<f64, 3>, 4>>, param_27: f64) -> u32 {
-    var phi_3832_: f64;
-    var phi_3839_: f64;
-    var phi_3847_: f64;
-    var phi_3900_: f64;
-    var phi_3907_: f64;
-    var phi_3915_: f64;
-    var phi_3968_: f64;
-    var phi_3975_: f64;
-    var phi_3983_: f64;
-    var phi_3993_: bool;
-    var phi_3994_: bool;
-    var phi_4002_: u32;
-    var phi_4003_: u32;
-
     let _e11 = (*param_25)[3u];
     let _e16 = (*param_25)[2u];
     let _e25 = (*param_26)[3u];
     let _e30 = (*param_26)[2u];
     let _e38 = function_10(array<f64, 3>((_e11[0] - _e16[0]), (_e11[1] - _e16[1]), (_e11[2] - _e16[2])), array<f64, 3>((_e25[0] - _e30[0]), (_e25[1] - _e30[1]), (_e25[2] - _e30[2])), param_27);
-    if (_e38[0] < 0.0lf) {
-        phi_3832_ = -(_e38[0]);
-    } else {
-        phi_3832_ = _e38[0];
-    }
-    let _e43 = phi_3832_;
-    if (_e38[1] < 0.0lf) {
-        phi_3839_ = -(_e38[1]);
-    } else {
-        phi_3839_ = _e38[1];
-    }
-    let _e48 = phi_3839_;
-    if (_e38[2] < 0.0lf) {
-        phi_3847_ = -(_e38[2]);
-    } else {
-        phi_3847_ = _e38[2];
-    }
-    let _e54 = phi_3847_;
-    let _e55 = ((_e43 + _e48) + _e54);
-    let _e57 = (*param_25)[1u];
-    let _e62 = (*param_25)[3u];
-    let _e71 = (*param_26)[1u];
-    let _e76 = (*param_26)[3u];
-    let _e84 = function_10(array<f64, 3>((_e57[0] - _e62[0]), (_e57[1] - _e62[1]), (_e57[2] - _e62[2])), array<f64, 3>((_e71[0] - _e76[0]), (_e71[1] - _e76[1]), (_e71[2] - _e76[2])), param_27);
-    if (_e84[0] < 0.0lf) {
-        phi_3900_ = -(_e84[0]);
-    } else {
-        phi_3900_ = _e84[0];
-    }
-    let _e89 = phi_3900_;
-    if (_e84[1] < 0.0lf) {
-        phi_3907_ = -(_e84[1]);
-    } else {
-        phi_3907_ = _e84[1];
-    }
-    let _e94 = phi_3907_;
-    if (_e84[2] < 0.0lf) {
-        phi_3915_ = -(_e84[2]);
-    } else {
-        phi_3915_ = _e84[2];
-    }
-    let _e100 = phi_3915_;
-    let _e101 = ((_e89 + _e94) + _e100);
-    let _e103 = (*param_25)[2u];
-    let _e108 = (*param_25)[1u];
-    let _e117 = (*param_26)[2u];
-    let _e122 = (*param_26)[1u];
-    let _e130 = function_10(array<f64, 3>((_e103[0] - _e108[0]), (_e103[1] - _e108[1]), (_e103[2] - _e108[2])), array<f64, 3>((_e117[0] - _e122[0]), (_e117[1] - _e122[1]), (_e117[2] - _e122[2])), param_27);
-    if (_e130[0] < 0.0lf) {
-        phi_3968_ = -(_e130[0]);
-    } else {
-        phi_3968_ = _e130[0];
-    }
-    let _e135 = phi_3968_;
-    if (_e130[1] < 0.0lf) {
-        phi_3975_ = -(_e130[1]);
-    } else {
-        phi_3975_ = _e130[1];
-    }
-    let _e140 = phi_3975_;
-    if (_e130[2] < 0.0lf) {
-        phi_3983_ = -(_e130[2]);
-    } else {
-        phi_3983_ = _e130[2];
-    }
-    let _e146 = phi_3983_;
-    let _e147 = ((_e135 + _e140) + _e146);
-    if (_e55 >= _e101) {
-        if (_e55 >= _e147) {
-            phi_3993_ = false;
-        } else {
-            phi_3993_ = true;
-        }
-        let _e151 = phi_3993_;
-        phi_3994_ = _e151;
-    } else {
-        phi_3994_ = true;
-    }
-    let _e153 = phi_3994_;
-    if _e153 {
-        if (_e101 >= _e147) {
-            phi_4002_ = 1u;
-        } else {
-            phi_4002_ = 2u;
-        }
-        let _e156 = phi_4002_;
-        phi_4003_ = _e156;
-    } else {
-        phi_4003_ = 0u;
-    }
-    let _e158 = phi_4003_;
-    return _e158;
+    let _e52 = ((select(_e38[0], -(_e38[0]), (_e38[0] < 0.0lf)) + select(_e38[1], -(_e38[1]), (_e38[1] < 0.0lf))) + select(_e38[2], -(_e38[2]), (_e38[2] < 0.0lf)));
+    let _e54 = (*param_25)[1u];
+    let _e59 = (*param_25)[3u];
+    let _e68 = (*param_26)[1u];
+    let _e73 = (*param_26)[3u];
+    let _e81 = function_10(array<f64, 3>((_e54[0] - _e59[0]), (_e54[1] - _e59[1]), (_e54[2] - _e59[2])), array<f64, 3>((_e68[0] - _e73[0]), (_e68[1] - _e73[1]), (_e68[2] - _e73[2])), param_27);
+    let _e95 = ((select(_e81[0], -(_e81[0]), (_e81[0] < 0.0lf)) + select(_e81[1], -(_e81[1]), (_e81[1] < 0.0lf))) + select(_e81[2], -(_e81[2]), (_e81[2] < 0.0lf)));
+    let _e97 = (*param_25)[2u];
+    let _e102 = (*param_25)[1u];
+    let _e111 = (*param_26)[2u];
+    let _e116 = (*param_26)[1u];
+    let _e124 = function_10(array<f64, 3>((_e97[0] - _e102[0]), (_e97[1] - _e102[1]), (_e97[2] - _e102[2])), array<f64, 3>((_e111[0] - _e116[0]), (_e111[1] - _e116[1]), (_e111[2] - _e116[2])), param_27);
+    let _e138 = ((select(_e124[0], -(_e124[0]), (_e124[0] < 0.0lf)) + select(_e124[1], -(_e124[1]), (_e124[1] < 0.0lf))) + select(_e124[2], -(_e124[2]), (_e124[2] < 0.0lf)));
+    return select(0u, select(2u, 1u, (_e95 >= _e138)), select(true, select(true, false, (_e52 >= _e138)), (_e52 >= _e95)));
 }
 
 fn function_13(param_28: array<f32, 3>) -> array<f64, 3> {
-    var phi_3669_: f64;
-    var phi_3647_: array<u32, 2>;
     var phi_3670_: f64;
-    var phi_3712_: f64;
-    var phi_3690_: array<u32, 2>;
     var phi_3713_: f64;
-    var phi_3755_: f64;
-    var phi_3733_: array<u32, 2>;
     var phi_3756_: f64;
 
     let _e10 = bitcast<u32>(param_28[0]);
     let _e11 = (_e10 & 2147483647u);
     if (_e11 >= 8388608u) {
-        let _e21 = bitcast<u32>(param_28[0]);
-        let _e22 = (_e21 & 2147483647u);
-        if (_e22 < 8388608u) {
-            phi_3647_ = array<u32, 2>(0u, 0u);
-        } else {
-            phi_3647_ = array<u32, 2>((_e21 << bitcast<u32>(29i)), ((_e21 ^ _e22) | ((_e22 >> bitcast<u32>(3i)) + 939524096u)));
-        }
-        let _e33 = phi_3647_;
-        phi_3670_ = bitcast<f64>(((u64(_e33[1]) * 4294967296lu) + u64(_e33[0])));
+        let _e20 = bitcast<u32>(param_28[0]);
+        let _e21 = (_e20 & 2147483647u);
+        let _e22 = (_e21 < 8388608u);
+        phi_3670_ = bitcast<f64>(((u64(select(((_e20 ^ _e21) | ((_e21 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e22)) * 4294967296lu) + u64(select((_e20 << bitcast<u32>(29i)), 0u, _e22))));
     } else {
-        if (_e10 == _e11) {
-            phi_3669_ = (f64(_e11) * 1.401298464324817e-45lf);
-        } else {
-            phi_3669_ = -((f64(_e11) * 1.401298464324817e-45lf));
-        }
-        let _e20 = phi_3669_;
-        phi_3670_ = _e20;
+        phi_3670_ = select(-((f64(_e11) * 1.401298464324817e-45lf)), (f64(_e11) * 1.401298464324817e-45lf), (_e10 == _e11));
     }
-    let _e42 = phi_3670_;
-    let _e44 = bitcast<u32>(param_28[1]);
-    let _e45 = (_e44 & 2147483647u);
-    if (_e45 >= 8388608u) {
-        let _e55 = bitcast<u32>(param_28[1]);
-        let _e56 = (_e55 & 2147483647u);
-        if (_e56 < 8388608u) {
-            phi_3690_ = array<u32, 2>(0u, 0u);
-        } else {
-            phi_3690_ = array<u32, 2>((_e55 << bitcast<u32>(29i)), ((_e55 ^ _e56) | ((_e56 >> bitcast<u32>(3i)) + 939524096u)));
-        }
-        let _e67 = phi_3690_;
-        phi_3713_ = bitcast<f64>(((u64(_e67[1]) * 4294967296lu) + u64(_e67[0])));
+    let _e38 = phi_3670_;
+    let _e40 = bitcast<u32>(param_28[1]);
+    let _e41 = (_e40 & 2147483647u);
+    if (_e41 >= 8388608u) {
+        let _e50 = bitcast<u32>(param_28[1]);
+        let _e51 = (_e50 & 2147483647u);
+        let _e52 = (_e51 < 8388608u);
+        phi_3713_ = bitcast<f64>(((u64(select(((_e50 ^ _e51) | ((_e51 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e52)) * 4294967296lu) + u64(select((_e50 << bitcast<u32>(29i)), 0u, _e52))));
     } else {
-        if (_e44 == _e45) {
-            phi_3712_ = (f64(_e45) * 1.401298464324817e-45lf);
-        } else {
-            phi_3712_ = -((f64(_e45) * 1.401298464324817e-45lf));
-        }
-        let _e54 = phi_3712_;
-        phi_3713_ = _e54;
+        phi_3713_ = select(-((f64(_e41) * 1.401298464324817e-45lf)), (f64(_e41) * 1.401298464324817e-45lf), (_e40 == _e41));
     }
-    let _e76 = phi_3713_;
-    let _e78 = bitcast<u32>(param_28[2]);
-    let _e79 = (_e78 & 2147483647u);
-    if (_e79 >= 8388608u) {
-        let _e89 = bitcast<u32>(param_28[2]);
-        let _e90 = (_e89 & 2147483647u);
-        if (_e90 < 8388608u) {
-            phi_3733_ = array<u32, 2>(0u, 0u);
-        } else {
-            phi_3733_ = array<u32, 2>((_e89 << bitcast<u32>(29i)), ((_e89 ^ _e90) | ((_e90 >> bitcast<u32>(3i)) + 939524096u)));
-        }
-        let _e101 = phi_3733_;
-        phi_3756_ = bitcast<f64>(((u64(_e101[1]) * 4294967296lu) + u64(_e101[0])));
+    let _e68 = phi_3713_;
+    let _e70 = bitcast<u32>(param_28[2]);
+    let _e71 = (_e70 & 2147483647u);
+    if (_e71 >= 8388608u) {
+        let _e80 = bitcast<u32>(param_28[2]);
+        let _e81 = (_e80 & 2147483647u);
+        let _e82 = (_e81 < 8388608u);
+        phi_3756_ = bitcast<f64>(((u64(select(((_e80 ^ _e81) | ((_e81 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e82)) * 4294967296lu) + u64(select((_e80 << bitcast<u32>(29i)), 0u, _e82))));
     } else {
-        if (_e78 == _e79) {
-            phi_3755_ = (f64(_e79) * 1.401298464324817e-45lf);
-        } else {
-            phi_3755_ = -((f64(_e79) * 1.401298464324817e-45lf));
-        }
-        let _e88 = phi_3755_;
-        phi_3756_ = _e88;
+        phi_3756_ = select(-((f64(_e71) * 1.401298464324817e-45lf)), (f64(_e71) * 1.401298464324817e-45lf), (_e70 == _e71));
     }
-    let _e110 = phi_3756_;
-    return array<f64, 3>(_e42, _e76, _e110);
+    let _e98 = phi_3756_;
+    return array<f64, 3>(_e38, _e68, _e98);
 }
 
 fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_35;
     var local_1: array<array<f64, 3>, 4>;
     var local_2: array<array<f64, 3>, 4>;
-    var phi_206_: u32;
     var phi_216_: u32;
-    var phi_223_: u32;
-    var phi_239_: u32;
-    var phi_260_: u32;
     var phi_261_: u32;
     var phi_264_: type_9;
-    var phi_265_: type_9;
-    var phi_288_: type_9;
     var phi_431_: type_28;
     var phi_636_: type_41;
     var phi_693_: u32;
     var phi_854_: type_43;
-    var phi_870_: f64;
-    var phi_877_: f64;
-    var phi_882_: f64;
-    var phi_889_: f64;
-    var phi_894_: f64;
-    var phi_901_: f64;
-    var phi_908_: f64;
-    var phi_913_: f64;
-    var phi_920_: f64;
-    var phi_925_: f64;
-    var phi_930_: f64;
-    var phi_937_: f64;
-    var phi_944_: f64;
-    var phi_949_: f64;
-    var phi_956_: f64;
-    var phi_961_: f64;
-    var phi_966_: f64;
-    var phi_996_: f64;
-    var phi_1003_: f64;
-    var phi_1008_: f64;
-    var phi_1015_: f64;
-    var phi_1020_: f64;
-    var phi_1028_: f64;
-    var phi_1035_: f64;
-    var phi_1040_: f64;
-    var phi_1047_: f64;
-    var phi_1052_: f64;
-    var phi_1057_: f64;
-    var phi_1067_: f64;
-    var phi_1074_: f64;
-    var phi_1079_: f64;
-    var phi_1086_: f64;
-    var phi_1091_: f64;
-    var phi_1099_: f64;
-    var phi_1106_: f64;
-    var phi_1111_: f64;
-    var phi_1118_: f64;
-    var phi_1123_: f64;
-    var phi_1128_: f64;
-    var phi_1138_: f64;
-    var phi_1145_: f64;
-    var phi_1150_: f64;
-    var phi_1157_: f64;
-    var phi_1162_: f64;
-    var phi_1170_: f64;
-    var phi_1177_: f64;
-    var phi_1182_: f64;
-    var phi_1189_: f64;
-    var phi_1194_: f64;
-    var phi_1199_: f64;
-    var phi_1232_: f64;
-    var phi_1238_: f64;
-    var phi_1243_: f64;
-    var phi_1249_: f64;
-    var phi_1254_: f64;
-    var phi_1262_: f64;
-    var phi_1268_: f64;
-    var phi_1273_: f64;
-    var phi_1279_: f64;
-    var phi_1284_: f64;
     var phi_1312_: type_16;
     var phi_1315_: f64;
-    var phi_1336_: bool;
-    var phi_1342_: type_17;
     var phi_1313_: type_16;
     var phi_1356_: type_17;
     var phi_1316_: f64;
     var local_3: f64;
-    var phi_1305_: f64;
     var phi_1369_: f64;
     var phi_1379_: f64;
-    var phi_1385_: f64;
     var phi_1435_: type_16;
     var phi_1438_: f64;
-    var phi_1459_: bool;
-    var phi_1465_: type_17;
     var phi_1436_: type_16;
     var phi_1479_: type_17;
     var phi_1439_: f64;
     var local_4: f64;
-    var phi_1428_: f64;
     var phi_1492_: f64;
     var phi_1502_: f64;
-    var phi_1508_: f64;
-    var phi_1549_: bool;
-    var phi_1555_: bool;
-    var phi_1571_: bool;
-    var phi_1572_: bool;
-    var phi_1573_: bool;
-    var phi_1574_: bool;
-    var phi_1575_: bool;
-    var phi_1579_: bool;
-    var phi_1931_: f64;
-    var phi_1938_: f64;
-    var phi_1943_: f64;
-    var phi_1950_: f64;
-    var phi_1955_: f64;
-    var phi_1963_: f64;
-    var phi_1970_: f64;
-    var phi_1975_: f64;
-    var phi_1982_: f64;
-    var phi_1987_: f64;
-    var phi_1992_: f64;
-    var phi_2002_: f64;
-    var phi_2009_: f64;
-    var phi_2014_: f64;
-    var phi_2021_: f64;
-    var phi_2026_: f64;
-    var phi_2034_: f64;
-    var phi_2041_: f64;
-    var phi_2046_: f64;
-    var phi_2053_: f64;
-    var phi_2058_: f64;
-    var phi_2063_: f64;
-    var phi_2073_: f64;
-    var phi_2080_: f64;
-    var phi_2085_: f64;
-    var phi_2092_: f64;
-    var phi_2097_: f64;
-    var phi_2105_: f64;
-    var phi_2112_: f64;
-    var phi_2117_: f64;
-    var phi_2124_: f64;
-    var phi_2129_: f64;
-    var phi_2134_: f64;
-    var phi_2154_: f64;
-    var phi_2160_: f64;
-    var phi_2165_: f64;
-    var phi_2171_: f64;
-    var phi_2176_: f64;
     var phi_2207_: type_16;
     var phi_2210_: f64;
-    var phi_2231_: bool;
-    var phi_2237_: type_17;
     var phi_2208_: type_16;
     var phi_2251_: type_17;
     var phi_2211_: f64;
     var local_5: f64;
-    var phi_2200_: f64;
     var phi_2264_: f64;
-    var phi_2292_: f64;
-    var phi_2298_: f64;
-    var phi_2305_: f64;
-    var phi_2319_: f64;
-    var phi_2333_: array<f64, 3>;
     var phi_2334_: array<f64, 3>;
     var phi_2335_: bool;
     var phi_2336_: array<f64, 3>;
     var phi_2337_: bool;
-    var phi_2347_: bool;
-    var phi_2348_: bool;
     var phi_2383_: array<f64, 3>;
     var phi_2384_: bool;
     var phi_2385_: array<f64, 3>;
     var phi_2386_: bool;
     var phi_2387_: array<f64, 3>;
     var phi_2388_: bool;
-    var phi_2410_: f64;
-    var phi_2417_: f64;
-    var phi_2422_: f64;
-    var phi_2429_: f64;
-    var phi_2434_: f64;
-    var phi_2447_: f64;
-    var phi_2454_: f64;
-    var phi_2459_: f64;
-    var phi_2466_: f64;
-    var phi_2471_: f64;
-    var phi_2476_: bool;
     var phi_2477_: bool;
     var phi_2487_: array<f64, 3>;
     var phi_2488_: bool;
@@ -881,148 +539,62 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2504_: array<f64, 3>;
     var phi_2505_: array<f64, 3>;
     var phi_2506_: array<f64, 3>;
-    var phi_2513_: f64;
-    var phi_2520_: f64;
-    var phi_2525_: f64;
-    var phi_2532_: f64;
-    var phi_2537_: f64;
-    var phi_2545_: array<f64, 3>;
-    var phi_2552_: f64;
-    var phi_2559_: f64;
-    var phi_2564_: f64;
-    var phi_2571_: f64;
-    var phi_2576_: f64;
-    var phi_2588_: f64;
-    var phi_2595_: f64;
-    var phi_2600_: f64;
-    var phi_2607_: f64;
-    var phi_2612_: f64;
     var phi_2646_: type_16;
     var phi_2649_: f64;
-    var phi_2670_: bool;
-    var phi_2676_: type_17;
     var phi_2647_: type_16;
     var phi_2690_: type_17;
     var phi_2650_: f64;
     var local_6: f64;
-    var phi_2639_: f64;
     var phi_2703_: f64;
     var phi_2732_: array<f64, 3>;
-    var phi_2739_: f64;
-    var phi_2746_: f64;
-    var phi_2754_: f64;
-    var phi_2772_: f64;
-    var phi_2778_: f64;
-    var phi_2783_: f64;
-    var phi_2789_: f64;
-    var phi_2794_: f64;
     var phi_2825_: type_16;
     var phi_2828_: f64;
-    var phi_2849_: bool;
-    var phi_2855_: type_17;
     var phi_2826_: type_16;
     var phi_2869_: type_17;
     var phi_2829_: f64;
     var local_7: f64;
-    var phi_2818_: f64;
     var phi_2882_: f64;
     var phi_2900_: array<f64, 3>;
     var phi_2901_: bool;
     var phi_2902_: array<f64, 3>;
     var phi_2903_: bool;
-    var phi_3063_: f64;
-    var phi_3070_: f64;
-    var phi_3075_: f64;
-    var phi_3082_: f64;
-    var phi_3087_: f64;
-    var phi_3094_: f64;
-    var phi_3101_: f64;
-    var phi_3106_: f64;
-    var phi_3113_: f64;
-    var phi_3118_: f64;
-    var phi_3123_: array<f64, 3>;
-    var phi_3130_: f64;
-    var phi_3137_: f64;
-    var phi_3142_: f64;
-    var phi_3149_: f64;
-    var phi_3154_: f64;
-    var phi_3165_: f64;
-    var phi_3172_: f64;
-    var phi_3179_: f64;
-    var phi_3189_: array<f64, 3>;
-    var phi_3190_: bool;
     var phi_3191_: array<f64, 3>;
     var phi_3192_: bool;
-    var phi_3202_: array<f64, 3>;
     var phi_3203_: array<f64, 3>;
-    var phi_3210_: f64;
-    var phi_3217_: f64;
-    var phi_3222_: f64;
-    var phi_3229_: f64;
-    var phi_3234_: f64;
     var phi_3268_: type_16;
     var phi_3271_: f64;
-    var phi_3292_: bool;
-    var phi_3298_: type_17;
     var phi_3269_: type_16;
     var phi_3312_: type_17;
     var phi_3272_: f64;
     var local_8: f64;
-    var phi_3261_: f64;
     var phi_3325_: f64;
-    var phi_3362_: f64;
-    var phi_3368_: f64;
-    var phi_3373_: f64;
-    var phi_3379_: f64;
-    var phi_3384_: f64;
     var phi_3415_: type_16;
     var phi_3418_: f64;
-    var phi_3439_: bool;
-    var phi_3445_: type_17;
     var phi_3416_: type_16;
     var phi_3459_: type_17;
     var phi_3419_: f64;
     var local_9: f64;
-    var phi_3408_: f64;
     var phi_3472_: f64;
     var phi_3491_: array<f64, 3>;
-    var phi_2915_: f64;
-    var phi_2921_: f64;
-    var phi_2926_: f64;
-    var phi_2932_: f64;
-    var phi_2937_: f64;
     var phi_2968_: type_16;
     var phi_2971_: f64;
-    var phi_2992_: bool;
-    var phi_2998_: type_17;
     var phi_2969_: type_16;
     var phi_3012_: type_17;
     var phi_2972_: f64;
     var local_10: f64;
-    var phi_2961_: f64;
     var phi_3025_: f64;
     var phi_3492_: array<f64, 3>;
-    var phi_3513_: array<f64, 3>;
     var phi_3514_: array<f64, 3>;
     var phi_3515_: bool;
     var phi_3516_: array<f64, 3>;
     var phi_3517_: array<f64, 3>;
     var phi_3518_: bool;
-    var phi_1641_: array<f64, 3>;
-    var phi_1648_: f64;
-    var phi_1655_: f64;
-    var phi_1660_: f64;
-    var phi_1667_: f64;
-    var phi_1672_: f64;
     var phi_1706_: type_16;
     var phi_1709_: f64;
-    var phi_1730_: bool;
-    var phi_1736_: type_17;
     var phi_1707_: type_16;
     var phi_1750_: type_17;
     var phi_1710_: f64;
     var local_11: f64;
-    var phi_1699_: f64;
     var phi_1763_: f64;
     var phi_1781_: array<f64, 3>;
     var phi_1782_: bool;
@@ -1030,28 +602,17 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1784_: bool;
     var phi_1785_: array<f64, 3>;
     var phi_1786_: bool;
-    var phi_1795_: f64;
-    var phi_1801_: f64;
-    var phi_1806_: f64;
-    var phi_1812_: f64;
-    var phi_1817_: f64;
     var phi_1848_: type_16;
     var phi_1851_: f64;
-    var phi_1872_: bool;
-    var phi_1878_: type_17;
     var phi_1849_: type_16;
     var phi_1892_: type_17;
     var phi_1852_: f64;
     var local_12: f64;
-    var phi_1841_: f64;
     var phi_1905_: f64;
     var phi_1923_: array<f64, 3>;
     var phi_3522_: array<f64, 3>;
     var phi_3523_: array<f64, 3>;
     var phi_3524_: bool;
-    var phi_3528_: array<f64, 3>;
-    var phi_3548_: array<f64, 3>;
-    var phi_3577_: f64;
     var phi_3605_: array<f64, 3>;
     var phi_3606_: array<f64, 3>;
     var phi_3607_: array<f64, 4>;
@@ -1069,2296 +630,1056 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e68 = (_e52.x * _e52.y);
     let _e71 = params.member.member_1.member_2;
     let _e73 = contacts.member[0u];
-    if (_e71 < _e73) {
-        phi_206_ = _e71;
-    } else {
-        phi_206_ = _e73;
-    }
-    let _e76 = phi_206_;
-    let _e78 = params.member.member_1.member_1;
-    if (_e76 > _e78) {
-        let _e81 = params.member.member_1.member_1;
-        phi_216_ = (_e76 - _e81);
+    let _e75 = select(_e73, _e71, (_e71 < _e73));
+    let _e77 = params.member.member_1.member_1;
+    if (_e75 > _e77) {
+        let _e80 = params.member.member_1.member_1;
+        phi_216_ = (_e75 - _e80);
     } else {
         phi_216_ = 0u;
     }
-    let _e84 = phi_216_;
-    let _e86 = params.member.member_1.member;
-    if (_e86 < _e84) {
-        phi_223_ = _e86;
-    } else {
-        phi_223_ = _e84;
-    }
-    let _e89 = phi_223_;
-    let _e90 = (_e89 / 64u);
-    if ((_e89 % 64u) > 0u) {
-        phi_239_ = (_e90 + 1u);
-    } else {
-        phi_239_ = _e90;
-    }
-    let _e95 = phi_239_;
-    if (_e95 > _e65) {
-        let _e97 = (_e95 - _e65);
+    let _e83 = phi_216_;
+    let _e85 = params.member.member_1.member;
+    let _e87 = select(_e83, _e85, (_e85 < _e83));
+    let _e88 = (_e87 / 64u);
+    let _e92 = select(_e88, (_e88 + 1u), ((_e87 % 64u) > 0u));
+    if (_e92 > _e65) {
+        let _e94 = (_e92 - _e65);
         if (_e68 == 0u) {
             return;
         }
-        let _e99 = (_e97 / _e68);
+        let _e96 = (_e94 / _e68);
         if (_e68 == 0u) {
             return;
         }
-        if ((_e97 % _e68) > 0u) {
-            phi_260_ = (_e99 + 1u);
-        } else {
-            phi_260_ = _e99;
-        }
-        let _e105 = phi_260_;
-        phi_261_ = _e105;
+        phi_261_ = select(_e96, (_e96 + 1u), ((_e94 % _e68) > 0u));
     } else {
         phi_261_ = 0u;
     }
-    let _e107 = phi_261_;
-    phi_264_ = type_9(0u, _e107);
+    let _e103 = phi_261_;
+    phi_264_ = type_9(0u, _e103);
     loop {
-        let _e110 = phi_264_;
-        if (_e110.member < _e110.member_1) {
-            phi_265_ = type_9((_e110.member + 1u), _e110.member_1);
-            phi_288_ = type_9(1u, _e110.member);
-        } else {
-            phi_265_ = _e110;
-            phi_288_ = type_9(0u, type_9().member_1);
-        }
-        let _e122 = phi_265_;
-        let _e124 = phi_288_;
-        let _e128 = (bitcast<i32>(_e124.member) != 0i);
-        if _e128 {
-            let _e132 = (((_e65 + (_e124.member_1 * _e68)) * 64u) + _e53);
-            if (_e132 < _e89) {
-                let _e136 = params.member.member_1.member_1;
-                let _e137 = (_e136 + _e132);
-                let _e138 = (7u * _e137);
-                let _e141 = contacts.member[(4u + _e138)];
-                let _e144 = contacts.member[(_e138 + 5u)];
-                let _e147 = contacts.member[(_e138 + 6u)];
-                let _e150 = contacts.member[(_e138 + 7u)];
-                let _e153 = contacts.member[(_e138 + 8u)];
-                let _e156 = contacts.member[(_e138 + 9u)];
-                if (_e141 == 0u) {
-                    let _e169 = faces.member[_e150];
-                    phi_431_ = type_28(0u, array<u32, 4>(_e147, _e169[0], _e169[1], _e169[2]));
+        let _e106 = phi_264_;
+        let _e109 = (_e106.member < _e106.member_1);
+        let _e122 = (bitcast<i32>(select(0u, 1u, _e109)) != 0i);
+        if _e122 {
+            let _e126 = (((_e65 + (select(type_9().member_1, _e106.member, _e109) * _e68)) * 64u) + _e53);
+            if (_e126 < _e87) {
+                let _e130 = params.member.member_1.member_1;
+                let _e131 = (_e130 + _e126);
+                let _e132 = (7u * _e131);
+                let _e135 = contacts.member[(4u + _e132)];
+                let _e138 = contacts.member[(_e132 + 5u)];
+                let _e141 = contacts.member[(_e132 + 6u)];
+                let _e144 = contacts.member[(_e132 + 7u)];
+                let _e147 = contacts.member[(_e132 + 8u)];
+                let _e150 = contacts.member[(_e132 + 9u)];
+                if (_e135 == 0u) {
+                    let _e163 = faces.member[_e144];
+                    phi_431_ = type_28(0u, array<u32, 4>(_e141, _e163[0], _e163[1], _e163[2]));
                 } else {
-                    let _e159 = edges.member[_e147];
-                    let _e161 = edges.member[_e150];
-                    phi_431_ = type_28(1u, array<u32, 4>(_e159[0], _e159[1], _e161[0], _e161[1]));
+                    let _e153 = edges.member[_e141];
+                    let _e155 = edges.member[_e144];
+                    phi_431_ = type_28(1u, array<u32, 4>(_e153[0], _e153[1], _e155[0], _e155[1]));
                 }
-                let _e176 = phi_431_;
-                let _e181 = params.member.member.member_1;
-                if ((_e181 & 8u) != 0u) {
-                    let _e225 = paths.member[_e176.member_1[0]];
-                    let _e228 = paths.member[_e176.member_1[1]];
-                    let _e235 = paths.member[_e176.member_1[2]];
-                    let _e238 = paths.member[_e176.member_1[3]];
-                    let _e275 = function_13(array<f32, 3>(_e225.member[0], _e225.member[1], _e225.member[2]));
-                    let _e276 = function_13(array<f32, 3>(_e228.member[0], _e228.member[1], _e228.member[2]));
-                    let _e277 = function_13(array<f32, 3>(_e235.member[0], _e235.member[1], _e235.member[2]));
-                    let _e278 = function_13(array<f32, 3>(_e238.member[0], _e238.member[1], _e238.member[2]));
-                    let _e280 = function_13(array<f32, 3>(_e225.member_1[0], _e225.member_1[1], _e225.member_1[2]));
-                    let _e281 = function_13(array<f32, 3>(_e228.member_1[0], _e228.member_1[1], _e228.member_1[2]));
-                    let _e282 = function_13(array<f32, 3>(_e235.member_1[0], _e235.member_1[1], _e235.member_1[2]));
-                    let _e283 = function_13(array<f32, 3>(_e238.member_1[0], _e238.member_1[1], _e238.member_1[2]));
-                    phi_636_ = type_41(array<array<f64, 3>, 4>(_e275, _e276, _e277, _e278), array<array<f64, 3>, 4>(_e280, _e281, _e282, _e283));
+                let _e170 = phi_431_;
+                let _e175 = params.member.member.member_1;
+                if ((_e175 & 8u) != 0u) {
+                    let _e219 = paths.member[_e170.member_1[0]];
+                    let _e222 = paths.member[_e170.member_1[1]];
+                    let _e229 = paths.member[_e170.member_1[2]];
+                    let _e232 = paths.member[_e170.member_1[3]];
+                    let _e269 = function_13(array<f32, 3>(_e219.member[0], _e219.member[1], _e219.member[2]));
+                    let _e270 = function_13(array<f32, 3>(_e222.member[0], _e222.member[1], _e222.member[2]));
+                    let _e271 = function_13(array<f32, 3>(_e229.member[0], _e229.member[1], _e229.member[2]));
+                    let _e272 = function_13(array<f32, 3>(_e232.member[0], _e232.member[1], _e232.member[2]));
+                    let _e274 = function_13(array<f32, 3>(_e219.member_1[0], _e219.member_1[1], _e219.member_1[2]));
+                    let _e275 = function_13(array<f32, 3>(_e222.member_1[0], _e222.member_1[1], _e222.member_1[2]));
+                    let _e276 = function_13(array<f32, 3>(_e229.member_1[0], _e229.member_1[1], _e229.member_1[2]));
+                    let _e277 = function_13(array<f32, 3>(_e232.member_1[0], _e232.member_1[1], _e232.member_1[2]));
+                    phi_636_ = type_41(array<array<f64, 3>, 4>(_e269, _e270, _e271, _e272), array<array<f64, 3>, 4>(_e274, _e275, _e276, _e277));
                 } else {
-                    let _e186 = positions.member[_e176.member_1[0]];
-                    let _e189 = params.member.member.member[0u];
-                    let _e192 = positions.member[(_e189 + _e176.member_1[0])];
-                    let _e195 = positions.member[_e176.member_1[1]];
-                    let _e198 = params.member.member.member[0u];
-                    let _e201 = positions.member[(_e198 + _e176.member_1[1])];
-                    let _e204 = positions.member[_e176.member_1[2]];
-                    let _e207 = params.member.member.member[0u];
-                    let _e210 = positions.member[(_e207 + _e176.member_1[2])];
-                    let _e213 = positions.member[_e176.member_1[3]];
-                    let _e216 = params.member.member.member[0u];
-                    let _e219 = positions.member[(_e216 + _e176.member_1[3])];
-                    phi_636_ = type_41(array<array<f64, 3>, 4>(_e186, _e195, _e204, _e213), array<array<f64, 3>, 4>(_e192, _e201, _e210, _e219));
+                    let _e180 = positions.member[_e170.member_1[0]];
+                    let _e183 = params.member.member.member[0u];
+                    let _e186 = positions.member[(_e183 + _e170.member_1[0])];
+                    let _e189 = positions.member[_e170.member_1[1]];
+                    let _e192 = params.member.member.member[0u];
+                    let _e195 = positions.member[(_e192 + _e170.member_1[1])];
+                    let _e198 = positions.member[_e170.member_1[2]];
+                    let _e201 = params.member.member.member[0u];
+                    let _e204 = positions.member[(_e201 + _e170.member_1[2])];
+                    let _e207 = positions.member[_e170.member_1[3]];
+                    let _e210 = params.member.member.member[0u];
+                    let _e213 = positions.member[(_e210 + _e170.member_1[3])];
+                    phi_636_ = type_41(array<array<f64, 3>, 4>(_e180, _e189, _e198, _e207), array<array<f64, 3>, 4>(_e186, _e195, _e204, _e213));
                 }
-                let _e287 = phi_636_;
-                local_1 = array<array<f64, 3>, 4>(array<f64, 3>(_e287.member[0][0], _e287.member[0][1], _e287.member[0][2]), array<f64, 3>(_e287.member[1][0], _e287.member[1][1], _e287.member[1][2]), array<f64, 3>(_e287.member[2][0], _e287.member[2][1], _e287.member[2][2]), array<f64, 3>(_e287.member[3][0], _e287.member[3][1], _e287.member[3][2]));
-                local_2 = array<array<f64, 3>, 4>(array<f64, 3>(_e287.member_1[0][0], _e287.member_1[0][1], _e287.member_1[0][2]), array<f64, 3>(_e287.member_1[1][0], _e287.member_1[1][1], _e287.member_1[1][2]), array<f64, 3>(_e287.member_1[2][0], _e287.member_1[2][1], _e287.member_1[2][2]), array<f64, 3>(_e287.member_1[3][0], _e287.member_1[3][1], _e287.member_1[3][2]));
-                let _e337 = f64(1f);
-                let _e338 = function_4(bitcast<f64>(((u64(_e156) * 4294967296lu) + u64(_e153))), _e337);
-                if (_e176.member == 0u) {
-                    let _e340 = function_12((&local_1), (&local_2), _e338);
-                    phi_693_ = _e340;
+                let _e281 = phi_636_;
+                local_1 = array<array<f64, 3>, 4>(array<f64, 3>(_e281.member[0][0], _e281.member[0][1], _e281.member[0][2]), array<f64, 3>(_e281.member[1][0], _e281.member[1][1], _e281.member[1][2]), array<f64, 3>(_e281.member[2][0], _e281.member[2][1], _e281.member[2][2]), array<f64, 3>(_e281.member[3][0], _e281.member[3][1], _e281.member[3][2]));
+                local_2 = array<array<f64, 3>, 4>(array<f64, 3>(_e281.member_1[0][0], _e281.member_1[0][1], _e281.member_1[0][2]), array<f64, 3>(_e281.member_1[1][0], _e281.member_1[1][1], _e281.member_1[1][2]), array<f64, 3>(_e281.member_1[2][0], _e281.member_1[2][1], _e281.member_1[2][2]), array<f64, 3>(_e281.member_1[3][0], _e281.member_1[3][1], _e281.member_1[3][2]));
+                let _e331 = f64(1f);
+                let _e332 = function_4(bitcast<f64>(((u64(_e150) * 4294967296lu) + u64(_e147))), _e331);
+                if (_e170.member == 0u) {
+                    let _e334 = function_12((&local_1), (&local_2), _e332);
+                    phi_693_ = _e334;
                 } else {
                     phi_693_ = 0u;
                 }
-                let _e342 = phi_693_;
-                let _e343 = function_11((&local_1), _e342);
-                let _e344 = function_11((&local_2), _e342);
-                if (_e176.member != 0u) {
-                    phi_854_ = type_43(array<array<f64, 3>, 2>(array<f64, 3>((_e343[2][0] - _e343[0][0]), (_e343[2][1] - _e343[0][1]), (_e343[2][2] - _e343[0][2])), array<f64, 3>((_e344[2][0] - _e344[0][0]), (_e344[2][1] - _e344[0][1]), (_e344[2][2] - _e344[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e343[1][0] - _e343[0][0]), (_e343[1][1] - _e343[0][1]), (_e343[1][2] - _e343[0][2])), array<f64, 3>((_e344[1][0] - _e344[0][0]), (_e344[1][1] - _e344[0][1]), (_e344[1][2] - _e344[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e343[2][0] - _e343[3][0]), (_e343[2][1] - _e343[3][1]), (_e343[2][2] - _e343[3][2])), array<f64, 3>((_e344[2][0] - _e344[3][0]), (_e344[2][1] - _e344[3][1]), (_e344[2][2] - _e344[3][2]))), (0.0lf + 0.0lf));
+                let _e336 = phi_693_;
+                let _e337 = function_11((&local_1), _e336);
+                let _e338 = function_11((&local_2), _e336);
+                if (_e170.member != 0u) {
+                    phi_854_ = type_43(array<array<f64, 3>, 2>(array<f64, 3>((_e337[2][0] - _e337[0][0]), (_e337[2][1] - _e337[0][1]), (_e337[2][2] - _e337[0][2])), array<f64, 3>((_e338[2][0] - _e338[0][0]), (_e338[2][1] - _e338[0][1]), (_e338[2][2] - _e338[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e337[1][0] - _e337[0][0]), (_e337[1][1] - _e337[0][1]), (_e337[1][2] - _e337[0][2])), array<f64, 3>((_e338[1][0] - _e338[0][0]), (_e338[1][1] - _e338[0][1]), (_e338[1][2] - _e338[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e337[2][0] - _e337[3][0]), (_e337[2][1] - _e337[3][1]), (_e337[2][2] - _e337[3][2])), array<f64, 3>((_e338[2][0] - _e338[3][0]), (_e338[2][1] - _e338[3][1]), (_e338[2][2] - _e338[3][2]))), (0.0lf + 0.0lf));
                 } else {
-                    phi_854_ = type_43(array<array<f64, 3>, 2>(array<f64, 3>((_e343[0][0] - _e343[1][0]), (_e343[0][1] - _e343[1][1]), (_e343[0][2] - _e343[1][2])), array<f64, 3>((_e344[0][0] - _e344[1][0]), (_e344[0][1] - _e344[1][1]), (_e344[0][2] - _e344[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e343[2][0] - _e343[1][0]), (_e343[2][1] - _e343[1][1]), (_e343[2][2] - _e343[1][2])), array<f64, 3>((_e344[2][0] - _e344[1][0]), (_e344[2][1] - _e344[1][1]), (_e344[2][2] - _e344[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e343[3][0] - _e343[1][0]), (_e343[3][1] - _e343[1][1]), (_e343[3][2] - _e343[1][2])), array<f64, 3>((_e344[3][0] - _e344[1][0]), (_e344[3][1] - _e344[1][1]), (_e344[3][2] - _e344[1][2]))), (0.0lf + 0.0lf));
+                    phi_854_ = type_43(array<array<f64, 3>, 2>(array<f64, 3>((_e337[0][0] - _e337[1][0]), (_e337[0][1] - _e337[1][1]), (_e337[0][2] - _e337[1][2])), array<f64, 3>((_e338[0][0] - _e338[1][0]), (_e338[0][1] - _e338[1][1]), (_e338[0][2] - _e338[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e337[2][0] - _e337[1][0]), (_e337[2][1] - _e337[1][1]), (_e337[2][2] - _e337[1][2])), array<f64, 3>((_e338[2][0] - _e338[1][0]), (_e338[2][1] - _e338[1][1]), (_e338[2][2] - _e338[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e337[3][0] - _e337[1][0]), (_e337[3][1] - _e337[1][1]), (_e337[3][2] - _e337[1][2])), array<f64, 3>((_e338[3][0] - _e338[1][0]), (_e338[3][1] - _e338[1][1]), (_e338[3][2] - _e338[1][2]))), (0.0lf + 0.0lf));
                 }
-                let _e501 = phi_854_;
-                let _e506 = function_10(_e501.member[0], _e501.member[1], _e338);
-                let _e511 = function_10(_e501.member_1[0], _e501.member_1[1], _e338);
-                let _e516 = function_10(_e501.member_2[0], _e501.member_2[1], _e338);
-                if (_e506[0] < 0.0lf) {
-                    phi_870_ = -(_e506[0]);
-                } else {
-                    phi_870_ = _e506[0];
-                }
-                let _e521 = phi_870_;
-                if (_e506[1] < 0.0lf) {
-                    phi_877_ = -(_e506[1]);
-                } else {
-                    phi_877_ = _e506[1];
-                }
-                let _e526 = phi_877_;
-                if (_e521 > _e526) {
-                    phi_882_ = _e521;
-                } else {
-                    phi_882_ = _e526;
-                }
-                let _e529 = phi_882_;
-                if (_e506[2] < 0.0lf) {
-                    phi_889_ = -(_e506[2]);
-                } else {
-                    phi_889_ = _e506[2];
-                }
-                let _e534 = phi_889_;
-                if (_e529 > _e534) {
-                    phi_894_ = _e529;
-                } else {
-                    phi_894_ = _e534;
-                }
-                let _e537 = phi_894_;
-                if (_e511[0] < 0.0lf) {
-                    phi_901_ = -(_e511[0]);
-                } else {
-                    phi_901_ = _e511[0];
-                }
-                let _e542 = phi_901_;
-                if (_e511[1] < 0.0lf) {
-                    phi_908_ = -(_e511[1]);
-                } else {
-                    phi_908_ = _e511[1];
-                }
-                let _e547 = phi_908_;
-                if (_e542 > _e547) {
-                    phi_913_ = _e542;
-                } else {
-                    phi_913_ = _e547;
-                }
-                let _e550 = phi_913_;
-                if (_e511[2] < 0.0lf) {
-                    phi_920_ = -(_e511[2]);
-                } else {
-                    phi_920_ = _e511[2];
-                }
-                let _e555 = phi_920_;
-                if (_e550 > _e555) {
-                    phi_925_ = _e550;
-                } else {
-                    phi_925_ = _e555;
-                }
-                let _e558 = phi_925_;
-                if (_e537 > _e558) {
-                    phi_930_ = _e537;
-                } else {
-                    phi_930_ = _e558;
-                }
-                let _e561 = phi_930_;
-                if (_e516[0] < 0.0lf) {
-                    phi_937_ = -(_e516[0]);
-                } else {
-                    phi_937_ = _e516[0];
-                }
-                let _e566 = phi_937_;
-                if (_e516[1] < 0.0lf) {
-                    phi_944_ = -(_e516[1]);
-                } else {
-                    phi_944_ = _e516[1];
-                }
-                let _e571 = phi_944_;
-                if (_e566 > _e571) {
-                    phi_949_ = _e566;
-                } else {
-                    phi_949_ = _e571;
-                }
-                let _e574 = phi_949_;
-                if (_e516[2] < 0.0lf) {
-                    phi_956_ = -(_e516[2]);
-                } else {
-                    phi_956_ = _e516[2];
-                }
-                let _e579 = phi_956_;
-                if (_e574 > _e579) {
-                    phi_961_ = _e574;
-                } else {
-                    phi_961_ = _e579;
-                }
-                let _e582 = phi_961_;
-                if (_e561 > _e582) {
-                    phi_966_ = _e561;
-                } else {
-                    phi_966_ = _e582;
-                }
-                let _e585 = phi_966_;
-                let _e586 = function_9(_e585);
-                let _e594 = (_e511[0] * _e586);
-                let _e596 = (_e511[1] * _e586);
-                let _e598 = (_e511[2] * _e586);
-                let _e600 = (_e516[0] * _e586);
-                let _e602 = (_e516[1] * _e586);
-                let _e604 = (_e516[2] * _e586);
-                if (_e501.member[0][0] < 0.0lf) {
-                    phi_996_ = -(_e501.member[0][0]);
-                } else {
-                    phi_996_ = _e501.member[0][0];
-                }
-                let _e611 = phi_996_;
-                if (_e501.member[0][1] < 0.0lf) {
-                    phi_1003_ = -(_e501.member[0][1]);
-                } else {
-                    phi_1003_ = _e501.member[0][1];
-                }
-                let _e616 = phi_1003_;
-                if (_e611 > _e616) {
-                    phi_1008_ = _e611;
-                } else {
-                    phi_1008_ = _e616;
-                }
-                let _e619 = phi_1008_;
-                if (_e501.member[0][2] < 0.0lf) {
-                    phi_1015_ = -(_e501.member[0][2]);
-                } else {
-                    phi_1015_ = _e501.member[0][2];
-                }
-                let _e624 = phi_1015_;
-                if (_e619 > _e624) {
-                    phi_1020_ = _e619;
-                } else {
-                    phi_1020_ = _e624;
-                }
-                let _e627 = phi_1020_;
-                if (_e501.member[1][0] < 0.0lf) {
-                    phi_1028_ = -(_e501.member[1][0]);
-                } else {
-                    phi_1028_ = _e501.member[1][0];
-                }
-                let _e634 = phi_1028_;
-                if (_e501.member[1][1] < 0.0lf) {
-                    phi_1035_ = -(_e501.member[1][1]);
-                } else {
-                    phi_1035_ = _e501.member[1][1];
-                }
-                let _e639 = phi_1035_;
-                if (_e634 > _e639) {
-                    phi_1040_ = _e634;
-                } else {
-                    phi_1040_ = _e639;
-                }
-                let _e642 = phi_1040_;
-                if (_e501.member[1][2] < 0.0lf) {
-                    phi_1047_ = -(_e501.member[1][2]);
-                } else {
-                    phi_1047_ = _e501.member[1][2];
-                }
-                let _e647 = phi_1047_;
-                if (_e642 > _e647) {
-                    phi_1052_ = _e642;
-                } else {
-                    phi_1052_ = _e647;
-                }
-                let _e650 = phi_1052_;
-                if (_e627 > _e650) {
-                    phi_1057_ = _e627;
-                } else {
-                    phi_1057_ = _e650;
-                }
-                let _e653 = phi_1057_;
-                if (_e501.member_1[0][0] < 0.0lf) {
-                    phi_1067_ = -(_e501.member_1[0][0]);
-                } else {
-                    phi_1067_ = _e501.member_1[0][0];
-                }
-                let _e662 = phi_1067_;
-                if (_e501.member_1[0][1] < 0.0lf) {
-                    phi_1074_ = -(_e501.member_1[0][1]);
-                } else {
-                    phi_1074_ = _e501.member_1[0][1];
-                }
-                let _e667 = phi_1074_;
-                if (_e662 > _e667) {
-                    phi_1079_ = _e662;
-                } else {
-                    phi_1079_ = _e667;
-                }
-                let _e670 = phi_1079_;
-                if (_e501.member_1[0][2] < 0.0lf) {
-                    phi_1086_ = -(_e501.member_1[0][2]);
-                } else {
-                    phi_1086_ = _e501.member_1[0][2];
-                }
-                let _e675 = phi_1086_;
-                if (_e670 > _e675) {
-                    phi_1091_ = _e670;
-                } else {
-                    phi_1091_ = _e675;
-                }
-                let _e678 = phi_1091_;
-                if (_e501.member_1[1][0] < 0.0lf) {
-                    phi_1099_ = -(_e501.member_1[1][0]);
-                } else {
-                    phi_1099_ = _e501.member_1[1][0];
-                }
-                let _e685 = phi_1099_;
-                if (_e501.member_1[1][1] < 0.0lf) {
-                    phi_1106_ = -(_e501.member_1[1][1]);
-                } else {
-                    phi_1106_ = _e501.member_1[1][1];
-                }
-                let _e690 = phi_1106_;
-                if (_e685 > _e690) {
-                    phi_1111_ = _e685;
-                } else {
-                    phi_1111_ = _e690;
-                }
-                let _e693 = phi_1111_;
-                if (_e501.member_1[1][2] < 0.0lf) {
-                    phi_1118_ = -(_e501.member_1[1][2]);
-                } else {
-                    phi_1118_ = _e501.member_1[1][2];
-                }
-                let _e698 = phi_1118_;
-                if (_e693 > _e698) {
-                    phi_1123_ = _e693;
-                } else {
-                    phi_1123_ = _e698;
-                }
-                let _e701 = phi_1123_;
-                if (_e678 > _e701) {
-                    phi_1128_ = _e678;
-                } else {
-                    phi_1128_ = _e701;
-                }
-                let _e704 = phi_1128_;
-                let _e706 = (_e704 + _e501.member_3);
-                if (_e501.member_2[0][0] < 0.0lf) {
-                    phi_1138_ = -(_e501.member_2[0][0]);
-                } else {
-                    phi_1138_ = _e501.member_2[0][0];
-                }
-                let _e713 = phi_1138_;
-                if (_e501.member_2[0][1] < 0.0lf) {
-                    phi_1145_ = -(_e501.member_2[0][1]);
-                } else {
-                    phi_1145_ = _e501.member_2[0][1];
-                }
-                let _e718 = phi_1145_;
-                if (_e713 > _e718) {
-                    phi_1150_ = _e713;
-                } else {
-                    phi_1150_ = _e718;
-                }
-                let _e721 = phi_1150_;
-                if (_e501.member_2[0][2] < 0.0lf) {
-                    phi_1157_ = -(_e501.member_2[0][2]);
-                } else {
-                    phi_1157_ = _e501.member_2[0][2];
-                }
-                let _e726 = phi_1157_;
-                if (_e721 > _e726) {
-                    phi_1162_ = _e721;
-                } else {
-                    phi_1162_ = _e726;
-                }
-                let _e729 = phi_1162_;
-                if (_e501.member_2[1][0] < 0.0lf) {
-                    phi_1170_ = -(_e501.member_2[1][0]);
-                } else {
-                    phi_1170_ = _e501.member_2[1][0];
-                }
-                let _e736 = phi_1170_;
-                if (_e501.member_2[1][1] < 0.0lf) {
-                    phi_1177_ = -(_e501.member_2[1][1]);
-                } else {
-                    phi_1177_ = _e501.member_2[1][1];
-                }
-                let _e741 = phi_1177_;
-                if (_e736 > _e741) {
-                    phi_1182_ = _e736;
-                } else {
-                    phi_1182_ = _e741;
-                }
-                let _e744 = phi_1182_;
-                if (_e501.member_2[1][2] < 0.0lf) {
-                    phi_1189_ = -(_e501.member_2[1][2]);
-                } else {
-                    phi_1189_ = _e501.member_2[1][2];
-                }
-                let _e749 = phi_1189_;
-                if (_e744 > _e749) {
-                    phi_1194_ = _e744;
-                } else {
-                    phi_1194_ = _e749;
-                }
-                let _e752 = phi_1194_;
-                if (_e729 > _e752) {
-                    phi_1199_ = _e729;
-                } else {
-                    phi_1199_ = _e752;
-                }
-                let _e755 = phi_1199_;
-                let _e757 = (_e755 + _e501.member_3);
-                let _e759 = (1.1102230246251565e-16lf * f64(16f));
-                let _e762 = (_e501.member_3 * f64(4f));
-                let _e770 = ((_e596 * _e604) - (_e598 * _e602));
-                let _e773 = ((_e598 * _e600) - (_e594 * _e604));
-                let _e776 = ((_e594 * _e602) - (_e596 * _e600));
-                if (_e600 < 0.0lf) {
-                    phi_1232_ = -(_e600);
-                } else {
-                    phi_1232_ = _e600;
-                }
-                let _e785 = phi_1232_;
-                if (_e602 < 0.0lf) {
-                    phi_1238_ = -(_e602);
-                } else {
-                    phi_1238_ = _e602;
-                }
-                let _e789 = phi_1238_;
-                if (_e785 > _e789) {
-                    phi_1243_ = _e785;
-                } else {
-                    phi_1243_ = _e789;
-                }
-                let _e792 = phi_1243_;
-                if (_e604 < 0.0lf) {
-                    phi_1249_ = -(_e604);
-                } else {
-                    phi_1249_ = _e604;
-                }
-                let _e796 = phi_1249_;
-                if (_e792 > _e796) {
-                    phi_1254_ = _e792;
-                } else {
-                    phi_1254_ = _e796;
-                }
-                let _e799 = phi_1254_;
-                if (_e594 < 0.0lf) {
-                    phi_1262_ = -(_e594);
-                } else {
-                    phi_1262_ = _e594;
-                }
-                let _e805 = phi_1262_;
-                if (_e596 < 0.0lf) {
-                    phi_1268_ = -(_e596);
-                } else {
-                    phi_1268_ = _e596;
-                }
-                let _e809 = phi_1268_;
-                if (_e805 > _e809) {
-                    phi_1273_ = _e805;
-                } else {
-                    phi_1273_ = _e809;
-                }
-                let _e812 = phi_1273_;
-                if (_e598 < 0.0lf) {
-                    phi_1279_ = -(_e598);
-                } else {
-                    phi_1279_ = _e598;
-                }
-                let _e816 = phi_1279_;
-                if (_e812 > _e816) {
-                    phi_1284_ = _e812;
-                } else {
-                    phi_1284_ = _e816;
-                }
-                let _e819 = phi_1284_;
-                let _e821 = (((((_e706 * _e759) + _e762) * _e586) * _e799) + ((((_e757 * _e759) + _e762) * _e586) * _e819));
-                let _e826 = (((_e770 * _e770) + (_e773 * _e773)) + (_e776 * _e776));
-                if (_e826 <= 2.2250738585072014e-308lf) {
-                    if (_e826 > 0.0lf) {
-                        phi_1305_ = (1.464336215552873e-154lf * 2.0lf);
-                    } else {
-                        phi_1305_ = 0.0lf;
-                    }
-                    let _e878 = phi_1305_;
-                    phi_1369_ = _e878;
+                let _e495 = phi_854_;
+                let _e500 = function_10(_e495.member[0], _e495.member[1], _e332);
+                let _e505 = function_10(_e495.member_1[0], _e495.member_1[1], _e332);
+                let _e510 = function_10(_e495.member_2[0], _e495.member_2[1], _e332);
+                let _e514 = select(_e500[0], -(_e500[0]), (_e500[0] < 0.0lf));
+                let _e518 = select(_e500[1], -(_e500[1]), (_e500[1] < 0.0lf));
+                let _e520 = select(_e518, _e514, (_e514 > _e518));
+                let _e524 = select(_e500[2], -(_e500[2]), (_e500[2] < 0.0lf));
+                let _e526 = select(_e524, _e520, (_e520 > _e524));
+                let _e530 = select(_e505[0], -(_e505[0]), (_e505[0] < 0.0lf));
+                let _e534 = select(_e505[1], -(_e505[1]), (_e505[1] < 0.0lf));
+                let _e536 = select(_e534, _e530, (_e530 > _e534));
+                let _e540 = select(_e505[2], -(_e505[2]), (_e505[2] < 0.0lf));
+                let _e542 = select(_e540, _e536, (_e536 > _e540));
+                let _e544 = select(_e542, _e526, (_e526 > _e542));
+                let _e548 = select(_e510[0], -(_e510[0]), (_e510[0] < 0.0lf));
+                let _e552 = select(_e510[1], -(_e510[1]), (_e510[1] < 0.0lf));
+                let _e554 = select(_e552, _e548, (_e548 > _e552));
+                let _e558 = select(_e510[2], -(_e510[2]), (_e510[2] < 0.0lf));
+                let _e560 = select(_e558, _e554, (_e554 > _e558));
+                let _e563 = function_9(select(_e560, _e544, (_e544 > _e560)));
+                let _e571 = (_e505[0] * _e563);
+                let _e573 = (_e505[1] * _e563);
+                let _e575 = (_e505[2] * _e563);
+                let _e577 = (_e510[0] * _e563);
+                let _e579 = (_e510[1] * _e563);
+                let _e581 = (_e510[2] * _e563);
+                let _e587 = select(_e495.member[0][0], -(_e495.member[0][0]), (_e495.member[0][0] < 0.0lf));
+                let _e591 = select(_e495.member[0][1], -(_e495.member[0][1]), (_e495.member[0][1] < 0.0lf));
+                let _e593 = select(_e591, _e587, (_e587 > _e591));
+                let _e597 = select(_e495.member[0][2], -(_e495.member[0][2]), (_e495.member[0][2] < 0.0lf));
+                let _e599 = select(_e597, _e593, (_e593 > _e597));
+                let _e605 = select(_e495.member[1][0], -(_e495.member[1][0]), (_e495.member[1][0] < 0.0lf));
+                let _e609 = select(_e495.member[1][1], -(_e495.member[1][1]), (_e495.member[1][1] < 0.0lf));
+                let _e611 = select(_e609, _e605, (_e605 > _e609));
+                let _e615 = select(_e495.member[1][2], -(_e495.member[1][2]), (_e495.member[1][2] < 0.0lf));
+                let _e617 = select(_e615, _e611, (_e611 > _e615));
+                let _e627 = select(_e495.member_1[0][0], -(_e495.member_1[0][0]), (_e495.member_1[0][0] < 0.0lf));
+                let _e631 = select(_e495.member_1[0][1], -(_e495.member_1[0][1]), (_e495.member_1[0][1] < 0.0lf));
+                let _e633 = select(_e631, _e627, (_e627 > _e631));
+                let _e637 = select(_e495.member_1[0][2], -(_e495.member_1[0][2]), (_e495.member_1[0][2] < 0.0lf));
+                let _e639 = select(_e637, _e633, (_e633 > _e637));
+                let _e645 = select(_e495.member_1[1][0], -(_e495.member_1[1][0]), (_e495.member_1[1][0] < 0.0lf));
+                let _e649 = select(_e495.member_1[1][1], -(_e495.member_1[1][1]), (_e495.member_1[1][1] < 0.0lf));
+                let _e651 = select(_e649, _e645, (_e645 > _e649));
+                let _e655 = select(_e495.member_1[1][2], -(_e495.member_1[1][2]), (_e495.member_1[1][2] < 0.0lf));
+                let _e657 = select(_e655, _e651, (_e651 > _e655));
+                let _e661 = (select(_e657, _e639, (_e639 > _e657)) + _e495.member_3);
+                let _e667 = select(_e495.member_2[0][0], -(_e495.member_2[0][0]), (_e495.member_2[0][0] < 0.0lf));
+                let _e671 = select(_e495.member_2[0][1], -(_e495.member_2[0][1]), (_e495.member_2[0][1] < 0.0lf));
+                let _e673 = select(_e671, _e667, (_e667 > _e671));
+                let _e677 = select(_e495.member_2[0][2], -(_e495.member_2[0][2]), (_e495.member_2[0][2] < 0.0lf));
+                let _e679 = select(_e677, _e673, (_e673 > _e677));
+                let _e685 = select(_e495.member_2[1][0], -(_e495.member_2[1][0]), (_e495.member_2[1][0] < 0.0lf));
+                let _e689 = select(_e495.member_2[1][1], -(_e495.member_2[1][1]), (_e495.member_2[1][1] < 0.0lf));
+                let _e691 = select(_e689, _e685, (_e685 > _e689));
+                let _e695 = select(_e495.member_2[1][2], -(_e495.member_2[1][2]), (_e495.member_2[1][2] < 0.0lf));
+                let _e697 = select(_e695, _e691, (_e691 > _e695));
+                let _e701 = (select(_e697, _e679, (_e679 > _e697)) + _e495.member_3);
+                let _e703 = (1.1102230246251565e-16lf * f64(16f));
+                let _e706 = (_e495.member_3 * f64(4f));
+                let _e714 = ((_e573 * _e581) - (_e575 * _e579));
+                let _e717 = ((_e575 * _e577) - (_e571 * _e581));
+                let _e720 = ((_e571 * _e579) - (_e573 * _e577));
+                let _e728 = select(_e577, -(_e577), (_e577 < 0.0lf));
+                let _e731 = select(_e579, -(_e579), (_e579 < 0.0lf));
+                let _e733 = select(_e731, _e728, (_e728 > _e731));
+                let _e736 = select(_e581, -(_e581), (_e581 < 0.0lf));
+                let _e743 = select(_e571, -(_e571), (_e571 < 0.0lf));
+                let _e746 = select(_e573, -(_e573), (_e573 < 0.0lf));
+                let _e748 = select(_e746, _e743, (_e743 > _e746));
+                let _e751 = select(_e575, -(_e575), (_e575 < 0.0lf));
+                let _e755 = (((((_e661 * _e703) + _e706) * _e563) * select(_e736, _e733, (_e733 > _e736))) + ((((_e701 * _e703) + _e706) * _e563) * select(_e751, _e748, (_e748 > _e751))));
+                let _e760 = (((_e714 * _e714) + (_e717 * _e717)) + (_e720 * _e720));
+                if (_e760 <= 2.2250738585072014e-308lf) {
+                    phi_1369_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e760 > 0.0lf));
                 } else {
                     phi_1312_ = type_16(0i, 5i);
-                    phi_1315_ = bitcast<f64>(((bitcast<u64>(_e826) / 2lu) + 2303426169912950784lu));
+                    phi_1315_ = bitcast<f64>(((bitcast<u64>(_e760) / 2lu) + 2303426169912950784lu));
                     loop {
-                        let _e833 = phi_1312_;
-                        let _e835 = phi_1315_;
-                        local_3 = _e835;
-                        if (_e833.member < _e833.member_1) {
-                            let _e842 = (_e833.member + 1i);
-                            if ((false == (_e842 > _e833.member)) != false) {
-                                phi_1336_ = true;
-                            } else {
-                                phi_1336_ = false;
-                            }
-                            let _e847 = phi_1336_;
-                            if _e847 {
-                                phi_1342_ = type_17(0u, type_17().member_1);
-                            } else {
-                                phi_1342_ = type_17(1u, _e842);
-                            }
-                            let _e852 = phi_1342_;
-                            phi_1313_ = type_16(_e852.member_1, _e833.member_1);
-                            phi_1356_ = type_17(1u, _e833.member);
+                        let _e767 = phi_1312_;
+                        let _e769 = phi_1315_;
+                        local_3 = _e769;
+                        if (_e767.member < _e767.member_1) {
+                            let _e776 = (_e767.member + 1i);
+                            phi_1313_ = type_16(select(_e776, type_17().member_1, select(false, true, ((false == (_e776 > _e767.member)) != false))), _e767.member_1);
+                            phi_1356_ = type_17(1u, _e767.member);
                         } else {
-                            phi_1313_ = _e833;
+                            phi_1313_ = _e767;
                             phi_1356_ = type_17(0u, type_17().member_1);
                         }
-                        let _e858 = phi_1313_;
-                        let _e860 = phi_1356_;
-                        let _e863 = (bitcast<i32>(_e860.member) != 0i);
-                        if _e863 {
-                            phi_1316_ = (0.5lf * (_e835 + (_e826 / _e835)));
+                        let _e787 = phi_1313_;
+                        let _e789 = phi_1356_;
+                        let _e792 = (bitcast<i32>(_e789.member) != 0i);
+                        if _e792 {
+                            phi_1316_ = (0.5lf * (_e769 + (_e760 / _e769)));
                         } else {
                             phi_1316_ = f64();
                         }
-                        let _e868 = phi_1316_;
+                        let _e797 = phi_1316_;
                         continue;
                         continuing {
-                            phi_1312_ = _e858;
-                            phi_1315_ = _e868;
-                            break if !(_e863);
+                            phi_1312_ = _e787;
+                            phi_1315_ = _e797;
+                            break if !(_e792);
                         }
                     }
-                    let _e873 = local_3;
-                    phi_1369_ = (_e873 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                    let _e802 = local_3;
+                    phi_1369_ = (_e802 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                 }
-                let _e880 = phi_1369_;
-                if (_e880 > f64(0f)) {
-                    phi_1379_ = ((_e880 + (_e826 / _e880)) * f64(0.5f));
+                let _e808 = phi_1369_;
+                if (_e808 > f64(0f)) {
+                    phi_1379_ = ((_e808 + (_e760 / _e808)) * f64(0.5f));
                 } else {
-                    phi_1379_ = _e880;
+                    phi_1379_ = _e808;
                 }
-                let _e888 = phi_1379_;
-                if (_e888 > _e821) {
-                    phi_1385_ = _e888;
-                } else {
-                    phi_1385_ = f64(0f);
-                }
-                let _e892 = phi_1385_;
-                local = type_35(array<f64, 3>((_e506[0] * _e586), (_e506[1] * _e586), (_e506[2] * _e586)), array<f64, 3>(_e594, _e596, _e598), array<f64, 3>(_e600, _e602, _e604), array<f64, 3>(_e770, _e773, _e776), _e892, _e821, ((((((_e653 + _e501.member_3) + _e706) + _e757) * _e759) + _e762) * _e586));
-                let _e898 = function_8((&local), _e176.member);
-                if (_e898.member_3 <= 2.2250738585072014e-308lf) {
-                    if (_e898.member_3 > 0.0lf) {
-                        phi_1428_ = (1.464336215552873e-154lf * 2.0lf);
-                    } else {
-                        phi_1428_ = 0.0lf;
-                    }
-                    let _e953 = phi_1428_;
-                    phi_1492_ = _e953;
+                let _e816 = phi_1379_;
+                local = type_35(array<f64, 3>((_e500[0] * _e563), (_e500[1] * _e563), (_e500[2] * _e563)), array<f64, 3>(_e571, _e573, _e575), array<f64, 3>(_e577, _e579, _e581), array<f64, 3>(_e714, _e717, _e720), select(f64(0f), _e816, (_e816 > _e755)), _e755, ((((((select(_e617, _e599, (_e599 > _e617)) + _e495.member_3) + _e661) + _e701) * _e703) + _e706) * _e563));
+                let _e825 = function_8((&local), _e170.member);
+                if (_e825.member_3 <= 2.2250738585072014e-308lf) {
+                    phi_1492_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e825.member_3 > 0.0lf));
                 } else {
                     phi_1435_ = type_16(0i, 5i);
-                    phi_1438_ = bitcast<f64>(((bitcast<u64>(_e898.member_3) / 2lu) + 2303426169912950784lu));
+                    phi_1438_ = bitcast<f64>(((bitcast<u64>(_e825.member_3) / 2lu) + 2303426169912950784lu));
                     loop {
-                        let _e908 = phi_1435_;
-                        let _e910 = phi_1438_;
-                        local_4 = _e910;
-                        if (_e908.member < _e908.member_1) {
-                            let _e917 = (_e908.member + 1i);
-                            if ((false == (_e917 > _e908.member)) != false) {
-                                phi_1459_ = true;
-                            } else {
-                                phi_1459_ = false;
-                            }
-                            let _e922 = phi_1459_;
-                            if _e922 {
-                                phi_1465_ = type_17(0u, type_17().member_1);
-                            } else {
-                                phi_1465_ = type_17(1u, _e917);
-                            }
-                            let _e927 = phi_1465_;
-                            phi_1436_ = type_16(_e927.member_1, _e908.member_1);
-                            phi_1479_ = type_17(1u, _e908.member);
+                        let _e835 = phi_1435_;
+                        let _e837 = phi_1438_;
+                        local_4 = _e837;
+                        if (_e835.member < _e835.member_1) {
+                            let _e844 = (_e835.member + 1i);
+                            phi_1436_ = type_16(select(_e844, type_17().member_1, select(false, true, ((false == (_e844 > _e835.member)) != false))), _e835.member_1);
+                            phi_1479_ = type_17(1u, _e835.member);
                         } else {
-                            phi_1436_ = _e908;
+                            phi_1436_ = _e835;
                             phi_1479_ = type_17(0u, type_17().member_1);
                         }
-                        let _e933 = phi_1436_;
-                        let _e935 = phi_1479_;
-                        let _e938 = (bitcast<i32>(_e935.member) != 0i);
-                        if _e938 {
-                            phi_1439_ = (0.5lf * (_e910 + (_e898.member_3 / _e910)));
+                        let _e855 = phi_1436_;
+                        let _e857 = phi_1479_;
+                        let _e860 = (bitcast<i32>(_e857.member) != 0i);
+                        if _e860 {
+                            phi_1439_ = (0.5lf * (_e837 + (_e825.member_3 / _e837)));
                         } else {
                             phi_1439_ = f64();
                         }
-                        let _e943 = phi_1439_;
+                        let _e865 = phi_1439_;
                         continue;
                         continuing {
-                            phi_1435_ = _e933;
-                            phi_1438_ = _e943;
-                            break if !(_e938);
+                            phi_1435_ = _e855;
+                            phi_1438_ = _e865;
+                            break if !(_e860);
                         }
                     }
-                    let _e948 = local_4;
-                    phi_1492_ = (_e948 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                    let _e870 = local_4;
+                    phi_1492_ = (_e870 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                 }
-                let _e955 = phi_1492_;
-                if (_e955 > f64(0f)) {
-                    phi_1502_ = ((_e955 + (_e898.member_3 / _e955)) * f64(0.5f));
+                let _e876 = phi_1492_;
+                if (_e876 > f64(0f)) {
+                    phi_1502_ = ((_e876 + (_e825.member_3 / _e876)) * f64(0.5f));
                 } else {
-                    phi_1502_ = _e955;
+                    phi_1502_ = _e876;
                 }
-                let _e963 = phi_1502_;
-                if (_e176.member == 0u) {
-                    phi_1508_ = _e337;
-                } else {
-                    phi_1508_ = -(_e337);
-                }
-                let _e967 = phi_1508_;
-                let _e969 = function_2(_e501.member);
-                let _e971 = function_2(_e501.member_1);
-                let _e985 = function_2(_e501.member_2);
-                let _e995 = (((_e969[0] - (_e971[0] * _e898.member)) - (_e985[0] * _e898.member_1)) * _e967);
-                let _e996 = (((_e969[1] - (_e971[1] * _e898.member)) - (_e985[1] * _e898.member_1)) * _e967);
-                let _e997 = (((_e969[2] - (_e971[2] * _e898.member)) - (_e985[2] * _e898.member_1)) * _e967);
-                let _e999 = f64(0f);
-                let _e1000 = f64(1f);
-                if (_e898.member > _e999) {
-                    phi_1549_ = (_e898.member < _e1000);
-                } else {
-                    phi_1549_ = false;
-                }
-                let _e1006 = phi_1549_;
-                if (_e898.member_1 > _e999) {
-                    phi_1555_ = (_e898.member_1 < _e1000);
-                } else {
-                    phi_1555_ = false;
-                }
-                let _e1010 = phi_1555_;
-                let _e1011 = (_e967 > _e999);
-                if _e1006 {
-                    if _e1010 {
-                        if _e1011 {
-                            phi_1571_ = ((_e898.member + _e898.member_1) < (_e1000 - (1.1102230246251565e-16lf * f64(4f))));
-                        } else {
-                            phi_1571_ = true;
-                        }
-                        let _e1018 = phi_1571_;
-                        phi_1572_ = _e1018;
-                        phi_1573_ = false;
-                    } else {
-                        phi_1572_ = bool();
-                        phi_1573_ = true;
-                    }
-                    let _e1020 = phi_1572_;
-                    let _e1022 = phi_1573_;
-                    phi_1574_ = _e1020;
-                    phi_1575_ = _e1022;
-                } else {
-                    phi_1574_ = bool();
-                    phi_1575_ = true;
-                }
-                let _e1024 = phi_1574_;
-                let _e1026 = phi_1575_;
-                if _e1026 {
-                    phi_1579_ = false;
-                } else {
-                    phi_1579_ = _e1024;
-                }
-                let _e1028 = phi_1579_;
-                let _e1030 = local.member_4;
-                let _e1031 = (_e1030 > _e999);
-                let _e1033 = local.member_3;
-                let _e1037 = (_e1033[0] * _e967);
-                let _e1038 = (_e1033[1] * _e967);
-                let _e1039 = (_e1033[2] * _e967);
-                let _e1042 = local.member_6;
-                if (_e963 > _e1042) {
-                    let _e2221 = (_e898.member_2[0] * _e967);
-                    let _e2223 = (_e898.member_2[1] * _e967);
-                    let _e2225 = (_e898.member_2[2] * _e967);
-                    if _e1031 {
-                        if _e1028 {
-                            let _e2227 = local.member_5;
-                            let _e2230 = local.member_6;
-                            let _e2232 = local.member_4;
-                            if ((_e2227 * _e963) <= (_e2230 * _e2232)) {
-                                if ((((_e2221 * _e1037) + (_e2223 * _e1038)) + (_e2225 * _e1039)) >= _e999) {
-                                    phi_1641_ = array<f64, 3>(_e1037, _e1038, _e1039);
-                                } else {
-                                    let _e2241 = -(_e1000);
-                                    phi_1641_ = array<f64, 3>((_e1037 * _e2241), (_e1038 * _e2241), (_e1039 * _e2241));
-                                }
-                                let _e2247 = phi_1641_;
-                                if (_e2247[0] < 0.0lf) {
-                                    phi_1648_ = -(_e2247[0]);
-                                } else {
-                                    phi_1648_ = _e2247[0];
-                                }
-                                let _e2252 = phi_1648_;
-                                if (_e2247[1] < 0.0lf) {
-                                    phi_1655_ = -(_e2247[1]);
-                                } else {
-                                    phi_1655_ = _e2247[1];
-                                }
-                                let _e2257 = phi_1655_;
-                                if (_e2252 > _e2257) {
-                                    phi_1660_ = _e2252;
-                                } else {
-                                    phi_1660_ = _e2257;
-                                }
-                                let _e2260 = phi_1660_;
-                                if (_e2247[2] < 0.0lf) {
-                                    phi_1667_ = -(_e2247[2]);
-                                } else {
-                                    phi_1667_ = _e2247[2];
-                                }
-                                let _e2265 = phi_1667_;
-                                if (_e2260 > _e2265) {
-                                    phi_1672_ = _e2260;
-                                } else {
-                                    phi_1672_ = _e2265;
-                                }
-                                let _e2268 = phi_1672_;
-                                let _e2269 = function_9(_e2268);
-                                let _e2271 = (_e2247[0] * _e2269);
-                                let _e2273 = (_e2247[1] * _e2269);
-                                let _e2275 = (_e2247[2] * _e2269);
-                                let _e2281 = (((_e2271 * _e2271) + (_e2273 * _e2273)) + (_e2275 * _e2275));
-                                if (_e2281 <= 2.2250738585072014e-308lf) {
-                                    if (_e2281 > 0.0lf) {
-                                        phi_1699_ = (1.464336215552873e-154lf * 2.0lf);
-                                    } else {
-                                        phi_1699_ = 0.0lf;
-                                    }
-                                    let _e2333 = phi_1699_;
-                                    phi_1763_ = _e2333;
+                let _e884 = phi_1502_;
+                let _e887 = select(-(_e331), _e331, (_e170.member == 0u));
+                let _e889 = function_2(_e495.member);
+                let _e891 = function_2(_e495.member_1);
+                let _e905 = function_2(_e495.member_2);
+                let _e915 = (((_e889[0] - (_e891[0] * _e825.member)) - (_e905[0] * _e825.member_1)) * _e887);
+                let _e916 = (((_e889[1] - (_e891[1] * _e825.member)) - (_e905[1] * _e825.member_1)) * _e887);
+                let _e917 = (((_e889[2] - (_e891[2] * _e825.member)) - (_e905[2] * _e825.member_1)) * _e887);
+                let _e919 = f64(0f);
+                let _e920 = f64(1f);
+                let _e925 = select(false, (_e825.member < _e920), (_e825.member > _e919));
+                let _e928 = select(false, (_e825.member_1 < _e920), (_e825.member_1 > _e919));
+                let _e929 = (_e887 > _e919);
+                let _e940 = select(select(bool(), select(bool(), select(true, ((_e825.member + _e825.member_1) < (_e920 - (1.1102230246251565e-16lf * f64(4f)))), _e929), _e928), _e925), false, select(true, select(true, false, _e928), _e925));
+                let _e942 = local.member_4;
+                let _e943 = (_e942 > _e919);
+                let _e945 = local.member_3;
+                let _e949 = (_e945[0] * _e887);
+                let _e950 = (_e945[1] * _e887);
+                let _e951 = (_e945[2] * _e887);
+                let _e953 = local.member_6;
+                if (_e884 > _e953) {
+                    let _e1972 = (_e825.member_2[0] * _e887);
+                    let _e1974 = (_e825.member_2[1] * _e887);
+                    let _e1976 = (_e825.member_2[2] * _e887);
+                    if _e943 {
+                        if _e940 {
+                            let _e1978 = local.member_5;
+                            let _e1981 = local.member_6;
+                            let _e1983 = local.member_4;
+                            if ((_e1978 * _e884) <= (_e1981 * _e1983)) {
+                                let _e1991 = ((((_e1972 * _e949) + (_e1974 * _e950)) + (_e1976 * _e951)) >= _e919);
+                                let _e1992 = -(_e920);
+                                let _e1996 = select((_e949 * _e1992), _e949, _e1991);
+                                let _e1997 = select((_e950 * _e1992), _e950, _e1991);
+                                let _e1998 = select((_e951 * _e1992), _e951, _e1991);
+                                let _e2001 = select(_e1996, -(_e1996), (_e1996 < 0.0lf));
+                                let _e2004 = select(_e1997, -(_e1997), (_e1997 < 0.0lf));
+                                let _e2006 = select(_e2004, _e2001, (_e2001 > _e2004));
+                                let _e2009 = select(_e1998, -(_e1998), (_e1998 < 0.0lf));
+                                let _e2012 = function_9(select(_e2009, _e2006, (_e2006 > _e2009)));
+                                let _e2013 = (_e1996 * _e2012);
+                                let _e2014 = (_e1997 * _e2012);
+                                let _e2015 = (_e1998 * _e2012);
+                                let _e2021 = (((_e2013 * _e2013) + (_e2014 * _e2014)) + (_e2015 * _e2015));
+                                if (_e2021 <= 2.2250738585072014e-308lf) {
+                                    phi_1763_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2021 > 0.0lf));
                                 } else {
                                     phi_1706_ = type_16(0i, 5i);
-                                    phi_1709_ = bitcast<f64>(((bitcast<u64>(_e2281) / 2lu) + 2303426169912950784lu));
+                                    phi_1709_ = bitcast<f64>(((bitcast<u64>(_e2021) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e2288 = phi_1706_;
-                                        let _e2290 = phi_1709_;
-                                        local_11 = _e2290;
-                                        if (_e2288.member < _e2288.member_1) {
-                                            let _e2297 = (_e2288.member + 1i);
-                                            if ((false == (_e2297 > _e2288.member)) != false) {
-                                                phi_1730_ = true;
-                                            } else {
-                                                phi_1730_ = false;
-                                            }
-                                            let _e2302 = phi_1730_;
-                                            if _e2302 {
-                                                phi_1736_ = type_17(0u, type_17().member_1);
-                                            } else {
-                                                phi_1736_ = type_17(1u, _e2297);
-                                            }
-                                            let _e2307 = phi_1736_;
-                                            phi_1707_ = type_16(_e2307.member_1, _e2288.member_1);
-                                            phi_1750_ = type_17(1u, _e2288.member);
+                                        let _e2028 = phi_1706_;
+                                        let _e2030 = phi_1709_;
+                                        local_11 = _e2030;
+                                        if (_e2028.member < _e2028.member_1) {
+                                            let _e2037 = (_e2028.member + 1i);
+                                            phi_1707_ = type_16(select(_e2037, type_17().member_1, select(false, true, ((false == (_e2037 > _e2028.member)) != false))), _e2028.member_1);
+                                            phi_1750_ = type_17(1u, _e2028.member);
                                         } else {
-                                            phi_1707_ = _e2288;
+                                            phi_1707_ = _e2028;
                                             phi_1750_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e2313 = phi_1707_;
-                                        let _e2315 = phi_1750_;
-                                        let _e2318 = (bitcast<i32>(_e2315.member) != 0i);
-                                        if _e2318 {
-                                            phi_1710_ = (0.5lf * (_e2290 + (_e2281 / _e2290)));
+                                        let _e2048 = phi_1707_;
+                                        let _e2050 = phi_1750_;
+                                        let _e2053 = (bitcast<i32>(_e2050.member) != 0i);
+                                        if _e2053 {
+                                            phi_1710_ = (0.5lf * (_e2030 + (_e2021 / _e2030)));
                                         } else {
                                             phi_1710_ = f64();
                                         }
-                                        let _e2323 = phi_1710_;
+                                        let _e2058 = phi_1710_;
                                         continue;
                                         continuing {
-                                            phi_1706_ = _e2313;
-                                            phi_1709_ = _e2323;
-                                            break if !(_e2318);
+                                            phi_1706_ = _e2048;
+                                            phi_1709_ = _e2058;
+                                            break if !(_e2053);
                                         }
                                     }
-                                    let _e2328 = local_11;
-                                    phi_1763_ = (_e2328 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e2063 = local_11;
+                                    phi_1763_ = (_e2063 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e2335 = phi_1763_;
-                                let _e2336 = (f64(1f) / _e2335);
-                                let _e2337 = (_e2271 * _e2336);
-                                let _e2338 = (_e2273 * _e2336);
-                                let _e2339 = (_e2275 * _e2336);
-                                let _e2348 = ((f64(3f) - (((_e2337 * _e2337) + (_e2338 * _e2338)) + (_e2339 * _e2339))) * f64(0.5f));
-                                phi_1781_ = array<f64, 3>((_e2337 * _e2348), (_e2338 * _e2348), (_e2339 * _e2348));
+                                let _e2069 = phi_1763_;
+                                let _e2070 = (f64(1f) / _e2069);
+                                let _e2071 = (_e2013 * _e2070);
+                                let _e2072 = (_e2014 * _e2070);
+                                let _e2073 = (_e2015 * _e2070);
+                                let _e2082 = ((f64(3f) - (((_e2071 * _e2071) + (_e2072 * _e2072)) + (_e2073 * _e2073))) * f64(0.5f));
+                                phi_1781_ = array<f64, 3>((_e2071 * _e2082), (_e2072 * _e2082), (_e2073 * _e2082));
                                 phi_1782_ = false;
                             } else {
                                 phi_1781_ = array<f64, 3>();
                                 phi_1782_ = true;
                             }
-                            let _e2354 = phi_1781_;
-                            let _e2356 = phi_1782_;
-                            phi_1783_ = _e2354;
-                            phi_1784_ = _e2356;
+                            let _e2088 = phi_1781_;
+                            let _e2090 = phi_1782_;
+                            phi_1783_ = _e2088;
+                            phi_1784_ = _e2090;
                         } else {
                             phi_1783_ = array<f64, 3>();
                             phi_1784_ = true;
                         }
-                        let _e2358 = phi_1783_;
-                        let _e2360 = phi_1784_;
-                        phi_1785_ = _e2358;
-                        phi_1786_ = _e2360;
+                        let _e2092 = phi_1783_;
+                        let _e2094 = phi_1784_;
+                        phi_1785_ = _e2092;
+                        phi_1786_ = _e2094;
                     } else {
                         phi_1785_ = array<f64, 3>();
                         phi_1786_ = true;
                     }
-                    let _e2362 = phi_1785_;
-                    let _e2364 = phi_1786_;
-                    if _e2364 {
-                        if (_e2221 < 0.0lf) {
-                            phi_1795_ = -(_e2221);
-                        } else {
-                            phi_1795_ = _e2221;
-                        }
-                        let _e2368 = phi_1795_;
-                        if (_e2223 < 0.0lf) {
-                            phi_1801_ = -(_e2223);
-                        } else {
-                            phi_1801_ = _e2223;
-                        }
-                        let _e2372 = phi_1801_;
-                        if (_e2368 > _e2372) {
-                            phi_1806_ = _e2368;
-                        } else {
-                            phi_1806_ = _e2372;
-                        }
-                        let _e2375 = phi_1806_;
-                        if (_e2225 < 0.0lf) {
-                            phi_1812_ = -(_e2225);
-                        } else {
-                            phi_1812_ = _e2225;
-                        }
-                        let _e2379 = phi_1812_;
-                        if (_e2375 > _e2379) {
-                            phi_1817_ = _e2375;
-                        } else {
-                            phi_1817_ = _e2379;
-                        }
-                        let _e2382 = phi_1817_;
-                        let _e2383 = function_9(_e2382);
-                        let _e2384 = (_e2221 * _e2383);
-                        let _e2385 = (_e2223 * _e2383);
-                        let _e2386 = (_e2225 * _e2383);
-                        let _e2392 = (((_e2384 * _e2384) + (_e2385 * _e2385)) + (_e2386 * _e2386));
-                        if (_e2392 <= 2.2250738585072014e-308lf) {
-                            if (_e2392 > 0.0lf) {
-                                phi_1841_ = (1.464336215552873e-154lf * 2.0lf);
-                            } else {
-                                phi_1841_ = 0.0lf;
-                            }
-                            let _e2444 = phi_1841_;
-                            phi_1905_ = _e2444;
+                    let _e2096 = phi_1785_;
+                    let _e2098 = phi_1786_;
+                    if _e2098 {
+                        let _e2101 = select(_e1972, -(_e1972), (_e1972 < 0.0lf));
+                        let _e2104 = select(_e1974, -(_e1974), (_e1974 < 0.0lf));
+                        let _e2106 = select(_e2104, _e2101, (_e2101 > _e2104));
+                        let _e2109 = select(_e1976, -(_e1976), (_e1976 < 0.0lf));
+                        let _e2112 = function_9(select(_e2109, _e2106, (_e2106 > _e2109)));
+                        let _e2113 = (_e1972 * _e2112);
+                        let _e2114 = (_e1974 * _e2112);
+                        let _e2115 = (_e1976 * _e2112);
+                        let _e2121 = (((_e2113 * _e2113) + (_e2114 * _e2114)) + (_e2115 * _e2115));
+                        if (_e2121 <= 2.2250738585072014e-308lf) {
+                            phi_1905_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2121 > 0.0lf));
                         } else {
                             phi_1848_ = type_16(0i, 5i);
-                            phi_1851_ = bitcast<f64>(((bitcast<u64>(_e2392) / 2lu) + 2303426169912950784lu));
+                            phi_1851_ = bitcast<f64>(((bitcast<u64>(_e2121) / 2lu) + 2303426169912950784lu));
                             loop {
-                                let _e2399 = phi_1848_;
-                                let _e2401 = phi_1851_;
-                                local_12 = _e2401;
-                                if (_e2399.member < _e2399.member_1) {
-                                    let _e2408 = (_e2399.member + 1i);
-                                    if ((false == (_e2408 > _e2399.member)) != false) {
-                                        phi_1872_ = true;
-                                    } else {
-                                        phi_1872_ = false;
-                                    }
-                                    let _e2413 = phi_1872_;
-                                    if _e2413 {
-                                        phi_1878_ = type_17(0u, type_17().member_1);
-                                    } else {
-                                        phi_1878_ = type_17(1u, _e2408);
-                                    }
-                                    let _e2418 = phi_1878_;
-                                    phi_1849_ = type_16(_e2418.member_1, _e2399.member_1);
-                                    phi_1892_ = type_17(1u, _e2399.member);
+                                let _e2128 = phi_1848_;
+                                let _e2130 = phi_1851_;
+                                local_12 = _e2130;
+                                if (_e2128.member < _e2128.member_1) {
+                                    let _e2137 = (_e2128.member + 1i);
+                                    phi_1849_ = type_16(select(_e2137, type_17().member_1, select(false, true, ((false == (_e2137 > _e2128.member)) != false))), _e2128.member_1);
+                                    phi_1892_ = type_17(1u, _e2128.member);
                                 } else {
-                                    phi_1849_ = _e2399;
+                                    phi_1849_ = _e2128;
                                     phi_1892_ = type_17(0u, type_17().member_1);
                                 }
-                                let _e2424 = phi_1849_;
-                                let _e2426 = phi_1892_;
-                                let _e2429 = (bitcast<i32>(_e2426.member) != 0i);
-                                if _e2429 {
-                                    phi_1852_ = (0.5lf * (_e2401 + (_e2392 / _e2401)));
+                                let _e2148 = phi_1849_;
+                                let _e2150 = phi_1892_;
+                                let _e2153 = (bitcast<i32>(_e2150.member) != 0i);
+                                if _e2153 {
+                                    phi_1852_ = (0.5lf * (_e2130 + (_e2121 / _e2130)));
                                 } else {
                                     phi_1852_ = f64();
                                 }
-                                let _e2434 = phi_1852_;
+                                let _e2158 = phi_1852_;
                                 continue;
                                 continuing {
-                                    phi_1848_ = _e2424;
-                                    phi_1851_ = _e2434;
-                                    break if !(_e2429);
+                                    phi_1848_ = _e2148;
+                                    phi_1851_ = _e2158;
+                                    break if !(_e2153);
                                 }
                             }
-                            let _e2439 = local_12;
-                            phi_1905_ = (_e2439 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                            let _e2163 = local_12;
+                            phi_1905_ = (_e2163 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                         }
-                        let _e2446 = phi_1905_;
-                        let _e2447 = (f64(1f) / _e2446);
-                        let _e2448 = (_e2384 * _e2447);
-                        let _e2449 = (_e2385 * _e2447);
-                        let _e2450 = (_e2386 * _e2447);
-                        let _e2459 = ((f64(3f) - (((_e2448 * _e2448) + (_e2449 * _e2449)) + (_e2450 * _e2450))) * f64(0.5f));
-                        phi_1923_ = array<f64, 3>((_e2448 * _e2459), (_e2449 * _e2459), (_e2450 * _e2459));
+                        let _e2169 = phi_1905_;
+                        let _e2170 = (f64(1f) / _e2169);
+                        let _e2171 = (_e2113 * _e2170);
+                        let _e2172 = (_e2114 * _e2170);
+                        let _e2173 = (_e2115 * _e2170);
+                        let _e2182 = ((f64(3f) - (((_e2171 * _e2171) + (_e2172 * _e2172)) + (_e2173 * _e2173))) * f64(0.5f));
+                        phi_1923_ = array<f64, 3>((_e2171 * _e2182), (_e2172 * _e2182), (_e2173 * _e2182));
                     } else {
-                        phi_1923_ = _e2362;
+                        phi_1923_ = _e2096;
                     }
-                    let _e2465 = phi_1923_;
-                    phi_3522_ = _e2465;
+                    let _e2188 = phi_1923_;
+                    phi_3522_ = _e2188;
                     phi_3523_ = array<f64, 3>();
                     phi_3524_ = true;
                 } else {
-                    if (_e501.member[0][0] < 0.0lf) {
-                        phi_1931_ = -(_e501.member[0][0]);
-                    } else {
-                        phi_1931_ = _e501.member[0][0];
-                    }
-                    let _e1050 = phi_1931_;
-                    if (_e501.member[0][1] < 0.0lf) {
-                        phi_1938_ = -(_e501.member[0][1]);
-                    } else {
-                        phi_1938_ = _e501.member[0][1];
-                    }
-                    let _e1055 = phi_1938_;
-                    if (_e1050 > _e1055) {
-                        phi_1943_ = _e1050;
-                    } else {
-                        phi_1943_ = _e1055;
-                    }
-                    let _e1058 = phi_1943_;
-                    if (_e501.member[0][2] < 0.0lf) {
-                        phi_1950_ = -(_e501.member[0][2]);
-                    } else {
-                        phi_1950_ = _e501.member[0][2];
-                    }
-                    let _e1063 = phi_1950_;
-                    if (_e1058 > _e1063) {
-                        phi_1955_ = _e1058;
-                    } else {
-                        phi_1955_ = _e1063;
-                    }
-                    let _e1066 = phi_1955_;
-                    if (_e501.member[1][0] < 0.0lf) {
-                        phi_1963_ = -(_e501.member[1][0]);
-                    } else {
-                        phi_1963_ = _e501.member[1][0];
-                    }
-                    let _e1073 = phi_1963_;
-                    if (_e501.member[1][1] < 0.0lf) {
-                        phi_1970_ = -(_e501.member[1][1]);
-                    } else {
-                        phi_1970_ = _e501.member[1][1];
-                    }
-                    let _e1078 = phi_1970_;
-                    if (_e1073 > _e1078) {
-                        phi_1975_ = _e1073;
-                    } else {
-                        phi_1975_ = _e1078;
-                    }
-                    let _e1081 = phi_1975_;
-                    if (_e501.member[1][2] < 0.0lf) {
-                        phi_1982_ = -(_e501.member[1][2]);
-                    } else {
-                        phi_1982_ = _e501.member[1][2];
-                    }
-                    let _e1086 = phi_1982_;
-                    if (_e1081 > _e1086) {
-                        phi_1987_ = _e1081;
-                    } else {
-                        phi_1987_ = _e1086;
-                    }
-                    let _e1089 = phi_1987_;
-                    if (_e1066 > _e1089) {
-                        phi_1992_ = _e1066;
-                    } else {
-                        phi_1992_ = _e1089;
-                    }
-                    let _e1092 = phi_1992_;
-                    if (_e501.member_1[0][0] < 0.0lf) {
-                        phi_2002_ = -(_e501.member_1[0][0]);
-                    } else {
-                        phi_2002_ = _e501.member_1[0][0];
-                    }
-                    let _e1101 = phi_2002_;
-                    if (_e501.member_1[0][1] < 0.0lf) {
-                        phi_2009_ = -(_e501.member_1[0][1]);
-                    } else {
-                        phi_2009_ = _e501.member_1[0][1];
-                    }
-                    let _e1106 = phi_2009_;
-                    if (_e1101 > _e1106) {
-                        phi_2014_ = _e1101;
-                    } else {
-                        phi_2014_ = _e1106;
-                    }
-                    let _e1109 = phi_2014_;
-                    if (_e501.member_1[0][2] < 0.0lf) {
-                        phi_2021_ = -(_e501.member_1[0][2]);
-                    } else {
-                        phi_2021_ = _e501.member_1[0][2];
-                    }
-                    let _e1114 = phi_2021_;
-                    if (_e1109 > _e1114) {
-                        phi_2026_ = _e1109;
-                    } else {
-                        phi_2026_ = _e1114;
-                    }
-                    let _e1117 = phi_2026_;
-                    if (_e501.member_1[1][0] < 0.0lf) {
-                        phi_2034_ = -(_e501.member_1[1][0]);
-                    } else {
-                        phi_2034_ = _e501.member_1[1][0];
-                    }
-                    let _e1124 = phi_2034_;
-                    if (_e501.member_1[1][1] < 0.0lf) {
-                        phi_2041_ = -(_e501.member_1[1][1]);
-                    } else {
-                        phi_2041_ = _e501.member_1[1][1];
-                    }
-                    let _e1129 = phi_2041_;
-                    if (_e1124 > _e1129) {
-                        phi_2046_ = _e1124;
-                    } else {
-                        phi_2046_ = _e1129;
-                    }
-                    let _e1132 = phi_2046_;
-                    if (_e501.member_1[1][2] < 0.0lf) {
-                        phi_2053_ = -(_e501.member_1[1][2]);
-                    } else {
-                        phi_2053_ = _e501.member_1[1][2];
-                    }
-                    let _e1137 = phi_2053_;
-                    if (_e1132 > _e1137) {
-                        phi_2058_ = _e1132;
-                    } else {
-                        phi_2058_ = _e1137;
-                    }
-                    let _e1140 = phi_2058_;
-                    if (_e1117 > _e1140) {
-                        phi_2063_ = _e1117;
-                    } else {
-                        phi_2063_ = _e1140;
-                    }
-                    let _e1143 = phi_2063_;
-                    if (_e501.member_2[0][0] < 0.0lf) {
-                        phi_2073_ = -(_e501.member_2[0][0]);
-                    } else {
-                        phi_2073_ = _e501.member_2[0][0];
-                    }
-                    let _e1152 = phi_2073_;
-                    if (_e501.member_2[0][1] < 0.0lf) {
-                        phi_2080_ = -(_e501.member_2[0][1]);
-                    } else {
-                        phi_2080_ = _e501.member_2[0][1];
-                    }
-                    let _e1157 = phi_2080_;
-                    if (_e1152 > _e1157) {
-                        phi_2085_ = _e1152;
-                    } else {
-                        phi_2085_ = _e1157;
-                    }
-                    let _e1160 = phi_2085_;
-                    if (_e501.member_2[0][2] < 0.0lf) {
-                        phi_2092_ = -(_e501.member_2[0][2]);
-                    } else {
-                        phi_2092_ = _e501.member_2[0][2];
-                    }
-                    let _e1165 = phi_2092_;
-                    if (_e1160 > _e1165) {
-                        phi_2097_ = _e1160;
-                    } else {
-                        phi_2097_ = _e1165;
-                    }
-                    let _e1168 = phi_2097_;
-                    if (_e501.member_2[1][0] < 0.0lf) {
-                        phi_2105_ = -(_e501.member_2[1][0]);
-                    } else {
-                        phi_2105_ = _e501.member_2[1][0];
-                    }
-                    let _e1175 = phi_2105_;
-                    if (_e501.member_2[1][1] < 0.0lf) {
-                        phi_2112_ = -(_e501.member_2[1][1]);
-                    } else {
-                        phi_2112_ = _e501.member_2[1][1];
-                    }
-                    let _e1180 = phi_2112_;
-                    if (_e1175 > _e1180) {
-                        phi_2117_ = _e1175;
-                    } else {
-                        phi_2117_ = _e1180;
-                    }
-                    let _e1183 = phi_2117_;
-                    if (_e501.member_2[1][2] < 0.0lf) {
-                        phi_2124_ = -(_e501.member_2[1][2]);
-                    } else {
-                        phi_2124_ = _e501.member_2[1][2];
-                    }
-                    let _e1188 = phi_2124_;
-                    if (_e1183 > _e1188) {
-                        phi_2129_ = _e1183;
-                    } else {
-                        phi_2129_ = _e1188;
-                    }
-                    let _e1191 = phi_2129_;
-                    if (_e1168 > _e1191) {
-                        phi_2134_ = _e1168;
-                    } else {
-                        phi_2134_ = _e1191;
-                    }
-                    let _e1194 = phi_2134_;
-                    let _e1205 = (((((_e1092 + _e501.member_3) + (_e1143 + _e501.member_3)) + (_e1194 + _e501.member_3)) * (1.1102230246251565e-16lf * f64(32f))) + (_e501.member_3 * f64(8f)));
-                    if _e1031 {
-                        if (_e1037 < 0.0lf) {
-                            phi_2154_ = -(_e1037);
-                        } else {
-                            phi_2154_ = _e1037;
-                        }
-                        let _e1209 = phi_2154_;
-                        if (_e1038 < 0.0lf) {
-                            phi_2160_ = -(_e1038);
-                        } else {
-                            phi_2160_ = _e1038;
-                        }
-                        let _e1213 = phi_2160_;
-                        if (_e1209 > _e1213) {
-                            phi_2165_ = _e1209;
-                        } else {
-                            phi_2165_ = _e1213;
-                        }
-                        let _e1216 = phi_2165_;
-                        if (_e1039 < 0.0lf) {
-                            phi_2171_ = -(_e1039);
-                        } else {
-                            phi_2171_ = _e1039;
-                        }
-                        let _e1220 = phi_2171_;
-                        if (_e1216 > _e1220) {
-                            phi_2176_ = _e1216;
-                        } else {
-                            phi_2176_ = _e1220;
-                        }
-                        let _e1223 = phi_2176_;
-                        let _e1224 = function_9(_e1223);
-                        let _e1225 = (_e1037 * _e1224);
-                        let _e1226 = (_e1038 * _e1224);
-                        let _e1227 = (_e1039 * _e1224);
-                        let _e1233 = (((_e1225 * _e1225) + (_e1226 * _e1226)) + (_e1227 * _e1227));
-                        if (_e1233 <= 2.2250738585072014e-308lf) {
-                            if (_e1233 > 0.0lf) {
-                                phi_2200_ = (1.464336215552873e-154lf * 2.0lf);
-                            } else {
-                                phi_2200_ = 0.0lf;
-                            }
-                            let _e1285 = phi_2200_;
-                            phi_2264_ = _e1285;
+                    let _e960 = select(_e495.member[0][0], -(_e495.member[0][0]), (_e495.member[0][0] < 0.0lf));
+                    let _e964 = select(_e495.member[0][1], -(_e495.member[0][1]), (_e495.member[0][1] < 0.0lf));
+                    let _e966 = select(_e964, _e960, (_e960 > _e964));
+                    let _e970 = select(_e495.member[0][2], -(_e495.member[0][2]), (_e495.member[0][2] < 0.0lf));
+                    let _e972 = select(_e970, _e966, (_e966 > _e970));
+                    let _e978 = select(_e495.member[1][0], -(_e495.member[1][0]), (_e495.member[1][0] < 0.0lf));
+                    let _e982 = select(_e495.member[1][1], -(_e495.member[1][1]), (_e495.member[1][1] < 0.0lf));
+                    let _e984 = select(_e982, _e978, (_e978 > _e982));
+                    let _e988 = select(_e495.member[1][2], -(_e495.member[1][2]), (_e495.member[1][2] < 0.0lf));
+                    let _e990 = select(_e988, _e984, (_e984 > _e988));
+                    let _e1000 = select(_e495.member_1[0][0], -(_e495.member_1[0][0]), (_e495.member_1[0][0] < 0.0lf));
+                    let _e1004 = select(_e495.member_1[0][1], -(_e495.member_1[0][1]), (_e495.member_1[0][1] < 0.0lf));
+                    let _e1006 = select(_e1004, _e1000, (_e1000 > _e1004));
+                    let _e1010 = select(_e495.member_1[0][2], -(_e495.member_1[0][2]), (_e495.member_1[0][2] < 0.0lf));
+                    let _e1012 = select(_e1010, _e1006, (_e1006 > _e1010));
+                    let _e1018 = select(_e495.member_1[1][0], -(_e495.member_1[1][0]), (_e495.member_1[1][0] < 0.0lf));
+                    let _e1022 = select(_e495.member_1[1][1], -(_e495.member_1[1][1]), (_e495.member_1[1][1] < 0.0lf));
+                    let _e1024 = select(_e1022, _e1018, (_e1018 > _e1022));
+                    let _e1028 = select(_e495.member_1[1][2], -(_e495.member_1[1][2]), (_e495.member_1[1][2] < 0.0lf));
+                    let _e1030 = select(_e1028, _e1024, (_e1024 > _e1028));
+                    let _e1040 = select(_e495.member_2[0][0], -(_e495.member_2[0][0]), (_e495.member_2[0][0] < 0.0lf));
+                    let _e1044 = select(_e495.member_2[0][1], -(_e495.member_2[0][1]), (_e495.member_2[0][1] < 0.0lf));
+                    let _e1046 = select(_e1044, _e1040, (_e1040 > _e1044));
+                    let _e1050 = select(_e495.member_2[0][2], -(_e495.member_2[0][2]), (_e495.member_2[0][2] < 0.0lf));
+                    let _e1052 = select(_e1050, _e1046, (_e1046 > _e1050));
+                    let _e1058 = select(_e495.member_2[1][0], -(_e495.member_2[1][0]), (_e495.member_2[1][0] < 0.0lf));
+                    let _e1062 = select(_e495.member_2[1][1], -(_e495.member_2[1][1]), (_e495.member_2[1][1] < 0.0lf));
+                    let _e1064 = select(_e1062, _e1058, (_e1058 > _e1062));
+                    let _e1068 = select(_e495.member_2[1][2], -(_e495.member_2[1][2]), (_e495.member_2[1][2] < 0.0lf));
+                    let _e1070 = select(_e1068, _e1064, (_e1064 > _e1068));
+                    let _e1083 = (((((select(_e990, _e972, (_e972 > _e990)) + _e495.member_3) + (select(_e1030, _e1012, (_e1012 > _e1030)) + _e495.member_3)) + (select(_e1070, _e1052, (_e1052 > _e1070)) + _e495.member_3)) * (1.1102230246251565e-16lf * f64(32f))) + (_e495.member_3 * f64(8f)));
+                    if _e943 {
+                        let _e1086 = select(_e949, -(_e949), (_e949 < 0.0lf));
+                        let _e1089 = select(_e950, -(_e950), (_e950 < 0.0lf));
+                        let _e1091 = select(_e1089, _e1086, (_e1086 > _e1089));
+                        let _e1094 = select(_e951, -(_e951), (_e951 < 0.0lf));
+                        let _e1097 = function_9(select(_e1094, _e1091, (_e1091 > _e1094)));
+                        let _e1098 = (_e949 * _e1097);
+                        let _e1099 = (_e950 * _e1097);
+                        let _e1100 = (_e951 * _e1097);
+                        let _e1106 = (((_e1098 * _e1098) + (_e1099 * _e1099)) + (_e1100 * _e1100));
+                        if (_e1106 <= 2.2250738585072014e-308lf) {
+                            phi_2264_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1106 > 0.0lf));
                         } else {
                             phi_2207_ = type_16(0i, 5i);
-                            phi_2210_ = bitcast<f64>(((bitcast<u64>(_e1233) / 2lu) + 2303426169912950784lu));
+                            phi_2210_ = bitcast<f64>(((bitcast<u64>(_e1106) / 2lu) + 2303426169912950784lu));
                             loop {
-                                let _e1240 = phi_2207_;
-                                let _e1242 = phi_2210_;
-                                local_5 = _e1242;
-                                if (_e1240.member < _e1240.member_1) {
-                                    let _e1249 = (_e1240.member + 1i);
-                                    if ((false == (_e1249 > _e1240.member)) != false) {
-                                        phi_2231_ = true;
-                                    } else {
-                                        phi_2231_ = false;
-                                    }
-                                    let _e1254 = phi_2231_;
-                                    if _e1254 {
-                                        phi_2237_ = type_17(0u, type_17().member_1);
-                                    } else {
-                                        phi_2237_ = type_17(1u, _e1249);
-                                    }
-                                    let _e1259 = phi_2237_;
-                                    phi_2208_ = type_16(_e1259.member_1, _e1240.member_1);
-                                    phi_2251_ = type_17(1u, _e1240.member);
+                                let _e1113 = phi_2207_;
+                                let _e1115 = phi_2210_;
+                                local_5 = _e1115;
+                                if (_e1113.member < _e1113.member_1) {
+                                    let _e1122 = (_e1113.member + 1i);
+                                    phi_2208_ = type_16(select(_e1122, type_17().member_1, select(false, true, ((false == (_e1122 > _e1113.member)) != false))), _e1113.member_1);
+                                    phi_2251_ = type_17(1u, _e1113.member);
                                 } else {
-                                    phi_2208_ = _e1240;
+                                    phi_2208_ = _e1113;
                                     phi_2251_ = type_17(0u, type_17().member_1);
                                 }
-                                let _e1265 = phi_2208_;
-                                let _e1267 = phi_2251_;
-                                let _e1270 = (bitcast<i32>(_e1267.member) != 0i);
-                                if _e1270 {
-                                    phi_2211_ = (0.5lf * (_e1242 + (_e1233 / _e1242)));
+                                let _e1133 = phi_2208_;
+                                let _e1135 = phi_2251_;
+                                let _e1138 = (bitcast<i32>(_e1135.member) != 0i);
+                                if _e1138 {
+                                    phi_2211_ = (0.5lf * (_e1115 + (_e1106 / _e1115)));
                                 } else {
                                     phi_2211_ = f64();
                                 }
-                                let _e1275 = phi_2211_;
+                                let _e1143 = phi_2211_;
                                 continue;
                                 continuing {
-                                    phi_2207_ = _e1265;
-                                    phi_2210_ = _e1275;
-                                    break if !(_e1270);
+                                    phi_2207_ = _e1133;
+                                    phi_2210_ = _e1143;
+                                    break if !(_e1138);
                                 }
                             }
-                            let _e1280 = local_5;
-                            phi_2264_ = (_e1280 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                            let _e1148 = local_5;
+                            phi_2264_ = (_e1148 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                         }
-                        let _e1287 = phi_2264_;
-                        let _e1288 = (f64(1f) / _e1287);
-                        let _e1289 = (_e1225 * _e1288);
-                        let _e1290 = (_e1226 * _e1288);
-                        let _e1291 = (_e1227 * _e1288);
-                        let _e1300 = ((f64(3f) - (((_e1289 * _e1289) + (_e1290 * _e1290)) + (_e1291 * _e1291))) * f64(0.5f));
-                        let _e1301 = (_e1289 * _e1300);
-                        let _e1302 = (_e1290 * _e1300);
-                        let _e1303 = (_e1291 * _e1300);
-                        let _e1309 = (((_e995 * _e1301) + (_e996 * _e1302)) + (_e997 * _e1303));
-                        if (_e995 < 0.0lf) {
-                            phi_2292_ = -(_e995);
-                        } else {
-                            phi_2292_ = _e995;
-                        }
-                        let _e1313 = phi_2292_;
-                        if (_e996 < 0.0lf) {
-                            phi_2298_ = -(_e996);
-                        } else {
-                            phi_2298_ = _e996;
-                        }
-                        let _e1317 = phi_2298_;
-                        if (_e997 < 0.0lf) {
-                            phi_2305_ = -(_e997);
-                        } else {
-                            phi_2305_ = _e997;
-                        }
-                        let _e1322 = phi_2305_;
-                        let _e1325 = local.member_5;
-                        let _e1327 = local.member_4;
-                        if (_e1309 < 0.0lf) {
-                            phi_2319_ = -(_e1309);
-                        } else {
-                            phi_2319_ = _e1309;
-                        }
-                        let _e1334 = phi_2319_;
-                        if (_e1334 > (_e1205 + (((_e1313 + _e1317) + _e1322) * (_e1325 / _e1327)))) {
-                            if (_e1309 < _e999) {
-                                phi_2333_ = array<f64, 3>(_e1301, _e1302, _e1303);
-                            } else {
-                                let _e1337 = -(_e1000);
-                                phi_2333_ = array<f64, 3>((_e1301 * _e1337), (_e1302 * _e1337), (_e1303 * _e1337));
-                            }
-                            let _e1343 = phi_2333_;
-                            phi_2334_ = _e1343;
+                        let _e1154 = phi_2264_;
+                        let _e1155 = (f64(1f) / _e1154);
+                        let _e1156 = (_e1098 * _e1155);
+                        let _e1157 = (_e1099 * _e1155);
+                        let _e1158 = (_e1100 * _e1155);
+                        let _e1167 = ((f64(3f) - (((_e1156 * _e1156) + (_e1157 * _e1157)) + (_e1158 * _e1158))) * f64(0.5f));
+                        let _e1168 = (_e1156 * _e1167);
+                        let _e1169 = (_e1157 * _e1167);
+                        let _e1170 = (_e1158 * _e1167);
+                        let _e1175 = (((_e915 * _e1168) + (_e916 * _e1169)) + (_e917 * _e1170));
+                        let _e1188 = local.member_5;
+                        let _e1190 = local.member_4;
+                        if (select(_e1175, -(_e1175), (_e1175 < 0.0lf)) > (_e1083 + (((select(_e915, -(_e915), (_e915 < 0.0lf)) + select(_e916, -(_e916), (_e916 < 0.0lf))) + select(_e917, -(_e917), (_e917 < 0.0lf))) * (_e1188 / _e1190)))) {
+                            let _e1198 = (_e1175 < _e919);
+                            let _e1199 = -(_e920);
+                            phi_2334_ = array<f64, 3>(select((_e1168 * _e1199), _e1168, _e1198), select((_e1169 * _e1199), _e1169, _e1198), select((_e1170 * _e1199), _e1170, _e1198));
                             phi_2335_ = false;
                         } else {
                             phi_2334_ = array<f64, 3>();
                             phi_2335_ = true;
                         }
-                        let _e1345 = phi_2334_;
-                        let _e1347 = phi_2335_;
-                        phi_2336_ = _e1345;
-                        phi_2337_ = _e1347;
+                        let _e1208 = phi_2334_;
+                        let _e1210 = phi_2335_;
+                        phi_2336_ = _e1208;
+                        phi_2337_ = _e1210;
                     } else {
                         phi_2336_ = array<f64, 3>();
                         phi_2337_ = true;
                     }
-                    let _e1349 = phi_2336_;
-                    let _e1351 = phi_2337_;
-                    if _e1351 {
-                        if _e1031 {
-                            if _e1028 {
-                                phi_2347_ = false;
-                            } else {
-                                phi_2347_ = true;
-                            }
-                            let _e1353 = phi_2347_;
-                            phi_2348_ = _e1353;
-                        } else {
-                            phi_2348_ = true;
-                        }
-                        let _e1355 = phi_2348_;
-                        if _e1355 {
-                            if _e1011 {
-                                if _e1006 {
-                                    if _e1010 {
-                                        let _e1357 = local.member_2;
-                                        let _e1362 = local.member_1;
-                                        phi_2383_ = array<f64, 3>((_e1357[0] - _e1362[0]), (_e1357[1] - _e1362[1]), (_e1357[2] - _e1362[2]));
+                    let _e1212 = phi_2336_;
+                    let _e1214 = phi_2337_;
+                    if _e1214 {
+                        if select(true, select(true, false, _e940), _e943) {
+                            if _e929 {
+                                if _e925 {
+                                    if _e928 {
+                                        let _e1218 = local.member_2;
+                                        let _e1223 = local.member_1;
+                                        phi_2383_ = array<f64, 3>((_e1218[0] - _e1223[0]), (_e1218[1] - _e1223[1]), (_e1218[2] - _e1223[2]));
                                         phi_2384_ = false;
                                     } else {
                                         phi_2383_ = array<f64, 3>();
                                         phi_2384_ = true;
                                     }
-                                    let _e1371 = phi_2383_;
-                                    let _e1373 = phi_2384_;
-                                    phi_2385_ = _e1371;
-                                    phi_2386_ = _e1373;
+                                    let _e1232 = phi_2383_;
+                                    let _e1234 = phi_2384_;
+                                    phi_2385_ = _e1232;
+                                    phi_2386_ = _e1234;
                                 } else {
                                     phi_2385_ = array<f64, 3>();
                                     phi_2386_ = true;
                                 }
-                                let _e1375 = phi_2385_;
-                                let _e1377 = phi_2386_;
-                                phi_2387_ = _e1375;
-                                phi_2388_ = _e1377;
+                                let _e1236 = phi_2385_;
+                                let _e1238 = phi_2386_;
+                                phi_2387_ = _e1236;
+                                phi_2388_ = _e1238;
                             } else {
                                 phi_2387_ = array<f64, 3>();
                                 phi_2388_ = true;
                             }
-                            let _e1379 = phi_2387_;
-                            let _e1381 = phi_2388_;
-                            if _e1381 {
-                                if _e1006 {
-                                    if _e1010 {
-                                        let _e1383 = local.member_2;
-                                        if (_e1383[0] < 0.0lf) {
-                                            phi_2410_ = -(_e1383[0]);
-                                        } else {
-                                            phi_2410_ = _e1383[0];
-                                        }
-                                        let _e1390 = phi_2410_;
-                                        if (_e1383[1] < 0.0lf) {
-                                            phi_2417_ = -(_e1383[1]);
-                                        } else {
-                                            phi_2417_ = _e1383[1];
-                                        }
-                                        let _e1394 = phi_2417_;
-                                        if (_e1390 > _e1394) {
-                                            phi_2422_ = _e1390;
-                                        } else {
-                                            phi_2422_ = _e1394;
-                                        }
-                                        let _e1397 = phi_2422_;
-                                        if (_e1383[2] < 0.0lf) {
-                                            phi_2429_ = -(_e1383[2]);
-                                        } else {
-                                            phi_2429_ = _e1383[2];
-                                        }
-                                        let _e1401 = phi_2429_;
-                                        if (_e1397 > _e1401) {
-                                            phi_2434_ = _e1397;
-                                        } else {
-                                            phi_2434_ = _e1401;
-                                        }
-                                        let _e1404 = phi_2434_;
-                                        let _e1406 = local.member_1;
-                                        if (_e1406[0] < 0.0lf) {
-                                            phi_2447_ = -(_e1406[0]);
-                                        } else {
-                                            phi_2447_ = _e1406[0];
-                                        }
-                                        let _e1413 = phi_2447_;
-                                        if (_e1406[1] < 0.0lf) {
-                                            phi_2454_ = -(_e1406[1]);
-                                        } else {
-                                            phi_2454_ = _e1406[1];
-                                        }
-                                        let _e1417 = phi_2454_;
-                                        if (_e1413 > _e1417) {
-                                            phi_2459_ = _e1413;
-                                        } else {
-                                            phi_2459_ = _e1417;
-                                        }
-                                        let _e1420 = phi_2459_;
-                                        if (_e1406[2] < 0.0lf) {
-                                            phi_2466_ = -(_e1406[2]);
-                                        } else {
-                                            phi_2466_ = _e1406[2];
-                                        }
-                                        let _e1424 = phi_2466_;
-                                        if (_e1420 > _e1424) {
-                                            phi_2471_ = _e1420;
-                                        } else {
-                                            phi_2471_ = _e1424;
-                                        }
-                                        let _e1427 = phi_2471_;
-                                        if (_e1404 > _e1427) {
-                                            phi_2476_ = false;
-                                        } else {
-                                            phi_2476_ = true;
-                                        }
-                                        let _e1430 = phi_2476_;
-                                        phi_2477_ = _e1430;
+                            let _e1240 = phi_2387_;
+                            let _e1242 = phi_2388_;
+                            if _e1242 {
+                                if _e925 {
+                                    if _e928 {
+                                        let _e1244 = local.member_2;
+                                        let _e1250 = select(_e1244[0], -(_e1244[0]), (_e1244[0] < 0.0lf));
+                                        let _e1253 = select(_e1244[1], -(_e1244[1]), (_e1244[1] < 0.0lf));
+                                        let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
+                                        let _e1258 = select(_e1244[2], -(_e1244[2]), (_e1244[2] < 0.0lf));
+                                        let _e1262 = local.member_1;
+                                        let _e1268 = select(_e1262[0], -(_e1262[0]), (_e1262[0] < 0.0lf));
+                                        let _e1271 = select(_e1262[1], -(_e1262[1]), (_e1262[1] < 0.0lf));
+                                        let _e1273 = select(_e1271, _e1268, (_e1268 > _e1271));
+                                        let _e1276 = select(_e1262[2], -(_e1262[2]), (_e1262[2] < 0.0lf));
+                                        phi_2477_ = select(true, false, (select(_e1258, _e1255, (_e1255 > _e1258)) > select(_e1276, _e1273, (_e1273 > _e1276))));
                                     } else {
                                         phi_2477_ = true;
                                     }
-                                    let _e1432 = phi_2477_;
-                                    if _e1432 {
-                                        let _e1434 = local.member_1;
-                                        phi_2487_ = array<f64, 3>(_e1434[0], _e1434[1], _e1434[2]);
+                                    let _e1282 = phi_2477_;
+                                    if _e1282 {
+                                        let _e1284 = local.member_1;
+                                        phi_2487_ = array<f64, 3>(_e1284[0], _e1284[1], _e1284[2]);
                                         phi_2488_ = false;
                                     } else {
                                         phi_2487_ = array<f64, 3>();
                                         phi_2488_ = true;
                                     }
-                                    let _e1440 = phi_2487_;
-                                    let _e1442 = phi_2488_;
-                                    phi_2489_ = _e1440;
-                                    phi_2490_ = _e1442;
+                                    let _e1290 = phi_2487_;
+                                    let _e1292 = phi_2488_;
+                                    phi_2489_ = _e1290;
+                                    phi_2490_ = _e1292;
                                 } else {
                                     phi_2489_ = array<f64, 3>();
                                     phi_2490_ = true;
                                 }
-                                let _e1444 = phi_2489_;
-                                let _e1446 = phi_2490_;
-                                if _e1446 {
-                                    if _e1010 {
-                                        let _e1449 = local.member_2;
-                                        phi_2504_ = array<f64, 3>(_e1449[0], _e1449[1], _e1449[2]);
+                                let _e1294 = phi_2489_;
+                                let _e1296 = phi_2490_;
+                                if _e1296 {
+                                    if _e928 {
+                                        let _e1299 = local.member_2;
+                                        phi_2504_ = array<f64, 3>(_e1299[0], _e1299[1], _e1299[2]);
                                     } else {
-                                        phi_2504_ = array<f64, 3>(_e999, _e999, _e999);
+                                        phi_2504_ = array<f64, 3>(_e919, _e919, _e919);
                                     }
-                                    let _e1455 = phi_2504_;
-                                    phi_2505_ = _e1455;
+                                    let _e1305 = phi_2504_;
+                                    phi_2505_ = _e1305;
                                 } else {
-                                    phi_2505_ = _e1444;
+                                    phi_2505_ = _e1294;
                                 }
-                                let _e1457 = phi_2505_;
-                                phi_2506_ = _e1457;
+                                let _e1307 = phi_2505_;
+                                phi_2506_ = _e1307;
                             } else {
-                                phi_2506_ = _e1379;
+                                phi_2506_ = _e1240;
                             }
-                            let _e1459 = phi_2506_;
-                            if (_e1459[0] < 0.0lf) {
-                                phi_2513_ = -(_e1459[0]);
-                            } else {
-                                phi_2513_ = _e1459[0];
-                            }
-                            let _e1464 = phi_2513_;
-                            if (_e1459[1] < 0.0lf) {
-                                phi_2520_ = -(_e1459[1]);
-                            } else {
-                                phi_2520_ = _e1459[1];
-                            }
-                            let _e1469 = phi_2520_;
-                            if (_e1464 > _e1469) {
-                                phi_2525_ = _e1464;
-                            } else {
-                                phi_2525_ = _e1469;
-                            }
-                            let _e1472 = phi_2525_;
-                            if (_e1459[2] < 0.0lf) {
-                                phi_2532_ = -(_e1459[2]);
-                            } else {
-                                phi_2532_ = _e1459[2];
-                            }
-                            let _e1477 = phi_2532_;
-                            if (_e1472 > _e1477) {
-                                phi_2537_ = _e1472;
-                            } else {
-                                phi_2537_ = _e1477;
-                            }
-                            let _e1480 = phi_2537_;
-                            let _e1482 = local.member_6;
-                            if (_e1480 > _e1482) {
-                                phi_2545_ = _e1459;
-                            } else {
-                                phi_2545_ = array<f64, 3>(_e999, _e999, _e999);
-                            }
-                            let _e1486 = phi_2545_;
-                            if (_e1486[0] < 0.0lf) {
-                                phi_2552_ = -(_e1486[0]);
-                            } else {
-                                phi_2552_ = _e1486[0];
-                            }
-                            let _e1491 = phi_2552_;
-                            if (_e1486[1] < 0.0lf) {
-                                phi_2559_ = -(_e1486[1]);
-                            } else {
-                                phi_2559_ = _e1486[1];
-                            }
-                            let _e1496 = phi_2559_;
-                            if (_e1491 > _e1496) {
-                                phi_2564_ = _e1491;
-                            } else {
-                                phi_2564_ = _e1496;
-                            }
-                            let _e1499 = phi_2564_;
-                            if (_e1486[2] < 0.0lf) {
-                                phi_2571_ = -(_e1486[2]);
-                            } else {
-                                phi_2571_ = _e1486[2];
-                            }
-                            let _e1504 = phi_2571_;
-                            if (_e1499 > _e1504) {
-                                phi_2576_ = _e1499;
-                            } else {
-                                phi_2576_ = _e1504;
-                            }
-                            let _e1507 = phi_2576_;
-                            if (_e1507 > f64(0f)) {
-                                if (_e1486[0] < 0.0lf) {
-                                    phi_2588_ = -(_e1486[0]);
-                                } else {
-                                    phi_2588_ = _e1486[0];
-                                }
-                                let _e1514 = phi_2588_;
-                                if (_e1486[1] < 0.0lf) {
-                                    phi_2595_ = -(_e1486[1]);
-                                } else {
-                                    phi_2595_ = _e1486[1];
-                                }
-                                let _e1519 = phi_2595_;
-                                if (_e1514 > _e1519) {
-                                    phi_2600_ = _e1514;
-                                } else {
-                                    phi_2600_ = _e1519;
-                                }
-                                let _e1522 = phi_2600_;
-                                if (_e1486[2] < 0.0lf) {
-                                    phi_2607_ = -(_e1486[2]);
-                                } else {
-                                    phi_2607_ = _e1486[2];
-                                }
-                                let _e1527 = phi_2607_;
-                                if (_e1522 > _e1527) {
-                                    phi_2612_ = _e1522;
-                                } else {
-                                    phi_2612_ = _e1527;
-                                }
-                                let _e1530 = phi_2612_;
-                                let _e1531 = function_9(_e1530);
-                                let _e1533 = (_e1486[0] * _e1531);
-                                let _e1535 = (_e1486[1] * _e1531);
-                                let _e1537 = (_e1486[2] * _e1531);
-                                let _e1543 = (((_e1533 * _e1533) + (_e1535 * _e1535)) + (_e1537 * _e1537));
-                                if (_e1543 <= 2.2250738585072014e-308lf) {
-                                    if (_e1543 > 0.0lf) {
-                                        phi_2639_ = (1.464336215552873e-154lf * 2.0lf);
-                                    } else {
-                                        phi_2639_ = 0.0lf;
-                                    }
-                                    let _e1595 = phi_2639_;
-                                    phi_2703_ = _e1595;
+                            let _e1309 = phi_2506_;
+                            let _e1313 = select(_e1309[0], -(_e1309[0]), (_e1309[0] < 0.0lf));
+                            let _e1317 = select(_e1309[1], -(_e1309[1]), (_e1309[1] < 0.0lf));
+                            let _e1319 = select(_e1317, _e1313, (_e1313 > _e1317));
+                            let _e1323 = select(_e1309[2], -(_e1309[2]), (_e1309[2] < 0.0lf));
+                            let _e1327 = local.member_6;
+                            let _e1328 = (select(_e1323, _e1319, (_e1319 > _e1323)) > _e1327);
+                            let _e1330 = select(_e919, _e1309[0], _e1328);
+                            let _e1332 = select(_e919, _e1309[1], _e1328);
+                            let _e1334 = select(_e919, _e1309[2], _e1328);
+                            let _e1337 = select(_e1330, -(_e1330), (_e1330 < 0.0lf));
+                            let _e1340 = select(_e1332, -(_e1332), (_e1332 < 0.0lf));
+                            let _e1342 = select(_e1340, _e1337, (_e1337 > _e1340));
+                            let _e1345 = select(_e1334, -(_e1334), (_e1334 < 0.0lf));
+                            if (select(_e1345, _e1342, (_e1342 > _e1345)) > f64(0f)) {
+                                let _e1352 = select(_e1330, -(_e1330), (_e1330 < 0.0lf));
+                                let _e1355 = select(_e1332, -(_e1332), (_e1332 < 0.0lf));
+                                let _e1357 = select(_e1355, _e1352, (_e1352 > _e1355));
+                                let _e1360 = select(_e1334, -(_e1334), (_e1334 < 0.0lf));
+                                let _e1363 = function_9(select(_e1360, _e1357, (_e1357 > _e1360)));
+                                let _e1364 = (_e1330 * _e1363);
+                                let _e1365 = (_e1332 * _e1363);
+                                let _e1366 = (_e1334 * _e1363);
+                                let _e1372 = (((_e1364 * _e1364) + (_e1365 * _e1365)) + (_e1366 * _e1366));
+                                if (_e1372 <= 2.2250738585072014e-308lf) {
+                                    phi_2703_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1372 > 0.0lf));
                                 } else {
                                     phi_2646_ = type_16(0i, 5i);
-                                    phi_2649_ = bitcast<f64>(((bitcast<u64>(_e1543) / 2lu) + 2303426169912950784lu));
+                                    phi_2649_ = bitcast<f64>(((bitcast<u64>(_e1372) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e1550 = phi_2646_;
-                                        let _e1552 = phi_2649_;
-                                        local_6 = _e1552;
-                                        if (_e1550.member < _e1550.member_1) {
-                                            let _e1559 = (_e1550.member + 1i);
-                                            if ((false == (_e1559 > _e1550.member)) != false) {
-                                                phi_2670_ = true;
-                                            } else {
-                                                phi_2670_ = false;
-                                            }
-                                            let _e1564 = phi_2670_;
-                                            if _e1564 {
-                                                phi_2676_ = type_17(0u, type_17().member_1);
-                                            } else {
-                                                phi_2676_ = type_17(1u, _e1559);
-                                            }
-                                            let _e1569 = phi_2676_;
-                                            phi_2647_ = type_16(_e1569.member_1, _e1550.member_1);
-                                            phi_2690_ = type_17(1u, _e1550.member);
+                                        let _e1379 = phi_2646_;
+                                        let _e1381 = phi_2649_;
+                                        local_6 = _e1381;
+                                        if (_e1379.member < _e1379.member_1) {
+                                            let _e1388 = (_e1379.member + 1i);
+                                            phi_2647_ = type_16(select(_e1388, type_17().member_1, select(false, true, ((false == (_e1388 > _e1379.member)) != false))), _e1379.member_1);
+                                            phi_2690_ = type_17(1u, _e1379.member);
                                         } else {
-                                            phi_2647_ = _e1550;
+                                            phi_2647_ = _e1379;
                                             phi_2690_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e1575 = phi_2647_;
-                                        let _e1577 = phi_2690_;
-                                        let _e1580 = (bitcast<i32>(_e1577.member) != 0i);
-                                        if _e1580 {
-                                            phi_2650_ = (0.5lf * (_e1552 + (_e1543 / _e1552)));
+                                        let _e1399 = phi_2647_;
+                                        let _e1401 = phi_2690_;
+                                        let _e1404 = (bitcast<i32>(_e1401.member) != 0i);
+                                        if _e1404 {
+                                            phi_2650_ = (0.5lf * (_e1381 + (_e1372 / _e1381)));
                                         } else {
                                             phi_2650_ = f64();
                                         }
-                                        let _e1585 = phi_2650_;
+                                        let _e1409 = phi_2650_;
                                         continue;
                                         continuing {
-                                            phi_2646_ = _e1575;
-                                            phi_2649_ = _e1585;
-                                            break if !(_e1580);
+                                            phi_2646_ = _e1399;
+                                            phi_2649_ = _e1409;
+                                            break if !(_e1404);
                                         }
                                     }
-                                    let _e1590 = local_6;
-                                    phi_2703_ = (_e1590 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e1414 = local_6;
+                                    phi_2703_ = (_e1414 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e1597 = phi_2703_;
-                                let _e1598 = (f64(1f) / _e1597);
-                                let _e1599 = (_e1533 * _e1598);
-                                let _e1600 = (_e1535 * _e1598);
-                                let _e1601 = (_e1537 * _e1598);
-                                let _e1610 = ((f64(3f) - (((_e1599 * _e1599) + (_e1600 * _e1600)) + (_e1601 * _e1601))) * f64(0.5f));
-                                let _e1611 = (_e1599 * _e1610);
-                                let _e1612 = (_e1600 * _e1610);
-                                let _e1613 = (_e1601 * _e1610);
-                                let _e1618 = (((_e995 * _e1611) + (_e996 * _e1612)) + (_e997 * _e1613));
-                                phi_2732_ = array<f64, 3>((_e995 - (_e1611 * _e1618)), (_e996 - (_e1612 * _e1618)), (_e997 - (_e1613 * _e1618)));
+                                let _e1420 = phi_2703_;
+                                let _e1421 = (f64(1f) / _e1420);
+                                let _e1422 = (_e1364 * _e1421);
+                                let _e1423 = (_e1365 * _e1421);
+                                let _e1424 = (_e1366 * _e1421);
+                                let _e1433 = ((f64(3f) - (((_e1422 * _e1422) + (_e1423 * _e1423)) + (_e1424 * _e1424))) * f64(0.5f));
+                                let _e1434 = (_e1422 * _e1433);
+                                let _e1435 = (_e1423 * _e1433);
+                                let _e1436 = (_e1424 * _e1433);
+                                let _e1441 = (((_e915 * _e1434) + (_e916 * _e1435)) + (_e917 * _e1436));
+                                phi_2732_ = array<f64, 3>((_e915 - (_e1434 * _e1441)), (_e916 - (_e1435 * _e1441)), (_e917 - (_e1436 * _e1441)));
                             } else {
-                                phi_2732_ = array<f64, 3>(_e995, _e996, _e997);
+                                phi_2732_ = array<f64, 3>(_e915, _e916, _e917);
                             }
-                            let _e1627 = phi_2732_;
-                            if (_e1627[0] < 0.0lf) {
-                                phi_2739_ = -(_e1627[0]);
-                            } else {
-                                phi_2739_ = _e1627[0];
-                            }
-                            let _e1632 = phi_2739_;
-                            if (_e1627[1] < 0.0lf) {
-                                phi_2746_ = -(_e1627[1]);
-                            } else {
-                                phi_2746_ = _e1627[1];
-                            }
-                            let _e1637 = phi_2746_;
-                            if (_e1627[2] < 0.0lf) {
-                                phi_2754_ = -(_e1627[2]);
-                            } else {
-                                phi_2754_ = _e1627[2];
-                            }
-                            let _e1643 = phi_2754_;
-                            if (((_e1632 + _e1637) + _e1643) > _e1205) {
-                                let _e1646 = -(_e1000);
-                                let _e1648 = (_e1627[0] * _e1646);
-                                let _e1650 = (_e1627[1] * _e1646);
-                                let _e1652 = (_e1627[2] * _e1646);
-                                if (_e1648 < 0.0lf) {
-                                    phi_2772_ = -(_e1648);
-                                } else {
-                                    phi_2772_ = _e1648;
-                                }
-                                let _e1656 = phi_2772_;
-                                if (_e1650 < 0.0lf) {
-                                    phi_2778_ = -(_e1650);
-                                } else {
-                                    phi_2778_ = _e1650;
-                                }
-                                let _e1660 = phi_2778_;
-                                if (_e1656 > _e1660) {
-                                    phi_2783_ = _e1656;
-                                } else {
-                                    phi_2783_ = _e1660;
-                                }
-                                let _e1663 = phi_2783_;
-                                if (_e1652 < 0.0lf) {
-                                    phi_2789_ = -(_e1652);
-                                } else {
-                                    phi_2789_ = _e1652;
-                                }
-                                let _e1667 = phi_2789_;
-                                if (_e1663 > _e1667) {
-                                    phi_2794_ = _e1663;
-                                } else {
-                                    phi_2794_ = _e1667;
-                                }
-                                let _e1670 = phi_2794_;
-                                let _e1671 = function_9(_e1670);
-                                let _e1672 = (_e1648 * _e1671);
-                                let _e1673 = (_e1650 * _e1671);
-                                let _e1674 = (_e1652 * _e1671);
-                                let _e1680 = (((_e1672 * _e1672) + (_e1673 * _e1673)) + (_e1674 * _e1674));
-                                if (_e1680 <= 2.2250738585072014e-308lf) {
-                                    if (_e1680 > 0.0lf) {
-                                        phi_2818_ = (1.464336215552873e-154lf * 2.0lf);
-                                    } else {
-                                        phi_2818_ = 0.0lf;
-                                    }
-                                    let _e1732 = phi_2818_;
-                                    phi_2882_ = _e1732;
+                            let _e1450 = phi_2732_;
+                            if (((select(_e1450[0], -(_e1450[0]), (_e1450[0] < 0.0lf)) + select(_e1450[1], -(_e1450[1]), (_e1450[1] < 0.0lf))) + select(_e1450[2], -(_e1450[2]), (_e1450[2] < 0.0lf))) > _e1083) {
+                                let _e1466 = -(_e920);
+                                let _e1468 = (_e1450[0] * _e1466);
+                                let _e1470 = (_e1450[1] * _e1466);
+                                let _e1472 = (_e1450[2] * _e1466);
+                                let _e1475 = select(_e1468, -(_e1468), (_e1468 < 0.0lf));
+                                let _e1478 = select(_e1470, -(_e1470), (_e1470 < 0.0lf));
+                                let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
+                                let _e1483 = select(_e1472, -(_e1472), (_e1472 < 0.0lf));
+                                let _e1486 = function_9(select(_e1483, _e1480, (_e1480 > _e1483)));
+                                let _e1487 = (_e1468 * _e1486);
+                                let _e1488 = (_e1470 * _e1486);
+                                let _e1489 = (_e1472 * _e1486);
+                                let _e1495 = (((_e1487 * _e1487) + (_e1488 * _e1488)) + (_e1489 * _e1489));
+                                if (_e1495 <= 2.2250738585072014e-308lf) {
+                                    phi_2882_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1495 > 0.0lf));
                                 } else {
                                     phi_2825_ = type_16(0i, 5i);
-                                    phi_2828_ = bitcast<f64>(((bitcast<u64>(_e1680) / 2lu) + 2303426169912950784lu));
+                                    phi_2828_ = bitcast<f64>(((bitcast<u64>(_e1495) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e1687 = phi_2825_;
-                                        let _e1689 = phi_2828_;
-                                        local_7 = _e1689;
-                                        if (_e1687.member < _e1687.member_1) {
-                                            let _e1696 = (_e1687.member + 1i);
-                                            if ((false == (_e1696 > _e1687.member)) != false) {
-                                                phi_2849_ = true;
-                                            } else {
-                                                phi_2849_ = false;
-                                            }
-                                            let _e1701 = phi_2849_;
-                                            if _e1701 {
-                                                phi_2855_ = type_17(0u, type_17().member_1);
-                                            } else {
-                                                phi_2855_ = type_17(1u, _e1696);
-                                            }
-                                            let _e1706 = phi_2855_;
-                                            phi_2826_ = type_16(_e1706.member_1, _e1687.member_1);
-                                            phi_2869_ = type_17(1u, _e1687.member);
+                                        let _e1502 = phi_2825_;
+                                        let _e1504 = phi_2828_;
+                                        local_7 = _e1504;
+                                        if (_e1502.member < _e1502.member_1) {
+                                            let _e1511 = (_e1502.member + 1i);
+                                            phi_2826_ = type_16(select(_e1511, type_17().member_1, select(false, true, ((false == (_e1511 > _e1502.member)) != false))), _e1502.member_1);
+                                            phi_2869_ = type_17(1u, _e1502.member);
                                         } else {
-                                            phi_2826_ = _e1687;
+                                            phi_2826_ = _e1502;
                                             phi_2869_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e1712 = phi_2826_;
-                                        let _e1714 = phi_2869_;
-                                        let _e1717 = (bitcast<i32>(_e1714.member) != 0i);
-                                        if _e1717 {
-                                            phi_2829_ = (0.5lf * (_e1689 + (_e1680 / _e1689)));
+                                        let _e1522 = phi_2826_;
+                                        let _e1524 = phi_2869_;
+                                        let _e1527 = (bitcast<i32>(_e1524.member) != 0i);
+                                        if _e1527 {
+                                            phi_2829_ = (0.5lf * (_e1504 + (_e1495 / _e1504)));
                                         } else {
                                             phi_2829_ = f64();
                                         }
-                                        let _e1722 = phi_2829_;
+                                        let _e1532 = phi_2829_;
                                         continue;
                                         continuing {
-                                            phi_2825_ = _e1712;
-                                            phi_2828_ = _e1722;
-                                            break if !(_e1717);
+                                            phi_2825_ = _e1522;
+                                            phi_2828_ = _e1532;
+                                            break if !(_e1527);
                                         }
                                     }
-                                    let _e1727 = local_7;
-                                    phi_2882_ = (_e1727 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e1537 = local_7;
+                                    phi_2882_ = (_e1537 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e1734 = phi_2882_;
-                                let _e1735 = (f64(1f) / _e1734);
-                                let _e1736 = (_e1672 * _e1735);
-                                let _e1737 = (_e1673 * _e1735);
-                                let _e1738 = (_e1674 * _e1735);
-                                let _e1747 = ((f64(3f) - (((_e1736 * _e1736) + (_e1737 * _e1737)) + (_e1738 * _e1738))) * f64(0.5f));
-                                phi_2900_ = array<f64, 3>((_e1736 * _e1747), (_e1737 * _e1747), (_e1738 * _e1747));
+                                let _e1543 = phi_2882_;
+                                let _e1544 = (f64(1f) / _e1543);
+                                let _e1545 = (_e1487 * _e1544);
+                                let _e1546 = (_e1488 * _e1544);
+                                let _e1547 = (_e1489 * _e1544);
+                                let _e1556 = ((f64(3f) - (((_e1545 * _e1545) + (_e1546 * _e1546)) + (_e1547 * _e1547))) * f64(0.5f));
+                                phi_2900_ = array<f64, 3>((_e1545 * _e1556), (_e1546 * _e1556), (_e1547 * _e1556));
                                 phi_2901_ = false;
                             } else {
                                 phi_2900_ = array<f64, 3>();
                                 phi_2901_ = true;
                             }
-                            let _e1753 = phi_2900_;
-                            let _e1755 = phi_2901_;
-                            phi_2902_ = _e1753;
-                            phi_2903_ = _e1755;
+                            let _e1562 = phi_2900_;
+                            let _e1564 = phi_2901_;
+                            phi_2902_ = _e1562;
+                            phi_2903_ = _e1564;
                         } else {
                             phi_2902_ = array<f64, 3>();
                             phi_2903_ = true;
                         }
-                        let _e1757 = phi_2902_;
-                        let _e1759 = phi_2903_;
-                        if _e1759 {
-                            if _e1031 {
-                                if (_e1037 < 0.0lf) {
-                                    phi_2915_ = -(_e1037);
-                                } else {
-                                    phi_2915_ = _e1037;
-                                }
-                                let _e2092 = phi_2915_;
-                                if (_e1038 < 0.0lf) {
-                                    phi_2921_ = -(_e1038);
-                                } else {
-                                    phi_2921_ = _e1038;
-                                }
-                                let _e2096 = phi_2921_;
-                                if (_e2092 > _e2096) {
-                                    phi_2926_ = _e2092;
-                                } else {
-                                    phi_2926_ = _e2096;
-                                }
-                                let _e2099 = phi_2926_;
-                                if (_e1039 < 0.0lf) {
-                                    phi_2932_ = -(_e1039);
-                                } else {
-                                    phi_2932_ = _e1039;
-                                }
-                                let _e2103 = phi_2932_;
-                                if (_e2099 > _e2103) {
-                                    phi_2937_ = _e2099;
-                                } else {
-                                    phi_2937_ = _e2103;
-                                }
-                                let _e2106 = phi_2937_;
-                                let _e2107 = function_9(_e2106);
-                                let _e2108 = (_e1037 * _e2107);
-                                let _e2109 = (_e1038 * _e2107);
-                                let _e2110 = (_e1039 * _e2107);
-                                let _e2116 = (((_e2108 * _e2108) + (_e2109 * _e2109)) + (_e2110 * _e2110));
-                                if (_e2116 <= 2.2250738585072014e-308lf) {
-                                    if (_e2116 > 0.0lf) {
-                                        phi_2961_ = (1.464336215552873e-154lf * 2.0lf);
-                                    } else {
-                                        phi_2961_ = 0.0lf;
-                                    }
-                                    let _e2168 = phi_2961_;
-                                    phi_3025_ = _e2168;
+                        let _e1566 = phi_2902_;
+                        let _e1568 = phi_2903_;
+                        if _e1568 {
+                            if _e943 {
+                                let _e1849 = select(_e949, -(_e949), (_e949 < 0.0lf));
+                                let _e1852 = select(_e950, -(_e950), (_e950 < 0.0lf));
+                                let _e1854 = select(_e1852, _e1849, (_e1849 > _e1852));
+                                let _e1857 = select(_e951, -(_e951), (_e951 < 0.0lf));
+                                let _e1860 = function_9(select(_e1857, _e1854, (_e1854 > _e1857)));
+                                let _e1861 = (_e949 * _e1860);
+                                let _e1862 = (_e950 * _e1860);
+                                let _e1863 = (_e951 * _e1860);
+                                let _e1869 = (((_e1861 * _e1861) + (_e1862 * _e1862)) + (_e1863 * _e1863));
+                                if (_e1869 <= 2.2250738585072014e-308lf) {
+                                    phi_3025_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1869 > 0.0lf));
                                 } else {
                                     phi_2968_ = type_16(0i, 5i);
-                                    phi_2971_ = bitcast<f64>(((bitcast<u64>(_e2116) / 2lu) + 2303426169912950784lu));
+                                    phi_2971_ = bitcast<f64>(((bitcast<u64>(_e1869) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e2123 = phi_2968_;
-                                        let _e2125 = phi_2971_;
-                                        local_10 = _e2125;
-                                        if (_e2123.member < _e2123.member_1) {
-                                            let _e2132 = (_e2123.member + 1i);
-                                            if ((false == (_e2132 > _e2123.member)) != false) {
-                                                phi_2992_ = true;
-                                            } else {
-                                                phi_2992_ = false;
-                                            }
-                                            let _e2137 = phi_2992_;
-                                            if _e2137 {
-                                                phi_2998_ = type_17(0u, type_17().member_1);
-                                            } else {
-                                                phi_2998_ = type_17(1u, _e2132);
-                                            }
-                                            let _e2142 = phi_2998_;
-                                            phi_2969_ = type_16(_e2142.member_1, _e2123.member_1);
-                                            phi_3012_ = type_17(1u, _e2123.member);
+                                        let _e1876 = phi_2968_;
+                                        let _e1878 = phi_2971_;
+                                        local_10 = _e1878;
+                                        if (_e1876.member < _e1876.member_1) {
+                                            let _e1885 = (_e1876.member + 1i);
+                                            phi_2969_ = type_16(select(_e1885, type_17().member_1, select(false, true, ((false == (_e1885 > _e1876.member)) != false))), _e1876.member_1);
+                                            phi_3012_ = type_17(1u, _e1876.member);
                                         } else {
-                                            phi_2969_ = _e2123;
+                                            phi_2969_ = _e1876;
                                             phi_3012_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e2148 = phi_2969_;
-                                        let _e2150 = phi_3012_;
-                                        let _e2153 = (bitcast<i32>(_e2150.member) != 0i);
-                                        if _e2153 {
-                                            phi_2972_ = (0.5lf * (_e2125 + (_e2116 / _e2125)));
+                                        let _e1896 = phi_2969_;
+                                        let _e1898 = phi_3012_;
+                                        let _e1901 = (bitcast<i32>(_e1898.member) != 0i);
+                                        if _e1901 {
+                                            phi_2972_ = (0.5lf * (_e1878 + (_e1869 / _e1878)));
                                         } else {
                                             phi_2972_ = f64();
                                         }
-                                        let _e2158 = phi_2972_;
+                                        let _e1906 = phi_2972_;
                                         continue;
                                         continuing {
-                                            phi_2968_ = _e2148;
-                                            phi_2971_ = _e2158;
-                                            break if !(_e2153);
+                                            phi_2968_ = _e1896;
+                                            phi_2971_ = _e1906;
+                                            break if !(_e1901);
                                         }
                                     }
-                                    let _e2163 = local_10;
-                                    phi_3025_ = (_e2163 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e1911 = local_10;
+                                    phi_3025_ = (_e1911 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e2170 = phi_3025_;
-                                let _e2171 = (f64(1f) / _e2170);
-                                let _e2172 = (_e2108 * _e2171);
-                                let _e2173 = (_e2109 * _e2171);
-                                let _e2174 = (_e2110 * _e2171);
-                                let _e2183 = ((f64(3f) - (((_e2172 * _e2172) + (_e2173 * _e2173)) + (_e2174 * _e2174))) * f64(0.5f));
-                                phi_3492_ = array<f64, 3>((_e2172 * _e2183), (_e2173 * _e2183), (_e2174 * _e2183));
+                                let _e1917 = phi_3025_;
+                                let _e1918 = (f64(1f) / _e1917);
+                                let _e1919 = (_e1861 * _e1918);
+                                let _e1920 = (_e1862 * _e1918);
+                                let _e1921 = (_e1863 * _e1918);
+                                let _e1930 = ((f64(3f) - (((_e1919 * _e1919) + (_e1920 * _e1920)) + (_e1921 * _e1921))) * f64(0.5f));
+                                phi_3492_ = array<f64, 3>((_e1919 * _e1930), (_e1920 * _e1930), (_e1921 * _e1930));
                             } else {
-                                let _e1761 = local.member_1;
-                                let _e1767 = local.member_2;
-                                let _e1772 = f64(0f);
-                                let _e1773 = f64(1f);
-                                if (_e1767[0] < 0.0lf) {
-                                    phi_3063_ = -(_e1767[0]);
-                                } else {
-                                    phi_3063_ = _e1767[0];
-                                }
-                                let _e1777 = phi_3063_;
-                                if (_e1767[1] < 0.0lf) {
-                                    phi_3070_ = -(_e1767[1]);
-                                } else {
-                                    phi_3070_ = _e1767[1];
-                                }
-                                let _e1781 = phi_3070_;
-                                if (_e1777 > _e1781) {
-                                    phi_3075_ = _e1777;
-                                } else {
-                                    phi_3075_ = _e1781;
-                                }
-                                let _e1784 = phi_3075_;
-                                if (_e1767[2] < 0.0lf) {
-                                    phi_3082_ = -(_e1767[2]);
-                                } else {
-                                    phi_3082_ = _e1767[2];
-                                }
-                                let _e1788 = phi_3082_;
-                                if (_e1784 > _e1788) {
-                                    phi_3087_ = _e1784;
-                                } else {
-                                    phi_3087_ = _e1788;
-                                }
-                                let _e1791 = phi_3087_;
-                                if (_e1761[0] < 0.0lf) {
-                                    phi_3094_ = -(_e1761[0]);
-                                } else {
-                                    phi_3094_ = _e1761[0];
-                                }
-                                let _e1795 = phi_3094_;
-                                if (_e1761[1] < 0.0lf) {
-                                    phi_3101_ = -(_e1761[1]);
-                                } else {
-                                    phi_3101_ = _e1761[1];
-                                }
-                                let _e1799 = phi_3101_;
-                                if (_e1795 > _e1799) {
-                                    phi_3106_ = _e1795;
-                                } else {
-                                    phi_3106_ = _e1799;
-                                }
-                                let _e1802 = phi_3106_;
-                                if (_e1761[2] < 0.0lf) {
-                                    phi_3113_ = -(_e1761[2]);
-                                } else {
-                                    phi_3113_ = _e1761[2];
-                                }
-                                let _e1806 = phi_3113_;
-                                if (_e1802 > _e1806) {
-                                    phi_3118_ = _e1802;
-                                } else {
-                                    phi_3118_ = _e1806;
-                                }
-                                let _e1809 = phi_3118_;
-                                if (_e1791 > _e1809) {
-                                    phi_3123_ = array<f64, 3>(_e1767[0], _e1767[1], _e1767[2]);
-                                } else {
-                                    phi_3123_ = array<f64, 3>(_e1761[0], _e1761[1], _e1761[2]);
-                                }
-                                let _e1812 = phi_3123_;
-                                if (_e1812[0] < 0.0lf) {
-                                    phi_3130_ = -(_e1812[0]);
-                                } else {
-                                    phi_3130_ = _e1812[0];
-                                }
-                                let _e1817 = phi_3130_;
-                                if (_e1812[1] < 0.0lf) {
-                                    phi_3137_ = -(_e1812[1]);
-                                } else {
-                                    phi_3137_ = _e1812[1];
-                                }
-                                let _e1822 = phi_3137_;
-                                if (_e1817 > _e1822) {
-                                    phi_3142_ = _e1817;
-                                } else {
-                                    phi_3142_ = _e1822;
-                                }
-                                let _e1825 = phi_3142_;
-                                if (_e1812[2] < 0.0lf) {
-                                    phi_3149_ = -(_e1812[2]);
-                                } else {
-                                    phi_3149_ = _e1812[2];
-                                }
-                                let _e1830 = phi_3149_;
-                                if (_e1825 > _e1830) {
-                                    phi_3154_ = _e1825;
-                                } else {
-                                    phi_3154_ = _e1830;
-                                }
-                                let _e1833 = phi_3154_;
-                                if (_e1833 > _e1772) {
-                                    if (_e1812[0] < 0.0lf) {
-                                        phi_3165_ = -(_e1812[0]);
-                                    } else {
-                                        phi_3165_ = _e1812[0];
-                                    }
-                                    let _e1840 = phi_3165_;
-                                    if (_e1812[1] < 0.0lf) {
-                                        phi_3172_ = -(_e1812[1]);
-                                    } else {
-                                        phi_3172_ = _e1812[1];
-                                    }
-                                    let _e1845 = phi_3172_;
-                                    if (_e1812[2] < 0.0lf) {
-                                        phi_3179_ = -(_e1812[2]);
-                                    } else {
-                                        phi_3179_ = _e1812[2];
-                                    }
-                                    let _e1850 = phi_3179_;
-                                    if (_e1840 <= _e1845) {
-                                        if (_e1840 <= _e1850) {
-                                            phi_3189_ = array<f64, 3>(_e1773, _e1772, _e1772);
-                                            phi_3190_ = false;
-                                        } else {
-                                            phi_3189_ = array<f64, 3>();
-                                            phi_3190_ = true;
-                                        }
-                                        let _e1855 = phi_3189_;
-                                        let _e1857 = phi_3190_;
-                                        phi_3191_ = _e1855;
-                                        phi_3192_ = _e1857;
+                                let _e1570 = local.member_1;
+                                let _e1575 = local.member_2;
+                                let _e1579 = f64(0f);
+                                let _e1580 = f64(1f);
+                                let _e1583 = select(_e1575[0], -(_e1575[0]), (_e1575[0] < 0.0lf));
+                                let _e1586 = select(_e1575[1], -(_e1575[1]), (_e1575[1] < 0.0lf));
+                                let _e1588 = select(_e1586, _e1583, (_e1583 > _e1586));
+                                let _e1591 = select(_e1575[2], -(_e1575[2]), (_e1575[2] < 0.0lf));
+                                let _e1596 = select(_e1570[0], -(_e1570[0]), (_e1570[0] < 0.0lf));
+                                let _e1599 = select(_e1570[1], -(_e1570[1]), (_e1570[1] < 0.0lf));
+                                let _e1601 = select(_e1599, _e1596, (_e1596 > _e1599));
+                                let _e1604 = select(_e1570[2], -(_e1570[2]), (_e1570[2] < 0.0lf));
+                                let _e1607 = (select(_e1591, _e1588, (_e1588 > _e1591)) > select(_e1604, _e1601, (_e1601 > _e1604)));
+                                let _e1608 = select(_e1570[0], _e1575[0], _e1607);
+                                let _e1609 = select(_e1570[1], _e1575[1], _e1607);
+                                let _e1610 = select(_e1570[2], _e1575[2], _e1607);
+                                let _e1613 = select(_e1608, -(_e1608), (_e1608 < 0.0lf));
+                                let _e1616 = select(_e1609, -(_e1609), (_e1609 < 0.0lf));
+                                let _e1618 = select(_e1616, _e1613, (_e1613 > _e1616));
+                                let _e1621 = select(_e1610, -(_e1610), (_e1610 < 0.0lf));
+                                if (select(_e1621, _e1618, (_e1618 > _e1621)) > _e1579) {
+                                    let _e1628 = select(_e1608, -(_e1608), (_e1608 < 0.0lf));
+                                    let _e1631 = select(_e1609, -(_e1609), (_e1609 < 0.0lf));
+                                    let _e1634 = select(_e1610, -(_e1610), (_e1610 < 0.0lf));
+                                    if (_e1628 <= _e1631) {
+                                        let _e1636 = (_e1628 <= _e1634);
+                                        phi_3191_ = array<f64, 3>(select(array<f64, 3>()[0], _e1580, _e1636), select(array<f64, 3>()[1], _e1579, _e1636), select(array<f64, 3>()[2], _e1579, _e1636));
+                                        phi_3192_ = select(true, false, _e1636);
                                     } else {
                                         phi_3191_ = array<f64, 3>();
                                         phi_3192_ = true;
                                     }
-                                    let _e1859 = phi_3191_;
-                                    let _e1861 = phi_3192_;
-                                    if _e1861 {
-                                        if (_e1845 <= _e1850) {
-                                            phi_3202_ = array<f64, 3>(_e1772, _e1773, _e1772);
-                                        } else {
-                                            phi_3202_ = array<f64, 3>(_e1772, _e1772, _e1773);
-                                        }
-                                        let _e1866 = phi_3202_;
-                                        phi_3203_ = _e1866;
+                                    let _e1646 = phi_3191_;
+                                    let _e1648 = phi_3192_;
+                                    if _e1648 {
+                                        let _e1649 = (_e1631 <= _e1634);
+                                        phi_3203_ = array<f64, 3>(_e1579, select(_e1579, _e1580, _e1649), select(_e1580, _e1579, _e1649));
                                     } else {
-                                        phi_3203_ = _e1859;
+                                        phi_3203_ = _e1646;
                                     }
-                                    let _e1868 = phi_3203_;
-                                    if (_e1812[0] < 0.0lf) {
-                                        phi_3210_ = -(_e1812[0]);
-                                    } else {
-                                        phi_3210_ = _e1812[0];
-                                    }
-                                    let _e1873 = phi_3210_;
-                                    if (_e1812[1] < 0.0lf) {
-                                        phi_3217_ = -(_e1812[1]);
-                                    } else {
-                                        phi_3217_ = _e1812[1];
-                                    }
-                                    let _e1878 = phi_3217_;
-                                    if (_e1873 > _e1878) {
-                                        phi_3222_ = _e1873;
-                                    } else {
-                                        phi_3222_ = _e1878;
-                                    }
-                                    let _e1881 = phi_3222_;
-                                    if (_e1812[2] < 0.0lf) {
-                                        phi_3229_ = -(_e1812[2]);
-                                    } else {
-                                        phi_3229_ = _e1812[2];
-                                    }
-                                    let _e1886 = phi_3229_;
-                                    if (_e1881 > _e1886) {
-                                        phi_3234_ = _e1881;
-                                    } else {
-                                        phi_3234_ = _e1886;
-                                    }
-                                    let _e1889 = phi_3234_;
-                                    let _e1890 = function_9(_e1889);
-                                    let _e1892 = (_e1812[0] * _e1890);
-                                    let _e1894 = (_e1812[1] * _e1890);
-                                    let _e1896 = (_e1812[2] * _e1890);
-                                    let _e1902 = (((_e1892 * _e1892) + (_e1894 * _e1894)) + (_e1896 * _e1896));
-                                    if (_e1902 <= 2.2250738585072014e-308lf) {
-                                        if (_e1902 > 0.0lf) {
-                                            phi_3261_ = (1.464336215552873e-154lf * 2.0lf);
-                                        } else {
-                                            phi_3261_ = 0.0lf;
-                                        }
-                                        let _e1954 = phi_3261_;
-                                        phi_3325_ = _e1954;
+                                    let _e1654 = phi_3203_;
+                                    let _e1657 = select(_e1608, -(_e1608), (_e1608 < 0.0lf));
+                                    let _e1660 = select(_e1609, -(_e1609), (_e1609 < 0.0lf));
+                                    let _e1662 = select(_e1660, _e1657, (_e1657 > _e1660));
+                                    let _e1665 = select(_e1610, -(_e1610), (_e1610 < 0.0lf));
+                                    let _e1668 = function_9(select(_e1665, _e1662, (_e1662 > _e1665)));
+                                    let _e1669 = (_e1608 * _e1668);
+                                    let _e1670 = (_e1609 * _e1668);
+                                    let _e1671 = (_e1610 * _e1668);
+                                    let _e1677 = (((_e1669 * _e1669) + (_e1670 * _e1670)) + (_e1671 * _e1671));
+                                    if (_e1677 <= 2.2250738585072014e-308lf) {
+                                        phi_3325_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1677 > 0.0lf));
                                     } else {
                                         phi_3268_ = type_16(0i, 5i);
-                                        phi_3271_ = bitcast<f64>(((bitcast<u64>(_e1902) / 2lu) + 2303426169912950784lu));
+                                        phi_3271_ = bitcast<f64>(((bitcast<u64>(_e1677) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e1909 = phi_3268_;
-                                            let _e1911 = phi_3271_;
-                                            local_8 = _e1911;
-                                            if (_e1909.member < _e1909.member_1) {
-                                                let _e1918 = (_e1909.member + 1i);
-                                                if ((false == (_e1918 > _e1909.member)) != false) {
-                                                    phi_3292_ = true;
-                                                } else {
-                                                    phi_3292_ = false;
-                                                }
-                                                let _e1923 = phi_3292_;
-                                                if _e1923 {
-                                                    phi_3298_ = type_17(0u, type_17().member_1);
-                                                } else {
-                                                    phi_3298_ = type_17(1u, _e1918);
-                                                }
-                                                let _e1928 = phi_3298_;
-                                                phi_3269_ = type_16(_e1928.member_1, _e1909.member_1);
-                                                phi_3312_ = type_17(1u, _e1909.member);
+                                            let _e1684 = phi_3268_;
+                                            let _e1686 = phi_3271_;
+                                            local_8 = _e1686;
+                                            if (_e1684.member < _e1684.member_1) {
+                                                let _e1693 = (_e1684.member + 1i);
+                                                phi_3269_ = type_16(select(_e1693, type_17().member_1, select(false, true, ((false == (_e1693 > _e1684.member)) != false))), _e1684.member_1);
+                                                phi_3312_ = type_17(1u, _e1684.member);
                                             } else {
-                                                phi_3269_ = _e1909;
+                                                phi_3269_ = _e1684;
                                                 phi_3312_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e1934 = phi_3269_;
-                                            let _e1936 = phi_3312_;
-                                            let _e1939 = (bitcast<i32>(_e1936.member) != 0i);
-                                            if _e1939 {
-                                                phi_3272_ = (0.5lf * (_e1911 + (_e1902 / _e1911)));
+                                            let _e1704 = phi_3269_;
+                                            let _e1706 = phi_3312_;
+                                            let _e1709 = (bitcast<i32>(_e1706.member) != 0i);
+                                            if _e1709 {
+                                                phi_3272_ = (0.5lf * (_e1686 + (_e1677 / _e1686)));
                                             } else {
                                                 phi_3272_ = f64();
                                             }
-                                            let _e1944 = phi_3272_;
+                                            let _e1714 = phi_3272_;
                                             continue;
                                             continuing {
-                                                phi_3268_ = _e1934;
-                                                phi_3271_ = _e1944;
-                                                break if !(_e1939);
+                                                phi_3268_ = _e1704;
+                                                phi_3271_ = _e1714;
+                                                break if !(_e1709);
                                             }
                                         }
-                                        let _e1949 = local_8;
-                                        phi_3325_ = (_e1949 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e1719 = local_8;
+                                        phi_3325_ = (_e1719 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e1956 = phi_3325_;
-                                    let _e1957 = (f64(1f) / _e1956);
-                                    let _e1958 = (_e1892 * _e1957);
-                                    let _e1959 = (_e1894 * _e1957);
-                                    let _e1960 = (_e1896 * _e1957);
-                                    let _e1969 = ((f64(3f) - (((_e1958 * _e1958) + (_e1959 * _e1959)) + (_e1960 * _e1960))) * f64(0.5f));
-                                    let _e1970 = (_e1958 * _e1969);
-                                    let _e1971 = (_e1959 * _e1969);
-                                    let _e1972 = (_e1960 * _e1969);
-                                    let _e1977 = ((_e1971 * _e1868[2]) - (_e1972 * _e1868[1]));
-                                    let _e1982 = ((_e1972 * _e1868[0]) - (_e1970 * _e1868[2]));
-                                    let _e1987 = ((_e1970 * _e1868[1]) - (_e1971 * _e1868[0]));
-                                    if (_e1977 < 0.0lf) {
-                                        phi_3362_ = -(_e1977);
-                                    } else {
-                                        phi_3362_ = _e1977;
-                                    }
-                                    let _e1991 = phi_3362_;
-                                    if (_e1982 < 0.0lf) {
-                                        phi_3368_ = -(_e1982);
-                                    } else {
-                                        phi_3368_ = _e1982;
-                                    }
-                                    let _e1995 = phi_3368_;
-                                    if (_e1991 > _e1995) {
-                                        phi_3373_ = _e1991;
-                                    } else {
-                                        phi_3373_ = _e1995;
-                                    }
-                                    let _e1998 = phi_3373_;
-                                    if (_e1987 < 0.0lf) {
-                                        phi_3379_ = -(_e1987);
-                                    } else {
-                                        phi_3379_ = _e1987;
-                                    }
-                                    let _e2002 = phi_3379_;
-                                    if (_e1998 > _e2002) {
-                                        phi_3384_ = _e1998;
-                                    } else {
-                                        phi_3384_ = _e2002;
-                                    }
-                                    let _e2005 = phi_3384_;
-                                    let _e2006 = function_9(_e2005);
-                                    let _e2007 = (_e1977 * _e2006);
-                                    let _e2008 = (_e1982 * _e2006);
-                                    let _e2009 = (_e1987 * _e2006);
-                                    let _e2015 = (((_e2007 * _e2007) + (_e2008 * _e2008)) + (_e2009 * _e2009));
-                                    if (_e2015 <= 2.2250738585072014e-308lf) {
-                                        if (_e2015 > 0.0lf) {
-                                            phi_3408_ = (1.464336215552873e-154lf * 2.0lf);
-                                        } else {
-                                            phi_3408_ = 0.0lf;
-                                        }
-                                        let _e2067 = phi_3408_;
-                                        phi_3472_ = _e2067;
+                                    let _e1725 = phi_3325_;
+                                    let _e1726 = (f64(1f) / _e1725);
+                                    let _e1727 = (_e1669 * _e1726);
+                                    let _e1728 = (_e1670 * _e1726);
+                                    let _e1729 = (_e1671 * _e1726);
+                                    let _e1738 = ((f64(3f) - (((_e1727 * _e1727) + (_e1728 * _e1728)) + (_e1729 * _e1729))) * f64(0.5f));
+                                    let _e1739 = (_e1727 * _e1738);
+                                    let _e1740 = (_e1728 * _e1738);
+                                    let _e1741 = (_e1729 * _e1738);
+                                    let _e1746 = ((_e1740 * _e1654[2]) - (_e1741 * _e1654[1]));
+                                    let _e1751 = ((_e1741 * _e1654[0]) - (_e1739 * _e1654[2]));
+                                    let _e1756 = ((_e1739 * _e1654[1]) - (_e1740 * _e1654[0]));
+                                    let _e1759 = select(_e1746, -(_e1746), (_e1746 < 0.0lf));
+                                    let _e1762 = select(_e1751, -(_e1751), (_e1751 < 0.0lf));
+                                    let _e1764 = select(_e1762, _e1759, (_e1759 > _e1762));
+                                    let _e1767 = select(_e1756, -(_e1756), (_e1756 < 0.0lf));
+                                    let _e1770 = function_9(select(_e1767, _e1764, (_e1764 > _e1767)));
+                                    let _e1771 = (_e1746 * _e1770);
+                                    let _e1772 = (_e1751 * _e1770);
+                                    let _e1773 = (_e1756 * _e1770);
+                                    let _e1779 = (((_e1771 * _e1771) + (_e1772 * _e1772)) + (_e1773 * _e1773));
+                                    if (_e1779 <= 2.2250738585072014e-308lf) {
+                                        phi_3472_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1779 > 0.0lf));
                                     } else {
                                         phi_3415_ = type_16(0i, 5i);
-                                        phi_3418_ = bitcast<f64>(((bitcast<u64>(_e2015) / 2lu) + 2303426169912950784lu));
+                                        phi_3418_ = bitcast<f64>(((bitcast<u64>(_e1779) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e2022 = phi_3415_;
-                                            let _e2024 = phi_3418_;
-                                            local_9 = _e2024;
-                                            if (_e2022.member < _e2022.member_1) {
-                                                let _e2031 = (_e2022.member + 1i);
-                                                if ((false == (_e2031 > _e2022.member)) != false) {
-                                                    phi_3439_ = true;
-                                                } else {
-                                                    phi_3439_ = false;
-                                                }
-                                                let _e2036 = phi_3439_;
-                                                if _e2036 {
-                                                    phi_3445_ = type_17(0u, type_17().member_1);
-                                                } else {
-                                                    phi_3445_ = type_17(1u, _e2031);
-                                                }
-                                                let _e2041 = phi_3445_;
-                                                phi_3416_ = type_16(_e2041.member_1, _e2022.member_1);
-                                                phi_3459_ = type_17(1u, _e2022.member);
+                                            let _e1786 = phi_3415_;
+                                            let _e1788 = phi_3418_;
+                                            local_9 = _e1788;
+                                            if (_e1786.member < _e1786.member_1) {
+                                                let _e1795 = (_e1786.member + 1i);
+                                                phi_3416_ = type_16(select(_e1795, type_17().member_1, select(false, true, ((false == (_e1795 > _e1786.member)) != false))), _e1786.member_1);
+                                                phi_3459_ = type_17(1u, _e1786.member);
                                             } else {
-                                                phi_3416_ = _e2022;
+                                                phi_3416_ = _e1786;
                                                 phi_3459_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e2047 = phi_3416_;
-                                            let _e2049 = phi_3459_;
-                                            let _e2052 = (bitcast<i32>(_e2049.member) != 0i);
-                                            if _e2052 {
-                                                phi_3419_ = (0.5lf * (_e2024 + (_e2015 / _e2024)));
+                                            let _e1806 = phi_3416_;
+                                            let _e1808 = phi_3459_;
+                                            let _e1811 = (bitcast<i32>(_e1808.member) != 0i);
+                                            if _e1811 {
+                                                phi_3419_ = (0.5lf * (_e1788 + (_e1779 / _e1788)));
                                             } else {
                                                 phi_3419_ = f64();
                                             }
-                                            let _e2057 = phi_3419_;
+                                            let _e1816 = phi_3419_;
                                             continue;
                                             continuing {
-                                                phi_3415_ = _e2047;
-                                                phi_3418_ = _e2057;
-                                                break if !(_e2052);
+                                                phi_3415_ = _e1806;
+                                                phi_3418_ = _e1816;
+                                                break if !(_e1811);
                                             }
                                         }
-                                        let _e2062 = local_9;
-                                        phi_3472_ = (_e2062 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e1821 = local_9;
+                                        phi_3472_ = (_e1821 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e2069 = phi_3472_;
-                                    let _e2070 = (f64(1f) / _e2069);
-                                    let _e2071 = (_e2007 * _e2070);
-                                    let _e2072 = (_e2008 * _e2070);
-                                    let _e2073 = (_e2009 * _e2070);
-                                    let _e2082 = ((f64(3f) - (((_e2071 * _e2071) + (_e2072 * _e2072)) + (_e2073 * _e2073))) * f64(0.5f));
-                                    phi_3491_ = array<f64, 3>((_e2071 * _e2082), (_e2072 * _e2082), (_e2073 * _e2082));
+                                    let _e1827 = phi_3472_;
+                                    let _e1828 = (f64(1f) / _e1827);
+                                    let _e1829 = (_e1771 * _e1828);
+                                    let _e1830 = (_e1772 * _e1828);
+                                    let _e1831 = (_e1773 * _e1828);
+                                    let _e1840 = ((f64(3f) - (((_e1829 * _e1829) + (_e1830 * _e1830)) + (_e1831 * _e1831))) * f64(0.5f));
+                                    phi_3491_ = array<f64, 3>((_e1829 * _e1840), (_e1830 * _e1840), (_e1831 * _e1840));
                                 } else {
-                                    phi_3491_ = array<f64, 3>(_e1773, _e1772, _e1772);
+                                    phi_3491_ = array<f64, 3>(_e1580, _e1579, _e1579);
                                 }
-                                let _e2088 = phi_3491_;
-                                phi_3492_ = _e2088;
+                                let _e1846 = phi_3491_;
+                                phi_3492_ = _e1846;
                             }
-                            let _e2189 = phi_3492_;
-                            if ((((_e995 * _e2189[0]) + (_e996 * _e2189[1])) + (_e997 * _e2189[2])) > _e1205) {
-                                let _e2199 = -(_e1000);
-                                phi_3513_ = array<f64, 3>((_e2189[0] * _e2199), (_e2189[1] * _e2199), (_e2189[2] * _e2199));
-                            } else {
-                                phi_3513_ = _e2189;
-                            }
-                            let _e2208 = phi_3513_;
-                            phi_3514_ = _e2208;
+                            let _e1936 = phi_3492_;
+                            let _e1945 = ((((_e915 * _e1936[0]) + (_e916 * _e1936[1])) + (_e917 * _e1936[2])) > _e1083);
+                            let _e1946 = -(_e920);
+                            phi_3514_ = array<f64, 3>(select(_e1936[0], (_e1936[0] * _e1946), _e1945), select(_e1936[1], (_e1936[1] * _e1946), _e1945), select(_e1936[2], (_e1936[2] * _e1946), _e1945));
                             phi_3515_ = false;
                         } else {
                             phi_3514_ = array<f64, 3>();
                             phi_3515_ = true;
                         }
-                        let _e2210 = phi_3514_;
-                        let _e2212 = phi_3515_;
-                        phi_3516_ = _e2210;
-                        phi_3517_ = _e1757;
-                        phi_3518_ = _e2212;
+                        let _e1961 = phi_3514_;
+                        let _e1963 = phi_3515_;
+                        phi_3516_ = _e1961;
+                        phi_3517_ = _e1566;
+                        phi_3518_ = _e1963;
                     } else {
                         phi_3516_ = array<f64, 3>();
-                        phi_3517_ = _e1349;
+                        phi_3517_ = _e1212;
                         phi_3518_ = true;
                     }
-                    let _e2214 = phi_3516_;
-                    let _e2216 = phi_3517_;
-                    let _e2218 = phi_3518_;
-                    phi_3522_ = _e2216;
-                    phi_3523_ = _e2214;
-                    phi_3524_ = _e2218;
+                    let _e1965 = phi_3516_;
+                    let _e1967 = phi_3517_;
+                    let _e1969 = phi_3518_;
+                    phi_3522_ = _e1967;
+                    phi_3523_ = _e1965;
+                    phi_3524_ = _e1969;
                 }
-                let _e2467 = phi_3522_;
-                let _e2469 = phi_3523_;
-                let _e2471 = phi_3524_;
-                if _e2471 {
-                    phi_3528_ = _e2467;
+                let _e2190 = phi_3522_;
+                let _e2192 = phi_3523_;
+                let _e2194 = phi_3524_;
+                let _e2197 = select(_e2192[0], _e2190[0], _e2194);
+                let _e2200 = select(_e2192[1], _e2190[1], _e2194);
+                let _e2203 = select(_e2192[2], _e2190[2], _e2194);
+                let _e2210 = ((((_e2197 * _e2197) + (_e2200 * _e2200)) + (_e2203 * _e2203)) > f64(0.5f));
+                let _e2219 = function_10(_e337[0], _e338[0], _e332);
+                let _e2222 = function_10(_e337[1], _e338[1], _e332);
+                let _e2225 = function_10(_e337[2], _e338[2], _e332);
+                let _e2228 = function_10(_e337[3], _e338[3], _e332);
+                if (_e170.member != 0u) {
+                    let _e2265 = function_10(_e2219, _e2222, _e825.member);
+                    let _e2266 = function_10(_e2225, _e2228, _e825.member_1);
+                    phi_3605_ = _e2266;
+                    phi_3606_ = _e2265;
+                    phi_3607_ = array<f64, 4>((_e331 - _e825.member), _e825.member, (_e331 - _e825.member_1), _e825.member_1);
                 } else {
-                    phi_3528_ = _e2469;
+                    let _e2231 = ((_e331 - _e825.member) - _e825.member_1);
+                    let _e2232 = f64(0f);
+                    let _e2234 = select(_e2232, _e2231, (_e2231 > _e2232));
+                    let _e2261 = function_1(array<f64, 4>(_e331, _e2234, _e825.member, _e825.member_1), _e336);
+                    phi_3605_ = array<f64, 3>((((_e2222[0] * _e2234) + (_e2225[0] * _e825.member)) + (_e2228[0] * _e825.member_1)), (((_e2222[1] * _e2234) + (_e2225[1] * _e825.member)) + (_e2228[1] * _e825.member_1)), (((_e2222[2] * _e2234) + (_e2225[2] * _e825.member)) + (_e2228[2] * _e825.member_1)));
+                    phi_3606_ = _e2219;
+                    phi_3607_ = _e2261;
                 }
-                let _e2473 = phi_3528_;
-                if ((((_e2473[0] * _e2473[0]) + (_e2473[1] * _e2473[1])) + (_e2473[2] * _e2473[2])) > f64(0.5f)) {
-                    phi_3548_ = _e2473;
-                } else {
-                    phi_3548_ = array<f64, 3>(_e337, f64(0f), f64(0f));
-                }
-                let _e2491 = phi_3548_;
-                let _e2494 = function_10(_e343[0], _e344[0], _e338);
-                let _e2497 = function_10(_e343[1], _e344[1], _e338);
-                let _e2500 = function_10(_e343[2], _e344[2], _e338);
-                let _e2503 = function_10(_e343[3], _e344[3], _e338);
-                if (_e176.member != 0u) {
-                    let _e2541 = function_10(_e2494, _e2497, _e898.member);
-                    let _e2542 = function_10(_e2500, _e2503, _e898.member_1);
-                    phi_3605_ = _e2542;
-                    phi_3606_ = _e2541;
-                    phi_3607_ = array<f64, 4>((_e337 - _e898.member), _e898.member, (_e337 - _e898.member_1), _e898.member_1);
-                } else {
-                    let _e2506 = ((_e337 - _e898.member) - _e898.member_1);
-                    let _e2507 = f64(0f);
-                    if (_e2506 > _e2507) {
-                        phi_3577_ = _e2506;
-                    } else {
-                        phi_3577_ = _e2507;
-                    }
-                    let _e2510 = phi_3577_;
-                    let _e2537 = function_1(array<f64, 4>(_e337, _e2510, _e898.member, _e898.member_1), _e342);
-                    phi_3605_ = array<f64, 3>((((_e2497[0] * _e2510) + (_e2500[0] * _e898.member)) + (_e2503[0] * _e898.member_1)), (((_e2497[1] * _e2510) + (_e2500[1] * _e898.member)) + (_e2503[1] * _e898.member_1)), (((_e2497[2] * _e2510) + (_e2500[2] * _e898.member)) + (_e2503[2] * _e898.member_1)));
-                    phi_3606_ = _e2494;
-                    phi_3607_ = _e2537;
-                }
-                let _e2544 = phi_3605_;
-                let _e2546 = phi_3606_;
-                let _e2548 = phi_3607_;
-                let _e2550 = function_10(_e2546, _e2544, f64(0.5f));
-                let _e2552 = function_(_e2550);
-                let _e2554 = function_(_e2491);
-                geometry.member[_e137] = type_31(_e2552, f32((_e963 / _e586)), _e2554, _e144, array<f32, 4>(f32(_e2548[0]), f32(_e2548[1]), f32(_e2548[2]), f32(_e2548[3])), _e176.member_1);
+                let _e2268 = phi_3605_;
+                let _e2270 = phi_3606_;
+                let _e2272 = phi_3607_;
+                let _e2274 = function_10(_e2270, _e2268, f64(0.5f));
+                let _e2276 = function_(_e2274);
+                let _e2278 = function_(array<f64, 3>(select(_e331, _e2197, _e2210), select(f64(0f), _e2200, _e2210), select(f64(0f), _e2203, _e2210)));
+                geometry.member[_e131] = type_31(_e2276, f32((_e884 / _e563)), _e2278, _e138, array<f32, 4>(f32(_e2272[0]), f32(_e2272[1]), f32(_e2272[2]), f32(_e2272[3])), _e170.member_1);
             }
         }
         continue;
         continuing {
-            phi_264_ = _e122;
-            break if !(_e128);
+            phi_264_ = type_9(select(_e106.member, (_e106.member + 1u), _e109), select(_e106.member_1, _e106.member_1, _e109));
+            break if !(_e122);
         }
     }
     return;

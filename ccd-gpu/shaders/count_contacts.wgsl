@@ -58,8 +58,6 @@ var<storage> contacts: type_10;
 var<storage, read_write> ranks: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_80_: u32;
-    var phi_85_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -74,25 +72,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e29 = params.member.member_1.member;
     let _e32 = params.member.member_1.member_2;
     let _e34 = contacts.member[0u];
-    if (_e32 < _e34) {
-        phi_80_ = _e32;
-    } else {
-        phi_80_ = _e34;
-    }
-    let _e37 = phi_80_;
-    if (_e37 < _e29) {
-        phi_85_ = _e37;
-    } else {
-        phi_85_ = _e29;
-    }
-    let _e40 = phi_85_;
-    if (_e26 < _e40) {
-        let _e43 = (7u * _e26);
-        let _e46 = contacts.member[(4u + _e43)];
-        let _e49 = params.member.member.member[0u];
-        let _e53 = contacts.member[(_e43 + 6u)];
-        let _e56 = atomicAdd((&table.member[((_e46 * _e49) + _e53)]), 1u);
-        ranks.member[_e26] = _e56;
+    let _e36 = select(_e34, _e32, (_e32 < _e34));
+    if (_e26 < select(_e29, _e36, (_e36 < _e29))) {
+        let _e41 = (7u * _e26);
+        let _e44 = contacts.member[(4u + _e41)];
+        let _e47 = params.member.member.member[0u];
+        let _e51 = contacts.member[(_e41 + 6u)];
+        let _e54 = atomicAdd((&table.member[((_e44 * _e47) + _e51)]), 1u);
+        ranks.member[_e26] = _e54;
     }
     return;
 }

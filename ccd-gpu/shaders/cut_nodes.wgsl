@@ -82,15 +82,8 @@ var<workgroup> nodes: array<u32, 1024>;
 
 fn function_(lane_1: u32) {
     var phi_101_: type_8;
-    var phi_102_: type_8;
-    var phi_125_: type_8;
     var phi_136_: type_8;
-    var phi_137_: type_8;
-    var phi_160_: type_8;
-    var phi_225_: u32;
     var phi_232_: type_8;
-    var phi_233_: type_8;
-    var phi_256_: type_8;
     var lane_2: u32;
 
     lane_2 = lane_1;
@@ -112,45 +105,29 @@ fn function_(lane_1: u32) {
     phi_101_ = type_8(0u, 32u);
     loop {
         let _e42 = phi_101_;
-        if (_e42.member < _e42.member_1) {
-            phi_102_ = type_8((_e42.member + 1u), _e42.member_1);
-            phi_125_ = type_8(1u, _e42.member);
-        } else {
-            phi_102_ = _e42;
-            phi_125_ = type_8(0u, type_8().member_1);
-        }
-        let _e54 = phi_102_;
-        let _e56 = phi_125_;
-        let _e59 = (bitcast<i32>(_e56.member) != 0i);
-        if _e59 {
-            let _e61 = atomicLoad((&counters[0u]));
+        let _e45 = (_e42.member < _e42.member_1);
+        let _e56 = (bitcast<i32>(select(0u, 1u, _e45)) != 0i);
+        if _e56 {
+            let _e58 = atomicLoad((&counters[0u]));
             workgroupBarrier();
             phi_136_ = type_8(0u, 4u);
             loop {
-                let _e63 = phi_136_;
-                if (_e63.member < _e63.member_1) {
-                    phi_137_ = type_8((_e63.member + 1u), _e63.member_1);
-                    phi_160_ = type_8(1u, _e63.member);
-                } else {
-                    phi_137_ = _e63;
-                    phi_160_ = type_8(0u, type_8().member_1);
-                }
-                let _e75 = phi_137_;
-                let _e77 = phi_160_;
-                let _e81 = (bitcast<i32>(_e77.member) != 0i);
-                if _e81 {
-                    let _e83 = ((_e77.member_1 * 256u) + _e15);
-                    if (_e83 < _e61) {
-                        let _e86 = nodes[_e83];
-                        if (_e86 < (_e30 - 1u)) {
-                            let _e89 = branches.member[_e86];
-                            if ((_e89.member_3 - _e89.member_2) >= (_e30 / _e34)) {
-                                let _e95 = atomicAdd((&counters[1u]), 1u);
-                                let _e96 = (_e61 + _e95);
-                                let _e99 = params.member.member_2.member_2;
-                                if (_e96 < _e99) {
-                                    nodes[_e83] = _e89.member;
-                                    nodes[_e96] = _e89.member_1;
+                let _e60 = phi_136_;
+                let _e63 = (_e60.member < _e60.member_1);
+                let _e76 = (bitcast<i32>(select(0u, 1u, _e63)) != 0i);
+                if _e76 {
+                    let _e78 = ((select(type_8().member_1, _e60.member, _e63) * 256u) + _e15);
+                    if (_e78 < _e58) {
+                        let _e81 = nodes[_e78];
+                        if (_e81 < (_e30 - 1u)) {
+                            let _e84 = branches.member[_e81];
+                            if ((_e84.member_3 - _e84.member_2) >= (_e30 / _e34)) {
+                                let _e90 = atomicAdd((&counters[1u]), 1u);
+                                let _e91 = (_e58 + _e90);
+                                let _e94 = params.member.member_2.member_2;
+                                if (_e91 < _e94) {
+                                    nodes[_e78] = _e84.member;
+                                    nodes[_e91] = _e84.member_1;
                                 }
                             }
                         }
@@ -158,61 +135,47 @@ fn function_(lane_1: u32) {
                 }
                 continue;
                 continuing {
-                    phi_136_ = _e75;
-                    break if !(_e81);
+                    phi_136_ = type_8(select(_e60.member, (_e60.member + 1u), _e63), select(_e60.member_1, _e60.member_1, _e63));
+                    break if !(_e76);
                 }
             }
             workgroupBarrier();
             if (_e15 == 0u) {
-                let _e108 = atomicLoad((&counters[1u]));
-                let _e109 = (_e61 + _e108);
-                let _e112 = params.member.member_2.member_2;
-                if (_e112 < _e109) {
-                    phi_225_ = _e112;
-                } else {
-                    phi_225_ = _e109;
-                }
-                let _e115 = phi_225_;
-                atomicStore((&counters[0u]), _e115);
+                let _e103 = atomicLoad((&counters[1u]));
+                let _e104 = (_e58 + _e103);
+                let _e107 = params.member.member_2.member_2;
+                atomicStore((&counters[0u]), select(_e104, _e107, (_e107 < _e104)));
                 atomicStore((&counters[1u]), 0u);
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_101_ = _e54;
-            break if !(_e59);
+            phi_101_ = type_8(select(_e42.member, (_e42.member + 1u), _e45), select(_e42.member_1, _e42.member_1, _e45));
+            break if !(_e56);
         }
     }
-    let _e120 = atomicLoad((&counters[0u]));
+    let _e114 = atomicLoad((&counters[0u]));
     phi_232_ = type_8(0u, 4u);
     loop {
-        let _e122 = phi_232_;
-        if (_e122.member < _e122.member_1) {
-            phi_233_ = type_8((_e122.member + 1u), _e122.member_1);
-            phi_256_ = type_8(1u, _e122.member);
-        } else {
-            phi_233_ = _e122;
-            phi_256_ = type_8(0u, type_8().member_1);
-        }
-        let _e134 = phi_233_;
-        let _e136 = phi_256_;
-        let _e140 = (bitcast<i32>(_e136.member) != 0i);
-        if _e140 {
-            let _e142 = ((_e136.member_1 * 256u) + _e15);
-            if (_e142 < _e120) {
-                let _e146 = nodes[_e142];
-                cuts.member[((_e22 + 4u) + _e142)] = _e146;
+        let _e116 = phi_232_;
+        let _e119 = (_e116.member < _e116.member_1);
+        let _e132 = (bitcast<i32>(select(0u, 1u, _e119)) != 0i);
+        if _e132 {
+            let _e134 = ((select(type_8().member_1, _e116.member, _e119) * 256u) + _e15);
+            if (_e134 < _e114) {
+                let _e138 = nodes[_e134];
+                cuts.member[((_e22 + 4u) + _e134)] = _e138;
             }
         }
         continue;
         continuing {
-            phi_232_ = _e134;
-            break if !(_e140);
+            phi_232_ = type_8(select(_e116.member, (_e116.member + 1u), _e119), select(_e116.member_1, _e116.member_1, _e119));
+            break if !(_e132);
         }
     }
     if (_e15 == 0u) {
-        cuts.member[_e22] = _e120;
+        cuts.member[_e22] = _e114;
     }
     return;
 }

@@ -93,8 +93,6 @@ var<storage, read_write> control: type_21;
 var<storage, read_write> front: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_113_: u32;
-    var phi_150_: bool;
     var phi_179_: array<u32, 2>;
     var phi_180_: array<u32, 2>;
     var phi_181_: array<u32, 2>;
@@ -102,8 +100,6 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_233_: bool;
     var phi_234_: bool;
     var phi_235_: bool;
-    var phi_239_: bool;
-    var phi_301_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -127,104 +123,80 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e49 = (_e40 % _e47);
     let _e51 = params.member.member_2.member;
     let _e52 = (_e51 == 1u);
-    if _e52 {
-        phi_113_ = 0u;
-    } else {
-        phi_113_ = 1u;
-    }
-    let _e54 = phi_113_;
-    let _e55 = (_e54 * 1028u);
-    let _e57 = cuts.member[0u];
-    if (_e45 < _e57) {
-        let _e60 = cuts.member[_e55];
-        if (_e49 < _e60) {
-            if _e52 {
-                phi_150_ = (_e45 <= _e49);
-            } else {
-                phi_150_ = true;
-            }
-            let _e64 = phi_150_;
-            if _e64 {
-                let _e67 = cuts.member[(4u + _e45)];
-                let _e71 = cuts.member[((_e55 + 4u) + _e49)];
-                phi_179_ = array<u32, 2>(_e67, _e71);
+    let _e54 = (select(1u, 0u, _e52) * 1028u);
+    let _e56 = cuts.member[0u];
+    if (_e45 < _e56) {
+        let _e59 = cuts.member[_e54];
+        if (_e49 < _e59) {
+            if select(true, (_e45 <= _e49), _e52) {
+                let _e65 = cuts.member[(4u + _e45)];
+                let _e69 = cuts.member[((_e54 + 4u) + _e49)];
+                phi_179_ = array<u32, 2>(_e65, _e69);
             } else {
                 phi_179_ = array<u32, 2>(4294967295u, 4294967295u);
             }
-            let _e74 = phi_179_;
-            phi_180_ = _e74;
+            let _e72 = phi_179_;
+            phi_180_ = _e72;
         } else {
             phi_180_ = array<u32, 2>(4294967295u, 4294967295u);
         }
-        let _e76 = phi_180_;
-        phi_181_ = _e76;
+        let _e74 = phi_180_;
+        phi_181_ = _e74;
     } else {
         phi_181_ = array<u32, 2>(4294967295u, 4294967295u);
     }
-    let _e78 = phi_181_;
-    if (_e78[0] != 4294967295u) {
-        let _e84 = params.member.member_2.member;
-        if (_e84 == 1u) {
-            if (_e78[0] == _e78[1]) {
-                let _e91 = a_nodes.member[_e78[0]];
-                phi_232_ = (_e91.member_3 == 4294967295u);
+    let _e76 = phi_181_;
+    if (_e76[0] != 4294967295u) {
+        let _e82 = params.member.member_2.member;
+        if (_e82 == 1u) {
+            if (_e76[0] == _e76[1]) {
+                let _e89 = a_nodes.member[_e76[0]];
+                phi_232_ = (_e89.member_3 == 4294967295u);
                 phi_233_ = false;
             } else {
                 phi_232_ = bool();
                 phi_233_ = true;
             }
-            let _e95 = phi_232_;
-            let _e97 = phi_233_;
-            phi_234_ = _e95;
-            phi_235_ = _e97;
+            let _e93 = phi_232_;
+            let _e95 = phi_233_;
+            phi_234_ = _e93;
+            phi_235_ = _e95;
         } else {
             phi_234_ = bool();
             phi_235_ = true;
         }
-        let _e99 = phi_234_;
-        let _e101 = phi_235_;
-        if _e101 {
-            phi_239_ = false;
+        let _e97 = phi_234_;
+        let _e99 = phi_235_;
+        if select(_e97, false, _e99) {
         } else {
-            phi_239_ = _e99;
-        }
-        let _e103 = phi_239_;
-        if _e103 {
-        } else {
-            let _e106 = a_nodes.member[_e78[0]];
-            let _e109 = b_nodes.member[_e78[1]];
-            if ((((((_e106.member[0] <= _e109.member_2[0]) && (_e109.member[0] <= _e106.member_2[0])) && (_e106.member[1] <= _e109.member_2[1])) && (_e109.member[1] <= _e106.member_2[1])) && (_e106.member[2] <= _e109.member_2[2])) && (_e109.member[2] <= _e106.member_2[2])) {
-                phi_301_ = true;
-            } else {
-                phi_301_ = false;
-            }
-            let _e138 = phi_301_;
-            if _e138 {
-                let _e165 = atomicAdd((&control.member[0u]), 1u);
-                let _e168 = atomicMax((&output.member[0u]), (_e165 + 1u));
-                if ((_e165 + 1u) < _e165) {
-                    let _e172 = atomicAdd((&output.member[2u]), 1u);
+            let _e103 = a_nodes.member[_e76[0]];
+            let _e106 = b_nodes.member[_e76[1]];
+            if select(false, true, ((((((_e103.member[0] <= _e106.member_2[0]) && (_e106.member[0] <= _e103.member_2[0])) && (_e103.member[1] <= _e106.member_2[1])) && (_e106.member[1] <= _e103.member_2[1])) && (_e103.member[2] <= _e106.member_2[2])) && (_e106.member[2] <= _e103.member_2[2]))) {
+                let _e161 = atomicAdd((&control.member[0u]), 1u);
+                let _e164 = atomicMax((&output.member[0u]), (_e161 + 1u));
+                if ((_e161 + 1u) < _e161) {
+                    let _e168 = atomicAdd((&output.member[2u]), 1u);
                 }
-                let _e175 = params.member.member_2.member_3;
-                if (_e165 < _e175) {
-                    let _e179 = (2u * _e165);
-                    atomicStore((&output.member[(4u + _e179)]), _e78[0]);
-                    atomicStore((&output.member[(_e179 + 5u)]), _e78[1]);
+                let _e171 = params.member.member_2.member_3;
+                if (_e161 < _e171) {
+                    let _e175 = (2u * _e161);
+                    atomicStore((&output.member[(4u + _e175)]), _e76[0]);
+                    atomicStore((&output.member[(_e175 + 5u)]), _e76[1]);
                 }
             } else {
-                let _e141 = params.member.member_2.member_4;
-                if (_e141 > 0u) {
-                    let _e144 = atomicAdd((&control.member[1537u]), 1u);
-                    if ((_e144 + 1u) < _e144) {
-                        let _e148 = atomicAdd((&control.member[1538u]), 1u);
+                let _e137 = params.member.member_2.member_4;
+                if (_e137 > 0u) {
+                    let _e140 = atomicAdd((&control.member[1537u]), 1u);
+                    if ((_e140 + 1u) < _e140) {
+                        let _e144 = atomicAdd((&control.member[1538u]), 1u);
                     }
-                    let _e150 = params.member.member_2.member_4;
-                    if (_e144 < _e150) {
-                        let _e153 = params.member.member_2.member_5;
-                        let _e155 = params.member.member_2.member_4;
-                        let _e158 = (2u * ((_e153 * _e155) + _e144));
-                        front.member[_e158] = _e78[0];
-                        front.member[(_e158 + 1u)] = _e78[1];
+                    let _e146 = params.member.member_2.member_4;
+                    if (_e140 < _e146) {
+                        let _e149 = params.member.member_2.member_5;
+                        let _e151 = params.member.member_2.member_4;
+                        let _e154 = (2u * ((_e149 * _e151) + _e140));
+                        front.member[_e154] = _e76[0];
+                        front.member[(_e154 + 1u)] = _e76[1];
                     }
                 }
             }

@@ -66,16 +66,7 @@ var<storage> boxes: type_15;
 var<storage, read_write> points: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_93_: u32;
     var phi_94_: u32;
-    var phi_132_: f32;
-    var phi_133_: f32;
-    var phi_139_: u32;
-    var phi_149_: u32;
-    var phi_161_: f32;
-    var phi_162_: f32;
-    var phi_168_: u32;
-    var phi_178_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -94,76 +85,22 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             phi_94_ = 2u;
         } else {
             let _e44 = params.member.member.member_2[1u];
-            if (_e32 >= _e44) {
-                phi_93_ = 1u;
-            } else {
-                phi_93_ = 0u;
-            }
-            let _e47 = phi_93_;
-            phi_94_ = _e47;
+            phi_94_ = select(0u, 1u, (_e32 >= _e44));
         }
-        let _e49 = phi_94_;
-        let _e51 = survey.member[6u];
-        let _e53 = boxes.member[_e32];
-        let _e69 = (select(0u, 1u, (_e49 == 1u)) << bitcast<u32>(31i));
-        if (_e51 == 0u) {
-            phi_133_ = _e53.member.x;
-        } else {
-            if (_e51 == 1u) {
-                phi_132_ = _e53.member.y;
-            } else {
-                phi_132_ = _e53.member_1.x;
-            }
-            let _e73 = phi_132_;
-            phi_133_ = _e73;
-        }
-        let _e75 = phi_133_;
-        let _e76 = bitcast<u32>(_e75);
-        if (_e76 == 2147483648u) {
-            phi_139_ = 0u;
-        } else {
-            phi_139_ = _e76;
-        }
-        let _e79 = phi_139_;
-        let _e81 = bitcast<u32>(bitcast<f32>(_e79));
-        if ((_e81 >> bitcast<u32>(31i)) == 1u) {
-            phi_149_ = ~(_e81);
-        } else {
-            phi_149_ = (_e81 | 2147483648u);
-        }
-        let _e88 = phi_149_;
-        if (_e51 == 0u) {
-            phi_162_ = _e53.member_1.y;
-        } else {
-            if (_e51 == 1u) {
-                phi_161_ = _e53.member_2.x;
-            } else {
-                phi_161_ = _e53.member_2.y;
-            }
-            let _e97 = phi_161_;
-            phi_162_ = _e97;
-        }
-        let _e99 = phi_162_;
-        let _e100 = bitcast<u32>(_e99);
-        if (_e100 == 2147483648u) {
-            phi_168_ = 0u;
-        } else {
-            phi_168_ = _e100;
-        }
-        let _e103 = phi_168_;
-        let _e105 = bitcast<u32>(bitcast<f32>(_e103));
-        if ((_e105 >> bitcast<u32>(31i)) == 1u) {
-            phi_178_ = ~(_e105);
-        } else {
-            phi_178_ = (_e105 | 2147483648u);
-        }
-        let _e112 = phi_178_;
-        let _e120 = (_e32 << bitcast<u32>(1i));
-        let _e123 = ((_e32 << bitcast<u32>(1i)) | 1u);
-        keys.member[_e120] = (_e69 | ((_e88 >> bitcast<u32>(2i)) << bitcast<u32>(1i)));
-        keys.member[_e123] = ((_e69 | ((_e112 >> bitcast<u32>(2i)) << bitcast<u32>(1i))) | 1u);
-        points.member[_e120] = _e120;
-        points.member[_e123] = _e123;
+        let _e48 = phi_94_;
+        let _e50 = survey.member[6u];
+        let _e52 = boxes.member[_e32];
+        let _e68 = (select(0u, 1u, (_e48 == 1u)) << bitcast<u32>(31i));
+        let _e73 = bitcast<u32>(select(select(_e52.member_1.x, _e52.member.y, (_e50 == 1u)), _e52.member.x, (_e50 == 0u)));
+        let _e77 = bitcast<u32>(bitcast<f32>(select(_e73, 0u, (_e73 == 2147483648u))));
+        let _e93 = bitcast<u32>(select(select(_e52.member_2.y, _e52.member_2.x, (_e50 == 1u)), _e52.member_1.y, (_e50 == 0u)));
+        let _e97 = bitcast<u32>(bitcast<f32>(select(_e93, 0u, (_e93 == 2147483648u))));
+        let _e111 = (_e32 << bitcast<u32>(1i));
+        let _e114 = ((_e32 << bitcast<u32>(1i)) | 1u);
+        keys.member[_e111] = (_e68 | ((select((_e77 | 2147483648u), ~(_e77), ((_e77 >> bitcast<u32>(31i)) == 1u)) >> bitcast<u32>(2i)) << bitcast<u32>(1i)));
+        keys.member[_e114] = ((_e68 | ((select((_e97 | 2147483648u), ~(_e97), ((_e97 >> bitcast<u32>(31i)) == 1u)) >> bitcast<u32>(2i)) << bitcast<u32>(1i))) | 1u);
+        points.member[_e111] = _e111;
+        points.member[_e114] = _e114;
     }
     return;
 }

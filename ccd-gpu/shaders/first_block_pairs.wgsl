@@ -99,8 +99,6 @@ var<storage> first: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_144_: array<u32, 2>;
-    var phi_309_: u32;
-    var phi_310_: u32;
     var phi_311_: u32;
     var phi_329_: array<u32, 2>;
     var phi_330_: array<u32, 2>;
@@ -141,110 +139,98 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e89 = boxes.member[(_e86 + (_e67[0] & 134217727u))];
         let _e106 = params.member.member_2.member_1[_e80][1u];
         let _e109 = boxes.member[(_e106 + _e67[1])];
-        if ((((((_e89.member.x <= _e109.member_1.y) && (_e109.member.x <= _e89.member_1.y)) && (_e89.member.y <= _e109.member_2.x)) && (_e109.member.y <= _e89.member_2.x)) && (_e89.member_1.x <= _e109.member_2.y)) && (_e109.member_1.x <= _e89.member_2.y)) {
-            if (_e80 > 1u) {
-                phi_309_ = 1u;
-            } else {
-                phi_309_ = 2u;
-            }
-            let _e135 = phi_309_;
-            phi_310_ = _e135;
-        } else {
-            phi_310_ = 3u;
-        }
-        let _e137 = phi_310_;
-        phi_311_ = _e137;
+        phi_311_ = select(3u, select(2u, 1u, (_e80 > 1u)), ((((((_e89.member.x <= _e109.member_1.y) && (_e109.member.x <= _e89.member_1.y)) && (_e89.member.y <= _e109.member_2.x)) && (_e109.member.y <= _e89.member_2.x)) && (_e89.member_1.x <= _e109.member_2.y)) && (_e109.member_1.x <= _e89.member_2.y)));
     } else {
         phi_311_ = 0u;
     }
-    let _e139 = phi_311_;
-    if (_e139 == 1u) {
-        let _e149 = atomicAdd((&shared_[6u]), 1u);
-        phi_330_ = array<u32, 2>(_e149, 0u);
+    let _e137 = phi_311_;
+    if (_e137 == 1u) {
+        let _e147 = atomicAdd((&shared_[6u]), 1u);
+        phi_330_ = array<u32, 2>(_e147, 0u);
     } else {
-        if (_e139 == 2u) {
-            let _e144 = atomicAdd((&shared_[7u]), 1u);
-            phi_329_ = array<u32, 2>(_e144, 0u);
+        if (_e137 == 2u) {
+            let _e142 = atomicAdd((&shared_[7u]), 1u);
+            phi_329_ = array<u32, 2>(_e142, 0u);
         } else {
             phi_329_ = array<u32, 2>(0u, 0u);
         }
-        let _e147 = phi_329_;
-        phi_330_ = _e147;
+        let _e145 = phi_329_;
+        phi_330_ = _e145;
     }
-    let _e152 = phi_330_;
-    if (_e139 >= 2u) {
+    let _e150 = phi_330_;
+    if (_e137 >= 2u) {
         if (_e70.member_4 > 0u) {
-            let _e156 = atomicAdd((&shared_[8u]), 1u);
-            phi_342_ = array<u32, 2>(_e152[0], _e156);
+            let _e154 = atomicAdd((&shared_[8u]), 1u);
+            phi_342_ = array<u32, 2>(_e150[0], _e154);
         } else {
-            phi_342_ = _e152;
+            phi_342_ = _e150;
         }
-        let _e160 = phi_342_;
-        phi_343_ = _e160;
+        let _e158 = phi_342_;
+        phi_343_ = _e158;
     } else {
-        phi_343_ = _e152;
+        phi_343_ = _e150;
     }
-    let _e162 = phi_343_;
+    let _e160 = phi_343_;
     workgroupBarrier();
     if (_e33 == 0u) {
-        let _e165 = atomicLoad((&shared_[6u]));
-        let _e167 = atomicLoad((&shared_[7u]));
+        let _e163 = atomicLoad((&shared_[6u]));
+        let _e165 = atomicLoad((&shared_[7u]));
+        if (_e163 > 0u) {
+            let _e168 = atomicAdd((&control.member[0u]), _e163);
+            let _e171 = atomicMax((&nodes.member[0u]), (_e168 + _e163));
+            if ((_e168 + _e163) < _e168) {
+                let _e175 = atomicAdd((&nodes.member[2u]), 1u);
+            }
+            atomicStore((&shared_[11u]), _e168);
+        }
         if (_e165 > 0u) {
-            let _e170 = atomicAdd((&control.member[0u]), _e165);
-            let _e173 = atomicMax((&nodes.member[0u]), (_e170 + _e165));
-            if ((_e170 + _e165) < _e170) {
-                let _e177 = atomicAdd((&nodes.member[2u]), 1u);
+            let _e179 = atomicAdd((&pairs.member[0u]), _e165);
+            if ((_e179 + _e165) < _e179) {
+                let _e183 = atomicAdd((&pairs.member[2u]), 1u);
             }
-            atomicStore((&shared_[11u]), _e170);
+            atomicStore((&shared_[12u]), _e179);
         }
-        if (_e167 > 0u) {
-            let _e181 = atomicAdd((&pairs.member[0u]), _e167);
-            if ((_e181 + _e167) < _e181) {
-                let _e185 = atomicAdd((&pairs.member[2u]), 1u);
+        let _e186 = atomicLoad((&shared_[8u]));
+        if (_e186 > 0u) {
+            let _e189 = atomicLoad((&shared_[8u]));
+            let _e191 = atomicAdd((&control.member[1537u]), _e189);
+            if ((_e191 + _e189) < _e191) {
+                let _e195 = atomicAdd((&control.member[1538u]), 1u);
             }
-            atomicStore((&shared_[12u]), _e181);
-        }
-        let _e188 = atomicLoad((&shared_[8u]));
-        if (_e188 > 0u) {
-            let _e191 = atomicLoad((&shared_[8u]));
-            let _e193 = atomicAdd((&control.member[1537u]), _e191);
-            if ((_e193 + _e191) < _e193) {
-                let _e197 = atomicAdd((&control.member[1538u]), 1u);
-            }
-            atomicStore((&shared_[13u]), _e193);
+            atomicStore((&shared_[13u]), _e191);
         }
     }
     workgroupBarrier();
-    if (_e139 == 1u) {
-        let _e237 = atomicLoad((&shared_[11u]));
-        let _e239 = (_e237 + _e162[0]);
-        if (_e239 < _e70.member_3) {
-            if (_e239 < 4294967295u) {
-                let _e245 = (2u * _e239);
-                atomicStore((&nodes.member[(4u + _e245)]), _e67[0]);
-                atomicStore((&nodes.member[(_e245 + 5u)]), _e67[1]);
+    if (_e137 == 1u) {
+        let _e235 = atomicLoad((&shared_[11u]));
+        let _e237 = (_e235 + _e160[0]);
+        if (_e237 < _e70.member_3) {
+            if (_e237 < 4294967295u) {
+                let _e243 = (2u * _e237);
+                atomicStore((&nodes.member[(4u + _e243)]), _e67[0]);
+                atomicStore((&nodes.member[(_e243 + 5u)]), _e67[1]);
             }
         }
     } else {
-        if (_e139 == 0u) {
+        if (_e137 == 0u) {
         } else {
-            if (_e139 == 2u) {
-                let _e206 = params.member.member_1;
-                let _e209 = atomicLoad((&shared_[12u]));
-                let _e211 = (_e209 + _e162[0]);
-                if (_e211 < _e206.member_3) {
-                    let _e213 = (2u * _e211);
-                    atomicStore((&pairs.member[(4u + _e213)]), (_e67[0] & 134217727u));
-                    atomicStore((&pairs.member[(_e213 + 5u)]), _e67[1]);
+            if (_e137 == 2u) {
+                let _e204 = params.member.member_1;
+                let _e207 = atomicLoad((&shared_[12u]));
+                let _e209 = (_e207 + _e160[0]);
+                if (_e209 < _e204.member_3) {
+                    let _e211 = (2u * _e209);
+                    atomicStore((&pairs.member[(4u + _e211)]), (_e67[0] & 134217727u));
+                    atomicStore((&pairs.member[(_e211 + 5u)]), _e67[1]);
                 }
             }
             if (_e70.member_4 > 0u) {
-                let _e221 = atomicLoad((&shared_[13u]));
-                let _e223 = (_e221 + _e162[1]);
-                if (_e223 < _e70.member_4) {
-                    let _e230 = (2u * ((_e70.member_5 * _e70.member_4) + _e223));
-                    front.member[_e230] = _e67[0];
-                    front.member[(_e230 + 1u)] = _e67[1];
+                let _e219 = atomicLoad((&shared_[13u]));
+                let _e221 = (_e219 + _e160[1]);
+                if (_e221 < _e70.member_4) {
+                    let _e228 = (2u * ((_e70.member_5 * _e70.member_4) + _e221));
+                    front.member[_e228] = _e67[0];
+                    front.member[(_e228 + 1u)] = _e67[1];
                 }
             }
         }

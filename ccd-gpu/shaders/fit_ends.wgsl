@@ -76,41 +76,11 @@ var<storage> paths: type_25;
 var<storage, read_write> ends: type_22;
 
 fn function_(param: f32, param_1: f32) -> f32 {
-    var phi_279_: bool;
-    var phi_283_: f32;
-
-    if (param != param) {
-        phi_279_ = true;
-    } else {
-        phi_279_ = (param_1 >= param);
-    }
-    let _e6 = phi_279_;
-    if _e6 {
-        phi_283_ = param_1;
-    } else {
-        phi_283_ = param;
-    }
-    let _e8 = phi_283_;
-    return _e8;
+    return select(param, param_1, select((param_1 >= param), true, (param != param)));
 }
 
 fn function_1(param_2: f32, param_3: f32) -> f32 {
-    var phi_263_: bool;
-    var phi_267_: f32;
-
-    if (param_2 != param_2) {
-        phi_263_ = true;
-    } else {
-        phi_263_ = (param_3 <= param_2);
-    }
-    let _e6 = phi_263_;
-    if _e6 {
-        phi_267_ = param_3;
-    } else {
-        phi_267_ = param_2;
-    }
-    let _e8 = phi_267_;
-    return _e8;
+    return select(param_2, param_3, select((param_3 <= param_2), true, (param_2 != param_2)));
 }
 
 fn function_2(param_4: array<f32, 4>, param_5: array<f32, 4>, param_6: array<f32, 4>) -> type_19 {

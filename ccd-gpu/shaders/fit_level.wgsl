@@ -77,39 +77,13 @@ var<storage, read_write> nodes: type_20;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 4>;
-    var phi_124_: u32;
     var phi_125_: u32;
     var phi_151_: type_22;
     var phi_171_: type_11;
     var phi_174_: type_22;
     var phi_176_: u32;
-    var phi_197_: bool;
-    var phi_203_: type_12;
     var phi_172_: type_11;
     var phi_217_: type_12;
-    var phi_377_: f32;
-    var phi_384_: f32;
-    var phi_391_: f32;
-    var phi_399_: f32;
-    var phi_406_: f32;
-    var phi_413_: f32;
-    var phi_252_: f32;
-    var phi_259_: f32;
-    var phi_266_: f32;
-    var phi_274_: f32;
-    var phi_281_: f32;
-    var phi_288_: f32;
-    var phi_302_: bool;
-    var phi_317_: bool;
-    var phi_318_: bool;
-    var phi_345_: bool;
-    var phi_346_: bool;
-    var phi_355_: u32;
-    var phi_356_: u32;
-    var phi_357_: bool;
-    var phi_358_: u32;
-    var phi_359_: bool;
-    var phi_366_: u32;
     var phi_369_: type_22;
     var phi_370_: type_22;
     var phi_416_: type_22;
@@ -142,254 +116,108 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_125_ = 2u;
     } else {
         let _e57 = local[1u];
-        if (_e52 >= _e57) {
-            phi_124_ = 1u;
-        } else {
-            phi_124_ = 0u;
-        }
-        let _e60 = phi_124_;
-        phi_125_ = _e60;
+        phi_125_ = select(0u, 1u, (_e52 >= _e57));
     }
-    let _e62 = phi_125_;
-    let _e64 = local[3u];
-    let _e65 = (_e52 < _e64);
-    if _e65 {
-        let _e67 = nodes.member[_e52];
-        phi_151_ = type_22(array<f32, 3>(_e67.member.x, _e67.member.y, _e67.member_1.x), array<f32, 3>(_e67.member_1.y, _e67.member_2.x, _e67.member_2.y));
+    let _e61 = phi_125_;
+    let _e63 = local[3u];
+    let _e64 = (_e52 < _e63);
+    if _e64 {
+        let _e66 = nodes.member[_e52];
+        phi_151_ = type_22(array<f32, 3>(_e66.member.x, _e66.member.y, _e66.member_1.x), array<f32, 3>(_e66.member_1.y, _e66.member_2.x, _e66.member_2.y));
     } else {
         phi_151_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e84 = phi_151_;
-    let _e87 = params.member.member.member_1;
-    shared_[_e28] = type_22(array<f32, 3>(_e84.member[0], _e84.member[1], _e84.member[2]), array<f32, 3>(_e84.member_1[0], _e84.member_1[1], _e84.member_1[2]));
+    let _e83 = phi_151_;
+    let _e86 = params.member.member.member_1;
+    shared_[_e28] = type_22(array<f32, 3>(_e83.member[0], _e83.member[1], _e83.member[2]), array<f32, 3>(_e83.member_1[0], _e83.member_1[1], _e83.member_1[2]));
     phi_171_ = type_11(0i, 5i);
-    phi_174_ = _e84;
+    phi_174_ = _e83;
     phi_176_ = 16u;
     loop {
-        let _e103 = phi_171_;
-        let _e105 = phi_174_;
-        let _e107 = phi_176_;
-        local_1 = _e105;
-        local_2 = _e105;
-        local_3 = _e105;
-        local_4 = _e105;
-        local_5 = _e105;
-        local_6 = _e105;
-        if (_e103.member < _e103.member_1) {
-            let _e114 = (_e103.member + 1i);
-            if ((false == (_e114 > _e103.member)) != false) {
-                phi_197_ = true;
-            } else {
-                phi_197_ = false;
-            }
-            let _e119 = phi_197_;
-            if _e119 {
-                phi_203_ = type_12(0u, type_12().member_1);
-            } else {
-                phi_203_ = type_12(1u, _e114);
-            }
-            let _e124 = phi_203_;
-            phi_172_ = type_11(_e124.member_1, _e103.member_1);
-            phi_217_ = type_12(1u, _e103.member);
+        let _e102 = phi_171_;
+        let _e104 = phi_174_;
+        let _e106 = phi_176_;
+        local_1 = _e104;
+        local_2 = _e104;
+        local_3 = _e104;
+        local_4 = _e104;
+        local_5 = _e104;
+        local_6 = _e104;
+        if (_e102.member < _e102.member_1) {
+            let _e113 = (_e102.member + 1i);
+            phi_172_ = type_11(select(_e113, type_12().member_1, select(false, true, ((false == (_e113 > _e102.member)) != false))), _e102.member_1);
+            phi_217_ = type_12(1u, _e102.member);
         } else {
-            phi_172_ = _e103;
+            phi_172_ = _e102;
             phi_217_ = type_12(0u, type_12().member_1);
         }
-        let _e130 = phi_172_;
-        let _e132 = phi_217_;
-        let _e135 = (bitcast<i32>(_e132.member) != 0i);
-        if _e135 {
+        let _e124 = phi_172_;
+        let _e126 = phi_217_;
+        let _e129 = (bitcast<i32>(_e126.member) != 0i);
+        if _e129 {
             workgroupBarrier();
-            if ((_e28 % 32u) < _e107) {
-                let _e140 = shared_[(_e28 + _e107)];
-                if ((_e87 & 256u) != 0u) {
-                    if (_e105.member[0] < _e140.member[0]) {
-                        phi_252_ = _e105.member[0];
-                    } else {
-                        phi_252_ = _e140.member[0];
-                    }
-                    let _e186 = phi_252_;
-                    if (_e105.member[1] < _e140.member[1]) {
-                        phi_259_ = _e105.member[1];
-                    } else {
-                        phi_259_ = _e140.member[1];
-                    }
-                    let _e191 = phi_259_;
-                    if (_e105.member[2] < _e140.member[2]) {
-                        phi_266_ = _e105.member[2];
-                    } else {
-                        phi_266_ = _e140.member[2];
-                    }
-                    let _e196 = phi_266_;
-                    if (_e105.member_1[0] > _e140.member_1[0]) {
-                        phi_274_ = _e105.member_1[0];
-                    } else {
-                        phi_274_ = _e140.member_1[0];
-                    }
-                    let _e202 = phi_274_;
-                    if (_e105.member_1[1] > _e140.member_1[1]) {
-                        phi_281_ = _e105.member_1[1];
-                    } else {
-                        phi_281_ = _e140.member_1[1];
-                    }
-                    let _e207 = phi_281_;
-                    if (_e105.member_1[2] > _e140.member_1[2]) {
-                        phi_288_ = _e105.member_1[2];
-                    } else {
-                        phi_288_ = _e140.member_1[2];
-                    }
-                    let _e212 = phi_288_;
-                    let _e214 = type_22(array<f32, 3>(_e186, _e191, _e196), array<f32, 3>(_e202, _e207, _e212));
-                    if ((bitcast<u32>(_e105.member_1[0]) & 1u) == 1u) {
-                        phi_302_ = true;
-                    } else {
-                        phi_302_ = !((_e105.member[0] <= _e105.member_1[0]));
-                    }
-                    let _e227 = phi_302_;
-                    if _e227 {
-                        if ((bitcast<u32>(_e140.member_1[0]) & 1u) == 1u) {
-                            phi_317_ = true;
+            if ((_e28 % 32u) < _e106) {
+                let _e134 = shared_[(_e28 + _e106)];
+                if ((_e86 & 256u) != 0u) {
+                    let _e173 = select(_e134.member[0], _e104.member[0], (_e104.member[0] < _e134.member[0]));
+                    let _e186 = select(_e134.member_1[0], _e104.member_1[0], (_e104.member_1[0] > _e134.member_1[0]));
+                    let _e196 = type_22(array<f32, 3>(_e173, select(_e134.member[1], _e104.member[1], (_e104.member[1] < _e134.member[1])), select(_e134.member[2], _e104.member[2], (_e104.member[2] < _e134.member[2]))), array<f32, 3>(_e186, select(_e134.member_1[1], _e104.member_1[1], (_e104.member_1[1] > _e134.member_1[1])), select(_e134.member_1[2], _e104.member_1[2], (_e104.member_1[2] > _e134.member_1[2]))));
+                    if (_e173 <= _e186) {
+                        if (((bitcast<u32>(_e186) & 1u) == 1u) != select(false, select(!((_e134.member[0] <= _e134.member_1[0])), true, ((bitcast<u32>(_e134.member_1[0]) & 1u) == 1u)), select(!((_e104.member[0] <= _e104.member_1[0])), true, ((bitcast<u32>(_e104.member_1[0]) & 1u) == 1u)))) {
+                            let _e221 = bitcast<u32>(_e186);
+                            let _e224 = ((_e221 >> bitcast<u32>(31i)) == 1u);
+                            let _e225 = (_e221 & 2147483647u);
+                            let _e226 = (_e225 < 8388608u);
+                            let _e229 = select(true, select(true, false, (_e225 == 8388608u)), _e224);
+                            phi_369_ = type_22(_e196.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e221 + 1u), (_e221 - 1u), _e224), _e229), u32(), _e226), (8388608u | ((_e221 & 1u) ^ 1u)), select(select(true, false, _e229), true, _e226))), _e196.member_1[1], _e196.member_1[2]));
                         } else {
-                            phi_317_ = !((_e140.member[0] <= _e140.member_1[0]));
+                            phi_369_ = _e196;
                         }
-                        let _e234 = phi_317_;
-                        phi_318_ = _e234;
+                        let _e249 = phi_369_;
+                        phi_370_ = _e249;
                     } else {
-                        phi_318_ = false;
+                        phi_370_ = _e196;
                     }
-                    let _e236 = phi_318_;
-                    if (_e186 <= _e202) {
-                        if (((bitcast<u32>(_e202) & 1u) == 1u) != _e236) {
-                            let _e242 = bitcast<u32>(_e202);
-                            let _e245 = ((_e242 >> bitcast<u32>(31i)) == 1u);
-                            let _e246 = (_e242 & 2147483647u);
-                            if (_e246 < 8388608u) {
-                                phi_358_ = u32();
-                                phi_359_ = true;
-                            } else {
-                                if _e245 {
-                                    if (_e246 == 8388608u) {
-                                        phi_345_ = false;
-                                    } else {
-                                        phi_345_ = true;
-                                    }
-                                    let _e250 = phi_345_;
-                                    phi_346_ = _e250;
-                                } else {
-                                    phi_346_ = true;
-                                }
-                                let _e252 = phi_346_;
-                                if _e252 {
-                                    if _e245 {
-                                        phi_355_ = (_e242 - 1u);
-                                    } else {
-                                        phi_355_ = (_e242 + 1u);
-                                    }
-                                    let _e256 = phi_355_;
-                                    phi_356_ = _e256;
-                                    phi_357_ = false;
-                                } else {
-                                    phi_356_ = u32();
-                                    phi_357_ = true;
-                                }
-                                let _e258 = phi_356_;
-                                let _e260 = phi_357_;
-                                phi_358_ = _e258;
-                                phi_359_ = _e260;
-                            }
-                            let _e262 = phi_358_;
-                            let _e264 = phi_359_;
-                            if _e264 {
-                                phi_366_ = (8388608u | ((_e242 & 1u) ^ 1u));
-                            } else {
-                                phi_366_ = _e262;
-                            }
-                            let _e269 = phi_366_;
-                            phi_369_ = type_22(_e214.member, array<f32, 3>(bitcast<f32>(_e269), _e214.member_1[1], _e214.member_1[2]));
-                        } else {
-                            phi_369_ = _e214;
-                        }
-                        let _e278 = phi_369_;
-                        phi_370_ = _e278;
-                    } else {
-                        phi_370_ = _e214;
-                    }
-                    let _e280 = phi_370_;
-                    phi_416_ = _e280;
+                    let _e251 = phi_370_;
+                    phi_416_ = _e251;
                 } else {
-                    if (_e105.member[0] < _e140.member[0]) {
-                        phi_377_ = _e105.member[0];
-                    } else {
-                        phi_377_ = _e140.member[0];
-                    }
-                    let _e153 = phi_377_;
-                    if (_e105.member[1] < _e140.member[1]) {
-                        phi_384_ = _e105.member[1];
-                    } else {
-                        phi_384_ = _e140.member[1];
-                    }
-                    let _e158 = phi_384_;
-                    if (_e105.member[2] < _e140.member[2]) {
-                        phi_391_ = _e105.member[2];
-                    } else {
-                        phi_391_ = _e140.member[2];
-                    }
-                    let _e163 = phi_391_;
-                    if (_e105.member_1[0] > _e140.member_1[0]) {
-                        phi_399_ = _e105.member_1[0];
-                    } else {
-                        phi_399_ = _e140.member_1[0];
-                    }
-                    let _e169 = phi_399_;
-                    if (_e105.member_1[1] > _e140.member_1[1]) {
-                        phi_406_ = _e105.member_1[1];
-                    } else {
-                        phi_406_ = _e140.member_1[1];
-                    }
-                    let _e174 = phi_406_;
-                    if (_e105.member_1[2] > _e140.member_1[2]) {
-                        phi_413_ = _e105.member_1[2];
-                    } else {
-                        phi_413_ = _e140.member_1[2];
-                    }
-                    let _e179 = phi_413_;
-                    phi_416_ = type_22(array<f32, 3>(_e153, _e158, _e163), array<f32, 3>(_e169, _e174, _e179));
+                    phi_416_ = type_22(array<f32, 3>(select(_e134.member[0], _e104.member[0], (_e104.member[0] < _e134.member[0])), select(_e134.member[1], _e104.member[1], (_e104.member[1] < _e134.member[1])), select(_e134.member[2], _e104.member[2], (_e104.member[2] < _e134.member[2]))), array<f32, 3>(select(_e134.member_1[0], _e104.member_1[0], (_e104.member_1[0] > _e134.member_1[0])), select(_e134.member_1[1], _e104.member_1[1], (_e104.member_1[1] > _e134.member_1[1])), select(_e134.member_1[2], _e104.member_1[2], (_e104.member_1[2] > _e134.member_1[2]))));
                 }
-                let _e282 = phi_416_;
-                shared_[_e28] = type_22(array<f32, 3>(_e282.member[0], _e282.member[1], _e282.member[2]), array<f32, 3>(_e282.member_1[0], _e282.member_1[1], _e282.member_1[2]));
-                phi_429_ = _e282;
+                let _e253 = phi_416_;
+                shared_[_e28] = type_22(array<f32, 3>(_e253.member[0], _e253.member[1], _e253.member[2]), array<f32, 3>(_e253.member_1[0], _e253.member_1[1], _e253.member_1[2]));
+                phi_429_ = _e253;
             } else {
-                phi_429_ = _e105;
+                phi_429_ = _e104;
             }
-            let _e296 = phi_429_;
-            phi_175_ = _e296;
-            phi_177_ = (_e107 / 2u);
+            let _e267 = phi_429_;
+            phi_175_ = _e267;
+            phi_177_ = (_e106 / 2u);
         } else {
             phi_175_ = type_22();
             phi_177_ = u32();
         }
-        let _e299 = phi_175_;
-        let _e301 = phi_177_;
+        let _e270 = phi_175_;
+        let _e272 = phi_177_;
         continue;
         continuing {
-            phi_171_ = _e130;
-            phi_174_ = _e299;
-            phi_176_ = _e301;
-            break if !(_e135);
+            phi_171_ = _e124;
+            phi_174_ = _e270;
+            phi_176_ = _e272;
+            break if !(_e129);
         }
     }
-    if _e65 {
+    if _e64 {
         if ((_e28 % 32u) == 0u) {
-            let _e308 = params.member.member_2.member_2;
-            let _e311 = local[_e62];
-            let _e317 = params.member.member_2.member[(_e308 + 1u)][_e62];
-            let _e320 = local_1;
-            let _e324 = local_2;
-            let _e328 = local_3;
-            let _e332 = local_4;
-            let _e336 = local_5;
-            let _e340 = local_6;
-            nodes.member[(_e317 + ((_e52 - _e311) / 32u))] = type_18(vec2<f32>(_e320.member[0], _e324.member[1]), vec2<f32>(_e328.member[2], _e332.member_1[0]), vec2<f32>(_e336.member_1[1], _e340.member_1[2]));
+            let _e279 = params.member.member_2.member_2;
+            let _e282 = local[_e61];
+            let _e288 = params.member.member_2.member[(_e279 + 1u)][_e61];
+            let _e291 = local_1;
+            let _e295 = local_2;
+            let _e299 = local_3;
+            let _e303 = local_4;
+            let _e307 = local_5;
+            let _e311 = local_6;
+            nodes.member[(_e288 + ((_e52 - _e282) / 32u))] = type_18(vec2<f32>(_e291.member[0], _e295.member[1]), vec2<f32>(_e299.member[2], _e303.member_1[0]), vec2<f32>(_e307.member_1[1], _e311.member_1[2]));
         }
     }
     return;

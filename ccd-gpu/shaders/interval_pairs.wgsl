@@ -112,41 +112,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_5: type_18;
     var local_6: type_23;
     var local_7: type_18;
-    var phi_202_: u32;
     var phi_212_: u32;
-    var phi_219_: u32;
-    var phi_238_: u32;
-    var phi_259_: u32;
     var phi_260_: u32;
     var phi_263_: type_9;
-    var phi_264_: type_9;
-    var phi_287_: type_9;
-    var phi_343_: array<u32, 2>;
-    var phi_350_: u32;
-    var phi_355_: u32;
-    var phi_363_: array<u32, 2>;
-    var phi_401_: array<u32, 2>;
-    var phi_408_: u32;
-    var phi_413_: u32;
-    var phi_421_: array<u32, 2>;
     var phi_464_: u32;
-    var phi_473_: u32;
-    var phi_478_: u32;
-    var phi_481_: bool;
-    var phi_496_: u32;
     var phi_497_: u32;
     var phi_498_: u32;
     var phi_499_: bool;
-    var phi_503_: u32;
     var phi_520_: type_15;
     var phi_523_: u32;
     var phi_525_: u32;
-    var phi_546_: bool;
-    var phi_552_: type_16;
     var phi_521_: type_15;
     var phi_566_: type_16;
-    var phi_595_: u32;
-    var phi_596_: u32;
     var phi_597_: u32;
     var phi_598_: u32;
     var phi_599_: bool;
@@ -156,12 +133,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_605_: type_15;
     var phi_608_: u32;
     var phi_610_: u32;
-    var phi_631_: bool;
-    var phi_637_: type_16;
     var phi_606_: type_15;
     var phi_651_: type_16;
-    var phi_680_: u32;
-    var phi_681_: u32;
     var phi_682_: u32;
     var phi_683_: u32;
     var phi_684_: bool;
@@ -171,69 +144,29 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_8: u32;
     var local_9: u32;
     var phi_687_: u32;
-    var phi_703_: array<u32, 2>;
-    var phi_704_: array<u32, 2>;
-    var phi_714_: bool;
     var phi_715_: bool;
-    var phi_742_: u32;
-    var phi_761_: u32;
-    var phi_780_: u32;
     var phi_785_: type_9;
-    var phi_786_: type_9;
-    var phi_809_: type_9;
-    var phi_835_: u32;
-    var phi_861_: u32;
     var phi_994_: type_9;
     var phi_997_: type_27;
-    var phi_995_: type_9;
-    var phi_1020_: type_9;
     var phi_1030_: type_9;
     var phi_1033_: bool;
-    var phi_1031_: type_9;
-    var phi_1056_: type_9;
-    var phi_1078_: f32;
-    var phi_1095_: bool;
     var phi_1034_: bool;
     var local_10: bool;
     var phi_1101_: type_27;
     var phi_1102_: bool;
     var phi_998_: type_27;
     var phi_1103_: bool;
-    var phi_1111_: u32;
     var local_11: type_27;
     var local_12: type_27;
     var local_13: type_27;
-    var phi_1121_: u32;
     var local_14: type_27;
-    var phi_1128_: u32;
     var local_15: type_27;
     var local_16: type_27;
     var local_17: type_27;
     var phi_1160_: type_9;
-    var phi_1161_: type_9;
-    var phi_1184_: type_9;
-    var phi_1235_: f32;
-    var phi_1240_: f32;
     var phi_1281_: type_9;
-    var phi_1282_: type_9;
-    var phi_1305_: type_9;
-    var phi_1333_: f32;
-    var phi_1348_: f32;
-    var phi_1375_: u32;
-    var phi_1376_: u32;
     var phi_1388_: array<u32, 3>;
     var phi_1389_: array<u32, 3>;
-    var phi_1458_: bool;
-    var phi_1470_: bool;
-    var phi_1471_: bool;
-    var phi_1514_: bool;
-    var phi_1515_: bool;
-    var phi_1521_: u32;
-    var phi_1522_: bool;
-    var phi_1523_: u32;
-    var phi_1524_: bool;
-    var phi_1529_: u32;
-    var phi_1539_: u32;
     var phi_1553_: array<u32, 2>;
     var phi_1554_: array<u32, 2>;
     var phi_1555_: bool;
@@ -241,48 +174,26 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1557_: bool;
     var phi_1558_: array<u32, 2>;
     var phi_1559_: bool;
-    var phi_1564_: array<u32, 2>;
     var phi_1565_: array<u32, 2>;
     var phi_1573_: array<u32, 2>;
     var phi_1574_: bool;
     var phi_1575_: array<u32, 2>;
     var phi_1576_: bool;
-    var phi_1581_: array<u32, 2>;
     var phi_1588_: array<u32, 2>;
     var phi_1425_: f32;
     var phi_1426_: f32;
-    var phi_1432_: u32;
-    var phi_1442_: u32;
     var phi_1589_: array<u32, 2>;
-    var phi_1597_: u32;
     var phi_1600_: array<u32, 3>;
     var phi_1602_: array<u32, 3>;
     var phi_1619_: type_18;
     var phi_1622_: type_9;
-    var phi_1623_: type_9;
-    var phi_1646_: type_9;
     var phi_1681_: type_18;
     var phi_1682_: u32;
     var phi_1703_: type_9;
-    var phi_1704_: type_9;
-    var phi_1727_: type_9;
-    var phi_1851_: u32;
-    var phi_1856_: u32;
     var phi_1872_: type_9;
-    var phi_1840_: type_9;
     var phi_1873_: type_9;
-    var phi_1908_: u32;
     var phi_1934_: type_9;
-    var phi_1935_: type_9;
-    var phi_1958_: type_9;
-    var phi_1989_: array<u32, 2>;
-    var phi_1996_: u32;
-    var phi_2001_: u32;
-    var phi_2009_: array<u32, 2>;
-    var phi_2083_: u32;
-    var phi_2088_: u32;
     var phi_2104_: type_9;
-    var phi_2072_: type_9;
     var phi_2105_: type_9;
     var phi_2123_: bool;
     var phi_2124_: bool;
@@ -293,987 +204,581 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e94 = id_2;
-    let _e95 = n_2;
-    let _e96 = lane_2;
-    let _e108 = ((_e94.y * _e95.x) + _e94.x);
-    let _e111 = (_e95.x * _e95.y);
-    let _e114 = params.member.member_1.member_2;
-    let _e116 = work.member[0u];
-    if (_e114 < _e116) {
-        phi_202_ = _e114;
-    } else {
-        phi_202_ = _e116;
-    }
-    let _e119 = phi_202_;
-    let _e121 = params.member.member_1.member_1;
-    if (_e119 > _e121) {
-        let _e124 = params.member.member_1.member_1;
-        phi_212_ = (_e119 - _e124);
+    let _e88 = id_2;
+    let _e89 = n_2;
+    let _e90 = lane_2;
+    let _e102 = ((_e88.y * _e89.x) + _e88.x);
+    let _e105 = (_e89.x * _e89.y);
+    let _e108 = params.member.member_1.member_2;
+    let _e110 = work.member[0u];
+    let _e112 = select(_e110, _e108, (_e108 < _e110));
+    let _e114 = params.member.member_1.member_1;
+    if (_e112 > _e114) {
+        let _e117 = params.member.member_1.member_1;
+        phi_212_ = (_e112 - _e117);
     } else {
         phi_212_ = 0u;
     }
-    let _e127 = phi_212_;
-    let _e129 = params.member.member_1.member;
-    if (_e129 < _e127) {
-        phi_219_ = _e129;
-    } else {
-        phi_219_ = _e127;
-    }
-    let _e132 = phi_219_;
-    let _e136 = params.member.member.member_2[3u];
-    if false {
-        phi_238_ = (_e132 + 1u);
-    } else {
-        phi_238_ = _e132;
-    }
-    let _e139 = phi_238_;
-    if (_e139 > _e108) {
-        let _e141 = (_e139 - _e108);
-        if (_e111 == 0u) {
+    let _e120 = phi_212_;
+    let _e122 = params.member.member_1.member;
+    let _e124 = select(_e120, _e122, (_e122 < _e120));
+    let _e128 = params.member.member.member_2[3u];
+    if (_e124 > _e102) {
+        let _e130 = (_e124 - _e102);
+        if (_e105 == 0u) {
             return;
         }
-        let _e143 = (_e141 / _e111);
-        if (_e111 == 0u) {
+        let _e132 = (_e130 / _e105);
+        if (_e105 == 0u) {
             return;
         }
-        if ((_e141 % _e111) > 0u) {
-            phi_259_ = (_e143 + 1u);
-        } else {
-            phi_259_ = _e143;
-        }
-        let _e149 = phi_259_;
-        phi_260_ = _e149;
+        phi_260_ = select(_e132, (_e132 + 1u), ((_e130 % _e105) > 0u));
     } else {
         phi_260_ = 0u;
     }
-    let _e151 = phi_260_;
-    phi_263_ = type_9(0u, _e151);
+    let _e139 = phi_260_;
+    phi_263_ = type_9(0u, _e139);
     loop {
-        let _e154 = phi_263_;
-        if (_e154.member < _e154.member_1) {
-            phi_264_ = type_9((_e154.member + 1u), _e154.member_1);
-            phi_287_ = type_9(1u, _e154.member);
-        } else {
-            phi_264_ = _e154;
-            phi_287_ = type_9(0u, type_9().member_1);
-        }
-        let _e166 = phi_264_;
-        let _e168 = phi_287_;
-        let _e172 = (bitcast<i32>(_e168.member) != 0i);
-        if _e172 {
-            let _e175 = params.member.member_1.member_1;
-            let _e179 = (2u * ((_e175 + _e108) + (_e168.member_1 * _e111)));
-            let _e182 = work.member[(4u + _e179)];
-            let _e185 = work.member[(_e179 + 5u)];
-            let _e187 = (_e182 >> bitcast<u32>(24i));
-            let _e191 = (_e182 & 16777215u);
-            let _e195 = params.member.member_2.member;
-            let _e198 = params.member.member_2.member_1;
-            if (_e198 == 0u) {
-                phi_343_ = array<u32, 2>(0u, 2u);
-            } else {
-                phi_343_ = array<u32, 2>(1u, 1u);
-            }
-            let _e201 = phi_343_;
-            if (_e195 == 2u) {
-                phi_350_ = 8u;
-            } else {
-                phi_350_ = 1u;
-            }
-            let _e206 = phi_350_;
-            if (_e195 == 2u) {
-                phi_355_ = 10u;
-            } else {
-                phi_355_ = 1u;
-            }
-            let _e209 = phi_355_;
-            if (_e187 >= (_e206 * _e209)) {
-                phi_363_ = array<u32, 2>(_e201[1], _e201[0]);
-            } else {
-                phi_363_ = _e201;
-            }
-            let _e214 = phi_363_;
-            let _e217 = ((_e191 * 128u) + _e96);
-            let _e221 = params.member.member.member_2[_e214[0]];
-            let _e222 = (_e221 + _e217);
-            let _e226 = params.member.member.member[_e214[0]];
-            let _e227 = (_e217 < _e226);
-            if _e227 {
-                let _e230 = params.member.member_2.member;
-                let _e233 = params.member.member_2.member_1;
-                if (_e233 == 0u) {
-                    phi_401_ = array<u32, 2>(0u, 2u);
-                } else {
-                    phi_401_ = array<u32, 2>(1u, 1u);
-                }
-                let _e236 = phi_401_;
-                if (_e230 == 2u) {
-                    phi_408_ = 8u;
-                } else {
-                    phi_408_ = 1u;
-                }
-                let _e241 = phi_408_;
-                if (_e230 == 2u) {
-                    phi_413_ = 10u;
-                } else {
-                    phi_413_ = 1u;
-                }
-                let _e244 = phi_413_;
-                if (_e187 >= (_e241 * _e244)) {
-                    phi_421_ = array<u32, 2>(_e236[1], _e236[0]);
-                } else {
-                    phi_421_ = _e236;
-                }
-                let _e249 = phi_421_;
-                let _e252 = keys.member[_e222];
-                let _e254 = sorted.member[_e222];
-                local_7 = type_18(array<f32, 3>(_e254.member[0], _e254.member[1], _e254.member[2]), array<f32, 3>(_e254.member_1[0], _e254.member_1[1], _e254.member_1[2]));
-                if (_e230 == 2u) {
-                    phi_464_ = ((_e187 % 80u) / 10u);
+        let _e142 = phi_263_;
+        let _e145 = (_e142.member < _e142.member_1);
+        let _e158 = (bitcast<i32>(select(0u, 1u, _e145)) != 0i);
+        if _e158 {
+            let _e161 = params.member.member_1.member_1;
+            let _e165 = (2u * ((_e161 + _e102) + (select(type_9().member_1, _e142.member, _e145) * _e105)));
+            let _e168 = work.member[(4u + _e165)];
+            let _e171 = work.member[(_e165 + 5u)];
+            let _e173 = (_e168 >> bitcast<u32>(24i));
+            let _e177 = (_e168 & 16777215u);
+            let _e181 = params.member.member_2.member;
+            let _e184 = params.member.member_2.member_1;
+            let _e185 = (_e184 == 0u);
+            let _e194 = select(select(1u, 0u, _e185), select(1u, 2u, _e185), (_e173 >= (select(1u, 8u, (_e181 == 2u)) * select(1u, 10u, (_e181 == 2u)))));
+            let _e196 = ((_e177 * 128u) + _e90);
+            let _e200 = params.member.member.member_2[_e194];
+            let _e201 = (_e200 + _e196);
+            let _e205 = params.member.member.member[_e194];
+            let _e206 = (_e196 < _e205);
+            if _e206 {
+                let _e209 = params.member.member_2.member;
+                let _e212 = params.member.member_2.member_1;
+                let _e213 = (_e212 == 0u);
+                let _e222 = select(select(1u, 2u, _e213), select(1u, 0u, _e213), (_e173 >= (select(1u, 8u, (_e209 == 2u)) * select(1u, 10u, (_e209 == 2u)))));
+                let _e224 = keys.member[_e201];
+                let _e226 = sorted.member[_e201];
+                local_7 = type_18(array<f32, 3>(_e226.member[0], _e226.member[1], _e226.member[2]), array<f32, 3>(_e226.member_1[0], _e226.member_1[1], _e226.member_1[2]));
+                if (_e209 == 2u) {
+                    phi_464_ = ((_e173 % 80u) / 10u);
                 } else {
                     phi_464_ = 0u;
                 }
-                let _e270 = phi_464_;
-                if (_e270 == 0u) {
-                    if (_e230 == 2u) {
-                        phi_473_ = 8u;
-                    } else {
-                        phi_473_ = 1u;
-                    }
-                    let _e274 = phi_473_;
-                    if (_e230 == 2u) {
-                        phi_478_ = 10u;
-                    } else {
-                        phi_478_ = 1u;
-                    }
-                    let _e277 = phi_478_;
-                    phi_481_ = (_e187 >= (_e274 * _e277));
-                } else {
-                    phi_481_ = false;
-                }
-                let _e281 = phi_481_;
-                if (_e230 != 2u) {
+                let _e242 = phi_464_;
+                let _e250 = select(false, (_e173 >= (select(1u, 8u, (_e209 == 2u)) * select(1u, 10u, (_e209 == 2u)))), (_e242 == 0u));
+                if (_e209 != 2u) {
                     phi_498_ = u32();
                     phi_499_ = true;
                 } else {
-                    if _e281 {
+                    if _e250 {
                         phi_497_ = u32();
                     } else {
-                        let _e286 = (((_e252 >> bitcast<u32>(27u)) % 8u) + _e270);
-                        if (_e286 < 8u) {
-                            phi_496_ = _e286;
-                        } else {
-                            phi_496_ = 8u;
-                        }
-                        let _e289 = phi_496_;
-                        phi_497_ = _e289;
+                        let _e255 = (((_e224 >> bitcast<u32>(27u)) % 8u) + _e242);
+                        phi_497_ = select(8u, _e255, (_e255 < 8u));
                     }
-                    let _e291 = phi_497_;
-                    phi_498_ = _e291;
-                    phi_499_ = _e281;
+                    let _e259 = phi_497_;
+                    phi_498_ = _e259;
+                    phi_499_ = _e250;
                 }
-                let _e293 = phi_498_;
-                let _e295 = phi_499_;
-                if _e295 {
-                    phi_503_ = 8u;
-                } else {
-                    phi_503_ = _e293;
-                }
-                let _e297 = phi_503_;
-                if (_e297 < 8u) {
-                    let _e303 = ((_e249[1] << bitcast<u32>(30u)) + (_e297 << bitcast<u32>(27u)));
-                    let _e307 = params.member.member.member_2[3u];
+                let _e261 = phi_498_;
+                let _e263 = phi_499_;
+                let _e264 = select(_e261, 8u, _e263);
+                if (_e264 < 8u) {
+                    let _e270 = ((_e222 << bitcast<u32>(30u)) + (_e264 << bitcast<u32>(27u)));
+                    let _e274 = params.member.member.member_2[3u];
                     phi_520_ = type_15(0i, 32i);
                     phi_523_ = 0u;
-                    phi_525_ = _e307;
+                    phi_525_ = _e274;
                     loop {
-                        let _e310 = phi_520_;
-                        let _e312 = phi_523_;
-                        let _e314 = phi_525_;
-                        local_8 = _e312;
-                        if (_e310.member < _e310.member_1) {
-                            let _e321 = (_e310.member + 1i);
-                            if ((false == (_e321 > _e310.member)) != false) {
-                                phi_546_ = true;
-                            } else {
-                                phi_546_ = false;
-                            }
-                            let _e326 = phi_546_;
-                            if _e326 {
-                                phi_552_ = type_16(0u, type_16().member_1);
-                            } else {
-                                phi_552_ = type_16(1u, _e321);
-                            }
-                            let _e331 = phi_552_;
-                            phi_521_ = type_15(_e331.member_1, _e310.member_1);
-                            phi_566_ = type_16(1u, _e310.member);
+                        let _e277 = phi_520_;
+                        let _e279 = phi_523_;
+                        let _e281 = phi_525_;
+                        local_8 = _e279;
+                        if (_e277.member < _e277.member_1) {
+                            let _e288 = (_e277.member + 1i);
+                            phi_521_ = type_15(select(_e288, type_16().member_1, select(false, true, ((false == (_e288 > _e277.member)) != false))), _e277.member_1);
+                            phi_566_ = type_16(1u, _e277.member);
                         } else {
-                            phi_521_ = _e310;
+                            phi_521_ = _e277;
                             phi_566_ = type_16(0u, type_16().member_1);
                         }
-                        let _e337 = phi_521_;
-                        let _e339 = phi_566_;
-                        if (bitcast<i32>(_e339.member) != 0i) {
-                            if (_e312 >= _e314) {
+                        let _e299 = phi_521_;
+                        let _e301 = phi_566_;
+                        if (bitcast<i32>(_e301.member) != 0i) {
+                            if (_e279 >= _e281) {
                                 phi_597_ = u32();
                                 phi_598_ = u32();
                                 phi_599_ = false;
                             } else {
-                                let _e346 = (_e312 + ((_e314 - _e312) / 2u));
-                                let _e348 = keys.member[_e346];
-                                if (_e348 < (_e303 + 134217728u)) {
-                                    phi_595_ = (_e346 + 1u);
-                                    phi_596_ = _e314;
-                                } else {
-                                    phi_595_ = _e312;
-                                    phi_596_ = _e346;
-                                }
-                                let _e352 = phi_595_;
-                                let _e354 = phi_596_;
-                                phi_597_ = _e352;
-                                phi_598_ = _e354;
+                                let _e308 = (_e279 + ((_e281 - _e279) / 2u));
+                                let _e310 = keys.member[_e308];
+                                let _e311 = (_e310 < (_e270 + 134217728u));
+                                phi_597_ = select(_e279, (_e308 + 1u), _e311);
+                                phi_598_ = select(_e308, _e281, _e311);
                                 phi_599_ = true;
                             }
-                            let _e356 = phi_597_;
-                            let _e358 = phi_598_;
-                            let _e360 = phi_599_;
-                            phi_524_ = _e356;
-                            phi_526_ = _e358;
-                            phi_600_ = _e360;
+                            let _e316 = phi_597_;
+                            let _e318 = phi_598_;
+                            let _e320 = phi_599_;
+                            phi_524_ = _e316;
+                            phi_526_ = _e318;
+                            phi_600_ = _e320;
                         } else {
                             phi_524_ = u32();
                             phi_526_ = u32();
                             phi_600_ = false;
                         }
-                        let _e362 = phi_524_;
-                        let _e364 = phi_526_;
-                        let _e366 = phi_600_;
+                        let _e322 = phi_524_;
+                        let _e324 = phi_526_;
+                        let _e326 = phi_600_;
                         continue;
                         continuing {
-                            phi_520_ = _e337;
-                            phi_523_ = _e362;
-                            phi_525_ = _e364;
-                            break if !(_e366);
+                            phi_520_ = _e299;
+                            phi_523_ = _e322;
+                            phi_525_ = _e324;
+                            break if !(_e326);
                         }
                     }
                     phi_605_ = type_15(0i, 32i);
                     phi_608_ = 0u;
-                    phi_610_ = _e307;
+                    phi_610_ = _e274;
                     loop {
-                        let _e369 = phi_605_;
-                        let _e371 = phi_608_;
-                        let _e373 = phi_610_;
-                        local_9 = _e371;
-                        if (_e369.member < _e369.member_1) {
-                            let _e380 = (_e369.member + 1i);
-                            if ((false == (_e380 > _e369.member)) != false) {
-                                phi_631_ = true;
-                            } else {
-                                phi_631_ = false;
-                            }
-                            let _e385 = phi_631_;
-                            if _e385 {
-                                phi_637_ = type_16(0u, type_16().member_1);
-                            } else {
-                                phi_637_ = type_16(1u, _e380);
-                            }
-                            let _e390 = phi_637_;
-                            phi_606_ = type_15(_e390.member_1, _e369.member_1);
-                            phi_651_ = type_16(1u, _e369.member);
+                        let _e329 = phi_605_;
+                        let _e331 = phi_608_;
+                        let _e333 = phi_610_;
+                        local_9 = _e331;
+                        if (_e329.member < _e329.member_1) {
+                            let _e340 = (_e329.member + 1i);
+                            phi_606_ = type_15(select(_e340, type_16().member_1, select(false, true, ((false == (_e340 > _e329.member)) != false))), _e329.member_1);
+                            phi_651_ = type_16(1u, _e329.member);
                         } else {
-                            phi_606_ = _e369;
+                            phi_606_ = _e329;
                             phi_651_ = type_16(0u, type_16().member_1);
                         }
-                        let _e396 = phi_606_;
-                        let _e398 = phi_651_;
-                        if (bitcast<i32>(_e398.member) != 0i) {
-                            if (_e371 >= _e373) {
+                        let _e351 = phi_606_;
+                        let _e353 = phi_651_;
+                        if (bitcast<i32>(_e353.member) != 0i) {
+                            if (_e331 >= _e333) {
                                 phi_682_ = u32();
                                 phi_683_ = u32();
                                 phi_684_ = false;
                             } else {
-                                let _e405 = (_e371 + ((_e373 - _e371) / 2u));
-                                let _e407 = keys.member[_e405];
-                                if (_e407 < _e303) {
-                                    phi_680_ = (_e405 + 1u);
-                                    phi_681_ = _e373;
-                                } else {
-                                    phi_680_ = _e371;
-                                    phi_681_ = _e405;
-                                }
-                                let _e411 = phi_680_;
-                                let _e413 = phi_681_;
-                                phi_682_ = _e411;
-                                phi_683_ = _e413;
+                                let _e360 = (_e331 + ((_e333 - _e331) / 2u));
+                                let _e362 = keys.member[_e360];
+                                let _e363 = (_e362 < _e270);
+                                phi_682_ = select(_e331, (_e360 + 1u), _e363);
+                                phi_683_ = select(_e360, _e333, _e363);
                                 phi_684_ = true;
                             }
-                            let _e415 = phi_682_;
-                            let _e417 = phi_683_;
-                            let _e419 = phi_684_;
-                            phi_609_ = _e415;
-                            phi_611_ = _e417;
-                            phi_685_ = _e419;
+                            let _e368 = phi_682_;
+                            let _e370 = phi_683_;
+                            let _e372 = phi_684_;
+                            phi_609_ = _e368;
+                            phi_611_ = _e370;
+                            phi_685_ = _e372;
                         } else {
                             phi_609_ = u32();
                             phi_611_ = u32();
                             phi_685_ = false;
                         }
-                        let _e421 = phi_609_;
-                        let _e423 = phi_611_;
-                        let _e425 = phi_685_;
+                        let _e374 = phi_609_;
+                        let _e376 = phi_611_;
+                        let _e378 = phi_685_;
                         continue;
                         continuing {
-                            phi_605_ = _e396;
-                            phi_608_ = _e421;
-                            phi_610_ = _e423;
-                            break if !(_e425);
+                            phi_605_ = _e351;
+                            phi_608_ = _e374;
+                            phi_610_ = _e376;
+                            break if !(_e378);
                         }
                     }
-                    let _e428 = local_8;
-                    let _e430 = local_9;
-                    phi_687_ = (_e428 - _e430);
+                    let _e381 = local_8;
+                    let _e383 = local_9;
+                    phi_687_ = (_e381 - _e383);
                 } else {
                     phi_687_ = 0u;
                 }
-                let _e433 = phi_687_;
-                if (_e230 != 2u) {
+                let _e386 = phi_687_;
+                if (_e209 != 2u) {
                     phi_715_ = true;
                 } else {
-                    if (_e433 == 0u) {
-                        phi_704_ = array<u32, 2>(0u, 0u);
-                    } else {
-                        if (_e433 <= 256u) {
-                            phi_703_ = array<u32, 2>(9u, 10u);
-                        } else {
-                            phi_703_ = array<u32, 2>(0u, 9u);
-                        }
-                        let _e438 = phi_703_;
-                        phi_704_ = _e438;
-                    }
-                    let _e440 = phi_704_;
-                    let _e444 = ((_e187 % 80u) % 10u);
-                    if (_e440[0] <= _e444) {
-                        phi_714_ = (_e444 < _e440[1]);
-                    } else {
-                        phi_714_ = false;
-                    }
-                    let _e448 = phi_714_;
-                    phi_715_ = _e448;
+                    let _e388 = (_e386 == 0u);
+                    let _e389 = (_e386 <= 256u);
+                    let _e395 = ((_e173 % 80u) % 10u);
+                    phi_715_ = select(false, (_e395 < select(select(9u, 10u, _e389), 0u, _e388)), (select(select(0u, 9u, _e389), 0u, _e388) <= _e395));
                 }
-                let _e450 = phi_715_;
-                if _e450 {
-                    if (_e230 == 2u) {
-                        let _e453 = survey.member[6u];
-                        if ((_e453 >> bitcast<u32>(31i)) == 1u) {
-                            phi_742_ = (_e453 & 2147483647u);
-                        } else {
-                            phi_742_ = ~(_e453);
-                        }
-                        let _e460 = phi_742_;
-                        let _e461 = bitcast<f32>(_e460);
-                        let _e463 = survey.member[7u];
-                        if ((_e463 >> bitcast<u32>(31i)) == 1u) {
-                            phi_761_ = (_e463 & 2147483647u);
-                        } else {
-                            phi_761_ = ~(_e463);
-                        }
-                        let _e470 = phi_761_;
-                        let _e471 = bitcast<f32>(_e470);
-                        let _e473 = survey.member[8u];
-                        if ((_e473 >> bitcast<u32>(31i)) == 1u) {
-                            phi_780_ = (_e473 & 2147483647u);
-                        } else {
-                            phi_780_ = ~(_e473);
-                        }
-                        let _e480 = phi_780_;
-                        let _e481 = bitcast<f32>(_e480);
+                let _e400 = phi_715_;
+                if _e400 {
+                    if (_e209 == 2u) {
+                        let _e403 = survey.member[6u];
+                        let _e410 = bitcast<f32>(select(~(_e403), (_e403 & 2147483647u), ((_e403 >> bitcast<u32>(31i)) == 1u)));
+                        let _e412 = survey.member[7u];
+                        let _e419 = bitcast<f32>(select(~(_e412), (_e412 & 2147483647u), ((_e412 >> bitcast<u32>(31i)) == 1u)));
+                        let _e421 = survey.member[8u];
+                        let _e428 = bitcast<f32>(select(~(_e421), (_e421 & 2147483647u), ((_e421 >> bitcast<u32>(31i)) == 1u)));
                         local_5 = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                         phi_785_ = type_9(0u, 3u);
                         loop {
-                            let _e483 = phi_785_;
-                            if (_e483.member < _e483.member_1) {
-                                phi_786_ = type_9((_e483.member + 1u), _e483.member_1);
-                                phi_809_ = type_9(1u, _e483.member);
-                            } else {
-                                phi_786_ = _e483;
-                                phi_809_ = type_9(0u, type_9().member_1);
-                            }
-                            let _e495 = phi_786_;
-                            let _e497 = phi_809_;
-                            let _e501 = (bitcast<i32>(_e497.member) != 0i);
-                            if _e501 {
-                                let _e503 = survey.member[_e497.member_1];
-                                let _e504 = ~(_e503);
-                                if ((_e504 >> bitcast<u32>(31i)) == 1u) {
-                                    phi_835_ = (_e504 & 2147483647u);
-                                } else {
-                                    phi_835_ = ~(_e504);
-                                }
-                                let _e511 = phi_835_;
-                                local_5.member[_e497.member_1] = bitcast<f32>(_e511);
-                                let _e517 = survey.member[(3u + _e497.member_1)];
-                                if ((_e517 >> bitcast<u32>(31i)) == 1u) {
-                                    phi_861_ = (_e517 & 2147483647u);
-                                } else {
-                                    phi_861_ = ~(_e517);
-                                }
-                                let _e524 = phi_861_;
-                                local_5.member_1[_e497.member_1] = bitcast<f32>(_e524);
+                            let _e430 = phi_785_;
+                            let _e433 = (_e430.member < _e430.member_1);
+                            let _e444 = select(type_9().member_1, _e430.member, _e433);
+                            let _e446 = (bitcast<i32>(select(0u, 1u, _e433)) != 0i);
+                            if _e446 {
+                                let _e448 = survey.member[_e444];
+                                let _e449 = ~(_e448);
+                                local_5.member[_e444] = bitcast<f32>(select(~(_e449), (_e449 & 2147483647u), ((_e449 >> bitcast<u32>(31i)) == 1u)));
+                                let _e461 = survey.member[(3u + _e444)];
+                                local_5.member_1[_e444] = bitcast<f32>(select(~(_e461), (_e461 & 2147483647u), ((_e461 >> bitcast<u32>(31i)) == 1u)));
                             }
                             continue;
                             continuing {
-                                phi_785_ = _e495;
-                                break if !(_e501);
+                                phi_785_ = type_9(select(_e430.member, (_e430.member + 1u), _e433), select(_e430.member_1, _e430.member_1, _e433));
+                                break if !(_e446);
                             }
                         }
-                        let _e529 = local_5;
-                        local_6 = type_23(_e529, array<f32, 3>(_e461, _e471, _e481));
-                        if (_e270 == 0u) {
-                            let _e839 = (_e252 & 134217727u);
-                            phi_1388_ = array<u32, 3>((_e839 & 511u), ((_e839 >> bitcast<u32>(9u)) & 511u), (_e839 >> bitcast<u32>(18u)));
+                        let _e472 = local_5;
+                        local_6 = type_23(_e472, array<f32, 3>(_e410, _e419, _e428));
+                        if (_e242 == 0u) {
+                            let _e763 = (_e224 & 134217727u);
+                            phi_1388_ = array<u32, 3>((_e763 & 511u), ((_e763 >> bitcast<u32>(9u)) & 511u), (_e763 >> bitcast<u32>(18u)));
                         } else {
-                            let _e550 = local_6.member.member_1[0u];
-                            let _e554 = local_6.member.member[0u];
-                            let _e559 = local_6.member.member_1[1u];
-                            let _e563 = local_6.member.member[1u];
-                            let _e568 = local_6.member.member_1[2u];
-                            let _e572 = local_6.member.member[2u];
-                            local_3 = array<f32, 3>(((_e550 * 0.5f) - (_e554 * 0.5f)), ((_e559 * 0.5f) - (_e563 * 0.5f)), ((_e568 * 0.5f) - (_e572 * 0.5f)));
+                            let _e493 = local_6.member.member_1[0u];
+                            let _e497 = local_6.member.member[0u];
+                            let _e502 = local_6.member.member_1[1u];
+                            let _e506 = local_6.member.member[1u];
+                            let _e511 = local_6.member.member_1[2u];
+                            let _e515 = local_6.member.member[2u];
+                            local_3 = array<f32, 3>(((_e493 * 0.5f) - (_e497 * 0.5f)), ((_e502 * 0.5f) - (_e506 * 0.5f)), ((_e511 * 0.5f) - (_e515 * 0.5f)));
                             phi_994_ = type_9(0u, 9u);
-                            phi_997_ = type_27(type_23(type_18(array<f32, 3>(_e529.member[0], _e529.member[1], _e529.member[2]), array<f32, 3>(_e529.member_1[0], _e529.member_1[1], _e529.member_1[2])), array<f32, 3>(_e461, _e471, _e481)), 0u);
+                            phi_997_ = type_27(type_23(type_18(array<f32, 3>(_e472.member[0], _e472.member[1], _e472.member[2]), array<f32, 3>(_e472.member_1[0], _e472.member_1[1], _e472.member_1[2])), array<f32, 3>(_e410, _e419, _e428)), 0u);
                             loop {
-                                let _e577 = phi_994_;
-                                let _e579 = phi_997_;
-                                local_11 = _e579;
-                                local_12 = _e579;
-                                local_13 = _e579;
-                                local_14 = _e579;
-                                local_15 = _e579;
-                                local_16 = _e579;
-                                local_17 = _e579;
-                                if (_e577.member < _e577.member_1) {
-                                    phi_995_ = type_9((_e577.member + 1u), _e577.member_1);
-                                    phi_1020_ = type_9(1u, _e577.member);
-                                } else {
-                                    phi_995_ = _e577;
-                                    phi_1020_ = type_9(0u, type_9().member_1);
-                                }
-                                let _e591 = phi_995_;
-                                let _e593 = phi_1020_;
-                                if (bitcast<i32>(_e593.member) != 0i) {
+                                let _e520 = phi_994_;
+                                let _e522 = phi_997_;
+                                local_11 = _e522;
+                                local_12 = _e522;
+                                local_13 = _e522;
+                                local_14 = _e522;
+                                local_15 = _e522;
+                                local_16 = _e522;
+                                local_17 = _e522;
+                                let _e525 = (_e520.member < _e520.member_1);
+                                let _e536 = select(type_9().member_1, _e520.member, _e525);
+                                if (bitcast<i32>(select(0u, 1u, _e525)) != 0i) {
                                     phi_1030_ = type_9(0u, 3u);
                                     phi_1033_ = true;
                                     loop {
-                                        let _e599 = phi_1030_;
-                                        let _e601 = phi_1033_;
-                                        local_10 = _e601;
-                                        if (_e599.member < _e599.member_1) {
-                                            phi_1031_ = type_9((_e599.member + 1u), _e599.member_1);
-                                            phi_1056_ = type_9(1u, _e599.member);
-                                        } else {
-                                            phi_1031_ = _e599;
-                                            phi_1056_ = type_9(0u, type_9().member_1);
-                                        }
-                                        let _e613 = phi_1031_;
-                                        let _e615 = phi_1056_;
-                                        let _e619 = (bitcast<i32>(_e615.member) != 0i);
-                                        if _e619 {
-                                            let _e621 = local_3[_e615.member_1];
-                                            let _e623 = (_e621 * (1f / 512f));
-                                            if (_e623 > 0.000000000000000000000000000006310887f) {
-                                                phi_1078_ = _e623;
-                                            } else {
-                                                phi_1078_ = 0.000000000000000000000000000006310887f;
-                                            }
-                                            let _e626 = phi_1078_;
-                                            let _e629 = local_6.member_1[_e615.member_1];
-                                            if ((_e629 * bitcast<f32>(((127u - _e593.member_1) << bitcast<u32>(23i)))) > _e626) {
-                                                phi_1095_ = false;
-                                            } else {
-                                                phi_1095_ = _e601;
-                                            }
-                                            let _e637 = phi_1095_;
-                                            phi_1034_ = _e637;
+                                        let _e540 = phi_1030_;
+                                        let _e542 = phi_1033_;
+                                        local_10 = _e542;
+                                        let _e545 = (_e540.member < _e540.member_1);
+                                        let _e556 = select(type_9().member_1, _e540.member, _e545);
+                                        let _e558 = (bitcast<i32>(select(0u, 1u, _e545)) != 0i);
+                                        if _e558 {
+                                            let _e560 = local_3[_e556];
+                                            let _e562 = (_e560 * (1f / 512f));
+                                            let _e567 = local_6.member_1[_e556];
+                                            phi_1034_ = select(_e542, false, ((_e567 * bitcast<f32>(((127u - _e536) << bitcast<u32>(23i)))) > select(0.000000000000000000000000000006310887f, _e562, (_e562 > 0.000000000000000000000000000006310887f))));
                                         } else {
                                             phi_1034_ = bool();
                                         }
-                                        let _e639 = phi_1034_;
+                                        let _e576 = phi_1034_;
                                         continue;
                                         continuing {
-                                            phi_1030_ = _e613;
-                                            phi_1033_ = _e639;
-                                            break if !(_e619);
+                                            phi_1030_ = type_9(select(_e540.member, (_e540.member + 1u), _e545), select(_e540.member_1, _e540.member_1, _e545));
+                                            phi_1033_ = _e576;
+                                            break if !(_e558);
                                         }
                                     }
-                                    let _e642 = local_10;
-                                    if _e642 {
+                                    let _e579 = local_10;
+                                    if _e579 {
                                         phi_1101_ = type_27();
                                         phi_1102_ = false;
                                     } else {
-                                        phi_1101_ = type_27(_e579.member, (_e593.member_1 + 1u));
+                                        phi_1101_ = type_27(_e522.member, (_e536 + 1u));
                                         phi_1102_ = true;
                                     }
-                                    let _e647 = phi_1101_;
-                                    let _e649 = phi_1102_;
-                                    phi_998_ = _e647;
-                                    phi_1103_ = _e649;
+                                    let _e584 = phi_1101_;
+                                    let _e586 = phi_1102_;
+                                    phi_998_ = _e584;
+                                    phi_1103_ = _e586;
                                 } else {
                                     phi_998_ = type_27();
                                     phi_1103_ = false;
                                 }
-                                let _e651 = phi_998_;
-                                let _e653 = phi_1103_;
+                                let _e588 = phi_998_;
+                                let _e590 = phi_1103_;
                                 continue;
                                 continuing {
-                                    phi_994_ = _e591;
-                                    phi_997_ = _e651;
-                                    break if !(_e653);
+                                    phi_994_ = type_9(select(_e520.member, (_e520.member + 1u), _e525), select(_e520.member_1, _e520.member_1, _e525));
+                                    phi_997_ = _e588;
+                                    break if !(_e590);
                                 }
                             }
-                            let _e658 = (((_e252 >> bitcast<u32>(27u)) % 8u) + _e270);
-                            if (_e658 < 8u) {
-                                phi_1111_ = _e658;
-                            } else {
-                                phi_1111_ = 8u;
-                            }
-                            let _e661 = phi_1111_;
-                            let _e663 = local_11;
-                            let _e668 = local_12;
-                            if (_e668.member_1 < 8u) {
-                                let _e672 = local_13;
-                                phi_1121_ = (_e672.member_1 + 1u);
-                            } else {
-                                phi_1121_ = 8u;
-                            }
-                            let _e676 = phi_1121_;
-                            if ((_e661 + 1u) >= _e676) {
-                                phi_1128_ = 0u;
-                            } else {
-                                let _e679 = local_14;
-                                phi_1128_ = (_e679.member_1 - _e661);
-                            }
-                            let _e683 = phi_1128_;
-                            let _e687 = bitcast<f32>(((127u - _e683) << bitcast<u32>(23i)));
-                            let _e689 = local_15;
-                            let _e695 = local_16;
-                            let _e701 = local_17;
-                            local_2.member = type_18(array<f32, 3>(_e663.member.member.member[0], _e663.member.member.member[1], _e663.member.member.member[2]), array<f32, 3>(_e663.member.member.member_1[0], _e663.member.member.member_1[1], _e663.member.member.member_1[2]));
-                            local_2.member_1 = array<f32, 3>((_e689.member.member_1[0] * _e687), (_e695.member.member_1[1] * _e687), (_e701.member.member_1[2] * _e687));
+                            let _e595 = (((_e224 >> bitcast<u32>(27u)) % 8u) + _e242);
+                            let _e597 = select(8u, _e595, (_e595 < 8u));
+                            let _e599 = local_11;
+                            let _e604 = local_12;
+                            let _e608 = local_13;
+                            let _e614 = local_14;
+                            let _e621 = bitcast<f32>(((127u - select((_e614.member_1 - _e597), 0u, ((_e597 + 1u) >= select(8u, (_e608.member_1 + 1u), (_e604.member_1 < 8u))))) << bitcast<u32>(23i)));
+                            let _e623 = local_15;
+                            let _e629 = local_16;
+                            let _e635 = local_17;
+                            local_2.member = type_18(array<f32, 3>(_e599.member.member.member[0], _e599.member.member.member[1], _e599.member.member.member[2]), array<f32, 3>(_e599.member.member.member_1[0], _e599.member.member.member_1[1], _e599.member.member.member_1[2]));
+                            local_2.member_1 = array<f32, 3>((_e623.member.member_1[0] * _e621), (_e629.member.member_1[1] * _e621), (_e635.member.member_1[2] * _e621));
                             local_1.member = array<f32, 3>(0f, 0f, 0f);
                             local_1.member_1 = array<f32, 3>(0f, 0f, 0f);
                             phi_1160_ = type_9(0u, 3u);
                             loop {
-                                let _e723 = phi_1160_;
-                                if (_e723.member < _e723.member_1) {
-                                    phi_1161_ = type_9((_e723.member + 1u), _e723.member_1);
-                                    phi_1184_ = type_9(1u, _e723.member);
-                                } else {
-                                    phi_1161_ = _e723;
-                                    phi_1184_ = type_9(0u, type_9().member_1);
-                                }
-                                let _e735 = phi_1161_;
-                                let _e737 = phi_1184_;
-                                let _e741 = (bitcast<i32>(_e737.member) != 0i);
-                                if _e741 {
-                                    let _e745 = local_2.member.member[_e737.member_1];
-                                    let _e749 = local_2.member.member_1[_e737.member_1];
-                                    let _e754 = (((_e749 * 0.5f) - (_e745 * 0.5f)) * (1f / 512f));
-                                    let _e757 = local_2.member_1[_e737.member_1];
-                                    let _e760 = local_2.member_1[_e737.member_1];
-                                    let _e762 = (_e757 + (_e760 * 0.00390625f));
-                                    if (_e754 > _e762) {
-                                        phi_1235_ = _e754;
-                                    } else {
-                                        phi_1235_ = _e762;
-                                    }
-                                    let _e765 = phi_1235_;
-                                    if (0.000000000000000000000000000006310887f > _e765) {
-                                        phi_1240_ = 0.000000000000000000000000000006310887f;
-                                    } else {
-                                        phi_1240_ = _e765;
-                                    }
-                                    let _e768 = phi_1240_;
-                                    local_1.member[_e737.member_1] = (_e745 * 0.25f);
-                                    local_1.member_1[_e737.member_1] = (1f / _e768);
+                                let _e657 = phi_1160_;
+                                let _e660 = (_e657.member < _e657.member_1);
+                                let _e671 = select(type_9().member_1, _e657.member, _e660);
+                                let _e673 = (bitcast<i32>(select(0u, 1u, _e660)) != 0i);
+                                if _e673 {
+                                    let _e677 = local_2.member.member[_e671];
+                                    let _e681 = local_2.member.member_1[_e671];
+                                    let _e686 = (((_e681 * 0.5f) - (_e677 * 0.5f)) * (1f / 512f));
+                                    let _e689 = local_2.member_1[_e671];
+                                    let _e692 = local_2.member_1[_e671];
+                                    let _e694 = (_e689 + (_e692 * 0.00390625f));
+                                    let _e696 = select(_e694, _e686, (_e686 > _e694));
+                                    local_1.member[_e671] = (_e677 * 0.25f);
+                                    local_1.member_1[_e671] = (1f / select(_e696, 0.000000000000000000000000000006310887f, (0.000000000000000000000000000006310887f > _e696)));
                                 }
                                 continue;
                                 continuing {
-                                    phi_1160_ = _e735;
-                                    break if !(_e741);
+                                    phi_1160_ = type_9(select(_e657.member, (_e657.member + 1u), _e660), select(_e657.member_1, _e657.member_1, _e660));
+                                    break if !(_e673);
                                 }
                             }
-                            let _e776 = local_1;
-                            local_4 = _e776;
+                            let _e706 = local_1;
+                            local_4 = _e706;
                             local = array<u32, 3>(0u, 0u, 0u);
                             phi_1281_ = type_9(0u, 3u);
                             loop {
-                                let _e778 = phi_1281_;
-                                if (_e778.member < _e778.member_1) {
-                                    phi_1282_ = type_9((_e778.member + 1u), _e778.member_1);
-                                    phi_1305_ = type_9(1u, _e778.member);
-                                } else {
-                                    phi_1282_ = _e778;
-                                    phi_1305_ = type_9(0u, type_9().member_1);
-                                }
-                                let _e790 = phi_1282_;
-                                let _e792 = phi_1305_;
-                                let _e796 = (bitcast<i32>(_e792.member) != 0i);
-                                if _e796 {
-                                    let _e799 = local_4.member[_e792.member_1];
-                                    let _e802 = local_7.member[_e792.member_1];
-                                    let _e804 = ((_e802 * 0.25f) - _e799);
-                                    if (_e804 > 0f) {
-                                        phi_1333_ = _e804;
-                                    } else {
-                                        phi_1333_ = 0f;
-                                    }
-                                    let _e807 = phi_1333_;
-                                    let _e810 = local_7.member_1[_e792.member_1];
-                                    let _e812 = ((_e810 * 0.25f) - _e799);
-                                    if (_e812 > 0f) {
-                                        phi_1348_ = _e812;
-                                    } else {
-                                        phi_1348_ = 0f;
-                                    }
-                                    let _e815 = phi_1348_;
-                                    let _e819 = local_4.member_1[_e792.member_1];
-                                    let _e820 = ((_e807 + _e815) * _e819);
-                                    if (_e820 >= 511f) {
-                                        phi_1376_ = 511u;
-                                    } else {
-                                        if (_e820 > 0f) {
-                                            phi_1375_ = select(select(u32(_e820), 0u, (_e820 < 0f)), 4294967295u, (_e820 > 4294967000f));
-                                        } else {
-                                            phi_1375_ = 0u;
-                                        }
-                                        let _e829 = phi_1375_;
-                                        phi_1376_ = _e829;
-                                    }
-                                    let _e831 = phi_1376_;
-                                    local[_e792.member_1] = _e831;
+                                let _e708 = phi_1281_;
+                                let _e711 = (_e708.member < _e708.member_1);
+                                let _e722 = select(type_9().member_1, _e708.member, _e711);
+                                let _e724 = (bitcast<i32>(select(0u, 1u, _e711)) != 0i);
+                                if _e724 {
+                                    let _e727 = local_4.member[_e722];
+                                    let _e730 = local_7.member[_e722];
+                                    let _e732 = ((_e730 * 0.25f) - _e727);
+                                    let _e737 = local_7.member_1[_e722];
+                                    let _e739 = ((_e737 * 0.25f) - _e727);
+                                    let _e745 = local_4.member_1[_e722];
+                                    let _e746 = ((select(0f, _e732, (_e732 > 0f)) + select(0f, _e739, (_e739 > 0f))) * _e745);
+                                    local[_e722] = select(select(0u, select(select(u32(_e746), 0u, (_e746 < 0f)), 4294967295u, (_e746 > 4294967000f)), (_e746 > 0f)), 511u, (_e746 >= 511f));
                                 }
                                 continue;
                                 continuing {
-                                    phi_1281_ = _e790;
-                                    break if !(_e796);
+                                    phi_1281_ = type_9(select(_e708.member, (_e708.member + 1u), _e711), select(_e708.member_1, _e708.member_1, _e711));
+                                    break if !(_e724);
                                 }
                             }
-                            let _e834 = local;
-                            phi_1388_ = array<u32, 3>(_e834[0], _e834[1], _e834[2]);
+                            let _e758 = local;
+                            phi_1388_ = array<u32, 3>(_e758[0], _e758[1], _e758[2]);
                         }
-                        let _e848 = phi_1388_;
-                        phi_1389_ = _e848;
+                        let _e772 = phi_1388_;
+                        phi_1389_ = _e772;
                     } else {
                         phi_1389_ = array<u32, 3>(0u, 0u, 0u);
                     }
-                    let _e850 = phi_1389_;
-                    let _e852 = (_e249[1] << bitcast<u32>(30u));
-                    if (_e230 == 1u) {
-                        let _e974 = survey.member[6u];
-                        if (_e974 == 0u) {
-                            let _e984 = local_7.member_1[0u];
-                            phi_1426_ = _e984;
+                    let _e774 = phi_1389_;
+                    let _e776 = (_e222 << bitcast<u32>(30u));
+                    if (_e209 == 1u) {
+                        let _e890 = survey.member[6u];
+                        if (_e890 == 0u) {
+                            let _e900 = local_7.member_1[0u];
+                            phi_1426_ = _e900;
                         } else {
-                            if (_e974 == 1u) {
-                                let _e980 = local_7.member_1[1u];
-                                phi_1425_ = _e980;
+                            if (_e890 == 1u) {
+                                let _e896 = local_7.member_1[1u];
+                                phi_1425_ = _e896;
                             } else {
-                                let _e978 = local_7.member_1[2u];
-                                phi_1425_ = _e978;
+                                let _e894 = local_7.member_1[2u];
+                                phi_1425_ = _e894;
                             }
-                            let _e982 = phi_1425_;
-                            phi_1426_ = _e982;
+                            let _e898 = phi_1425_;
+                            phi_1426_ = _e898;
                         }
-                        let _e986 = phi_1426_;
-                        let _e987 = bitcast<u32>(_e986);
-                        if (_e987 == 2147483648u) {
-                            phi_1432_ = 0u;
-                        } else {
-                            phi_1432_ = _e987;
-                        }
-                        let _e990 = phi_1432_;
-                        let _e992 = bitcast<u32>(bitcast<f32>(_e990));
-                        if ((_e992 >> bitcast<u32>(31i)) == 1u) {
-                            phi_1442_ = ~(_e992);
-                        } else {
-                            phi_1442_ = (_e992 | 2147483648u);
-                        }
-                        let _e999 = phi_1442_;
-                        phi_1589_ = array<u32, 2>(((_e852 | (_e252 & 1073741823u)) + _e187), (_e852 | (_e999 >> bitcast<u32>(2i))));
+                        let _e902 = phi_1426_;
+                        let _e903 = bitcast<u32>(_e902);
+                        let _e907 = bitcast<u32>(bitcast<f32>(select(_e903, 0u, (_e903 == 2147483648u))));
+                        phi_1589_ = array<u32, 2>(((_e776 | (_e224 & 1073741823u)) + _e173), (_e776 | (select((_e907 | 2147483648u), ~(_e907), ((_e907 >> bitcast<u32>(31i)) == 1u)) >> bitcast<u32>(2i))));
                     } else {
-                        if (_e230 == 2u) {
-                            let _e856 = (_e187 % 80u);
-                            let _e858 = (_e856 % 10u);
-                            if (_e233 == 1u) {
-                                phi_1458_ = ((_e856 / 10u) == 0u);
-                            } else {
-                                phi_1458_ = false;
-                            }
-                            let _e862 = phi_1458_;
-                            if (_e297 >= 8u) {
+                        if (_e209 == 2u) {
+                            let _e780 = (_e173 % 80u);
+                            let _e782 = (_e780 % 10u);
+                            let _e785 = select(false, ((_e780 / 10u) == 0u), (_e212 == 1u));
+                            if (_e264 >= 8u) {
                                 phi_1575_ = array<u32, 2>();
                                 phi_1576_ = true;
                             } else {
-                                if _e862 {
-                                    if (_e858 < 4u) {
-                                        phi_1470_ = false;
-                                    } else {
-                                        phi_1470_ = true;
-                                    }
-                                    let _e866 = phi_1470_;
-                                    phi_1471_ = _e866;
-                                } else {
-                                    phi_1471_ = true;
-                                }
-                                let _e868 = phi_1471_;
-                                if _e868 {
-                                    if (_e858 == 9u) {
+                                if select(true, select(true, false, (_e782 < 4u)), _e785) {
+                                    if (_e782 == 9u) {
                                         phi_1565_ = array<u32, 2>(0u, 134217727u);
                                     } else {
-                                        let _e872 = (_e850[1] + (_e858 % 3u));
-                                        let _e875 = (_e850[2] + (_e858 / 3u));
-                                        if (_e872 < 1u) {
+                                        let _e793 = (_e774[1] + (_e782 % 3u));
+                                        let _e796 = (_e774[2] + (_e782 / 3u));
+                                        if (_e793 < 1u) {
                                             phi_1558_ = array<u32, 2>();
                                             phi_1559_ = true;
                                         } else {
-                                            if (_e875 < 1u) {
+                                            if (_e796 < 1u) {
                                                 phi_1556_ = array<u32, 2>();
                                                 phi_1557_ = true;
                                             } else {
-                                                if (_e872 > 512u) {
+                                                if (_e793 > 512u) {
                                                     phi_1554_ = array<u32, 2>();
                                                     phi_1555_ = true;
                                                 } else {
-                                                    let _e879 = (_e875 > 512u);
-                                                    if _e879 {
+                                                    let _e800 = (_e796 > 512u);
+                                                    if _e800 {
                                                         phi_1553_ = array<u32, 2>();
                                                     } else {
-                                                        if (_e850[0] > 0u) {
-                                                            if _e862 {
-                                                                if (_e858 == 4u) {
-                                                                    phi_1514_ = false;
-                                                                } else {
-                                                                    phi_1514_ = true;
-                                                                }
-                                                                let _e884 = phi_1514_;
-                                                                phi_1515_ = _e884;
-                                                            } else {
-                                                                phi_1515_ = true;
-                                                            }
-                                                            let _e886 = phi_1515_;
-                                                            if _e886 {
-                                                                phi_1521_ = (_e850[0] - 1u);
-                                                                phi_1522_ = false;
-                                                            } else {
-                                                                phi_1521_ = u32();
-                                                                phi_1522_ = true;
-                                                            }
-                                                            let _e890 = phi_1521_;
-                                                            let _e892 = phi_1522_;
-                                                            phi_1523_ = _e890;
-                                                            phi_1524_ = _e892;
-                                                        } else {
-                                                            phi_1523_ = u32();
-                                                            phi_1524_ = true;
-                                                        }
-                                                        let _e894 = phi_1523_;
-                                                        let _e896 = phi_1524_;
-                                                        if _e896 {
-                                                            phi_1529_ = _e850[0];
-                                                        } else {
-                                                            phi_1529_ = _e894;
-                                                        }
-                                                        let _e899 = phi_1529_;
-                                                        if ((_e850[0] + 1u) < 512u) {
-                                                            phi_1539_ = (_e850[0] + 1u);
-                                                        } else {
-                                                            phi_1539_ = _e850[0];
-                                                        }
-                                                        let _e907 = phi_1539_;
-                                                        phi_1553_ = array<u32, 2>(((((_e875 - 1u) << bitcast<u32>(18u)) | ((_e872 - 1u) << bitcast<u32>(9u))) | _e899), ((((_e875 - 1u) << bitcast<u32>(18u)) | ((_e872 - 1u) << bitcast<u32>(9u))) | _e907));
+                                                        let _e802 = (_e774[0] > 0u);
+                                                        let _e805 = select(true, select(true, false, (_e782 == 4u)), _e785);
+                                                        phi_1553_ = array<u32, 2>(((((_e796 - 1u) << bitcast<u32>(18u)) | ((_e793 - 1u) << bitcast<u32>(9u))) | select(select(u32(), select(u32(), (_e774[0] - 1u), _e805), _e802), _e774[0], select(true, select(true, false, _e805), _e802))), ((((_e796 - 1u) << bitcast<u32>(18u)) | ((_e793 - 1u) << bitcast<u32>(9u))) | select(_e774[0], (_e774[0] + 1u), ((_e774[0] + 1u) < 512u))));
                                                     }
-                                                    let _e926 = phi_1553_;
-                                                    phi_1554_ = _e926;
-                                                    phi_1555_ = _e879;
+                                                    let _e839 = phi_1553_;
+                                                    phi_1554_ = _e839;
+                                                    phi_1555_ = _e800;
                                                 }
-                                                let _e928 = phi_1554_;
-                                                let _e930 = phi_1555_;
-                                                phi_1556_ = _e928;
-                                                phi_1557_ = _e930;
+                                                let _e841 = phi_1554_;
+                                                let _e843 = phi_1555_;
+                                                phi_1556_ = _e841;
+                                                phi_1557_ = _e843;
                                             }
-                                            let _e932 = phi_1556_;
-                                            let _e934 = phi_1557_;
-                                            phi_1558_ = _e932;
-                                            phi_1559_ = _e934;
+                                            let _e845 = phi_1556_;
+                                            let _e847 = phi_1557_;
+                                            phi_1558_ = _e845;
+                                            phi_1559_ = _e847;
                                         }
-                                        let _e936 = phi_1558_;
-                                        let _e938 = phi_1559_;
-                                        if _e938 {
-                                            phi_1564_ = array<u32, 2>(1u, 0u);
-                                        } else {
-                                            phi_1564_ = _e936;
-                                        }
-                                        let _e940 = phi_1564_;
-                                        phi_1565_ = _e940;
+                                        let _e849 = phi_1558_;
+                                        let _e851 = phi_1559_;
+                                        phi_1565_ = array<u32, 2>(select(_e849[0], 1u, _e851), select(_e849[1], 0u, _e851));
                                     }
-                                    let _e942 = phi_1565_;
-                                    phi_1573_ = array<u32, 2>(((_e297 << bitcast<u32>(27u)) | _e942[0]), ((_e297 << bitcast<u32>(27u)) | _e942[1]));
+                                    let _e858 = phi_1565_;
+                                    phi_1573_ = array<u32, 2>(((_e264 << bitcast<u32>(27u)) | _e858[0]), ((_e264 << bitcast<u32>(27u)) | _e858[1]));
                                     phi_1574_ = false;
                                 } else {
                                     phi_1573_ = array<u32, 2>();
                                     phi_1574_ = true;
                                 }
-                                let _e953 = phi_1573_;
-                                let _e955 = phi_1574_;
-                                phi_1575_ = _e953;
-                                phi_1576_ = _e955;
+                                let _e869 = phi_1573_;
+                                let _e871 = phi_1574_;
+                                phi_1575_ = _e869;
+                                phi_1576_ = _e871;
                             }
-                            let _e957 = phi_1575_;
-                            let _e959 = phi_1576_;
-                            if _e959 {
-                                phi_1581_ = array<u32, 2>(1u, 0u);
-                            } else {
-                                phi_1581_ = _e957;
-                            }
-                            let _e961 = phi_1581_;
-                            phi_1588_ = array<u32, 2>((_e852 | _e961[0]), (_e852 | _e961[1]));
+                            let _e873 = phi_1575_;
+                            let _e875 = phi_1576_;
+                            phi_1588_ = array<u32, 2>((_e776 | select(_e873[0], 1u, _e875)), (_e776 | select(_e873[1], 0u, _e875)));
                         } else {
-                            phi_1588_ = array<u32, 2>(_e852, _e852);
+                            phi_1588_ = array<u32, 2>(_e776, _e776);
                         }
-                        let _e968 = phi_1588_;
-                        phi_1589_ = _e968;
+                        let _e884 = phi_1588_;
+                        phi_1589_ = _e884;
                     }
-                    let _e1005 = phi_1589_;
-                    if (_e233 == 1u) {
-                        phi_1597_ = (_e222 + 1u);
-                    } else {
-                        phi_1597_ = 0u;
-                    }
-                    let _e1011 = phi_1597_;
-                    phi_1600_ = array<u32, 3>(_e1005[0], _e1005[1], _e1011);
+                    let _e919 = phi_1589_;
+                    phi_1600_ = array<u32, 3>(_e919[0], _e919[1], select(0u, (_e201 + 1u), (_e212 == 1u)));
                 } else {
                     phi_1600_ = array<u32, 3>(4294967295u, 0u, 0u);
                 }
-                let _e1014 = phi_1600_;
-                phi_1602_ = _e1014;
+                let _e927 = phi_1600_;
+                phi_1602_ = _e927;
             } else {
                 phi_1602_ = array<u32, 3>(4294967295u, 0u, 0u);
             }
-            let _e1016 = phi_1602_;
-            if _e227 {
-                let _e1021 = sorted.member[_e222];
-                phi_1619_ = _e1021;
+            let _e929 = phi_1602_;
+            if _e206 {
+                let _e934 = sorted.member[_e201];
+                phi_1619_ = _e934;
             } else {
                 phi_1619_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e1023 = phi_1619_;
-            phi_1622_ = type_9(0u, ((_e185 >> bitcast<u32>(29i)) + 1u));
+            let _e936 = phi_1619_;
+            phi_1622_ = type_9(0u, ((_e171 >> bitcast<u32>(29i)) + 1u));
             loop {
-                let _e1026 = phi_1622_;
-                if (_e1026.member < _e1026.member_1) {
-                    phi_1623_ = type_9((_e1026.member + 1u), _e1026.member_1);
-                    phi_1646_ = type_9(1u, _e1026.member);
-                } else {
-                    phi_1623_ = _e1026;
-                    phi_1646_ = type_9(0u, type_9().member_1);
-                }
-                let _e1038 = phi_1623_;
-                let _e1040 = phi_1646_;
-                let _e1044 = (bitcast<i32>(_e1040.member) != 0i);
-                if _e1044 {
-                    let _e1046 = ((_e185 & 536870911u) + (_e1040.member_1 * 128u));
-                    let _e1047 = (_e1046 + _e96);
-                    if (_e1047 < _e136) {
-                        let _e1050 = keys.member[_e1047];
-                        let _e1052 = sorted.member[_e1047];
-                        phi_1681_ = _e1052;
-                        phi_1682_ = _e1050;
+                let _e939 = phi_1622_;
+                let _e942 = (_e939.member < _e939.member_1);
+                let _e955 = (bitcast<i32>(select(0u, 1u, _e942)) != 0i);
+                if _e955 {
+                    let _e957 = ((_e171 & 536870911u) + (select(type_9().member_1, _e939.member, _e942) * 128u));
+                    let _e958 = (_e957 + _e90);
+                    if (_e958 < _e128) {
+                        let _e961 = keys.member[_e958];
+                        let _e963 = sorted.member[_e958];
+                        phi_1681_ = _e963;
+                        phi_1682_ = _e961;
                     } else {
                         phi_1681_ = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                         phi_1682_ = 4294967295u;
                     }
-                    let _e1054 = phi_1681_;
-                    let _e1056 = phi_1682_;
-                    names[_e96] = _e1056;
-                    boxes[_e96] = type_18(array<f32, 3>(_e1054.member[0], _e1054.member[1], _e1054.member[2]), array<f32, 3>(_e1054.member_1[0], _e1054.member_1[1], _e1054.member_1[2]));
-                    if (_e96 == 0u) {
+                    let _e965 = phi_1681_;
+                    let _e967 = phi_1682_;
+                    names[_e90] = _e967;
+                    boxes[_e90] = type_18(array<f32, 3>(_e965.member[0], _e965.member[1], _e965.member[2]), array<f32, 3>(_e965.member_1[0], _e965.member_1[1], _e965.member_1[2]));
+                    if (_e90 == 0u) {
                         atomicStore((&counters[0u]), 0u);
                     }
                     workgroupBarrier();
                     phi_1703_ = type_9(0u, 128u);
                     loop {
-                        let _e1073 = phi_1703_;
-                        if (_e1073.member < _e1073.member_1) {
-                            phi_1704_ = type_9((_e1073.member + 1u), _e1073.member_1);
-                            phi_1727_ = type_9(1u, _e1073.member);
-                        } else {
-                            phi_1704_ = _e1073;
-                            phi_1727_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e1085 = phi_1704_;
-                        let _e1087 = phi_1727_;
-                        let _e1091 = (bitcast<i32>(_e1087.member) != 0i);
-                        if _e1091 {
-                            let _e1093 = names[_e1087.member_1];
-                            if (_e1093 >= _e1016[0]) {
-                                if (_e1093 <= _e1016[1]) {
-                                    if ((_e1046 + _e1087.member_1) >= _e1016[2]) {
-                                        let _e1099 = boxes[_e1087.member_1];
-                                        if ((((((_e1023.member[0] <= _e1099.member_1[0]) && (_e1099.member[0] <= _e1023.member_1[0])) && (_e1023.member[1] <= _e1099.member_1[1])) && (_e1099.member[1] <= _e1023.member_1[1])) && (_e1023.member[2] <= _e1099.member_1[2])) && (_e1099.member[2] <= _e1023.member_1[2])) {
-                                            let _e1132 = atomicAdd((&counters[0u]), 1u);
-                                            if (_e1132 < 2048u) {
-                                                hits[_e1132] = ((_e96 << bitcast<u32>(7i)) | _e1087.member_1);
+                        let _e984 = phi_1703_;
+                        let _e987 = (_e984.member < _e984.member_1);
+                        let _e998 = select(type_9().member_1, _e984.member, _e987);
+                        let _e1000 = (bitcast<i32>(select(0u, 1u, _e987)) != 0i);
+                        if _e1000 {
+                            let _e1002 = names[_e998];
+                            if (_e1002 >= _e929[0]) {
+                                if (_e1002 <= _e929[1]) {
+                                    if ((_e957 + _e998) >= _e929[2]) {
+                                        let _e1008 = boxes[_e998];
+                                        if ((((((_e936.member[0] <= _e1008.member_1[0]) && (_e1008.member[0] <= _e936.member_1[0])) && (_e936.member[1] <= _e1008.member_1[1])) && (_e1008.member[1] <= _e936.member_1[1])) && (_e936.member[2] <= _e1008.member_1[2])) && (_e1008.member[2] <= _e936.member_1[2])) {
+                                            let _e1041 = atomicAdd((&counters[0u]), 1u);
+                                            if (_e1041 < 2048u) {
+                                                hits[_e1041] = ((_e90 << bitcast<u32>(7i)) | _e998);
                                             } else {
-                                                let _e1136 = order.member[_e222];
-                                                let _e1138 = order.member[(_e1046 + _e1087.member_1)];
-                                                let _e1141 = params.member.member_2.member_1;
-                                                if (_e1141 == 1u) {
-                                                    let _e1171 = params.member.member.member_2[1u];
-                                                    let _e1172 = (_e1136 - _e1171);
-                                                    let _e1176 = params.member.member.member_2[1u];
-                                                    let _e1177 = (_e1138 - _e1176);
-                                                    if (_e1172 < _e1177) {
-                                                        phi_1840_ = type_9(_e1172, _e1177);
-                                                    } else {
-                                                        phi_1840_ = type_9(_e1177, _e1172);
-                                                    }
-                                                    let _e1182 = phi_1840_;
-                                                    phi_1873_ = _e1182;
+                                                let _e1045 = order.member[_e201];
+                                                let _e1047 = order.member[(_e957 + _e998)];
+                                                let _e1050 = params.member.member_2.member_1;
+                                                if (_e1050 == 1u) {
+                                                    let _e1078 = params.member.member.member_2[1u];
+                                                    let _e1079 = (_e1045 - _e1078);
+                                                    let _e1083 = params.member.member.member_2[1u];
+                                                    let _e1084 = (_e1047 - _e1083);
+                                                    let _e1085 = (_e1079 < _e1084);
+                                                    phi_1873_ = type_9(select(_e1084, _e1079, _e1085), select(_e1079, _e1084, _e1085));
                                                 } else {
-                                                    let _e1145 = params.member.member_2.member;
-                                                    if (_e1145 == 2u) {
-                                                        phi_1851_ = 8u;
+                                                    let _e1054 = params.member.member_2.member;
+                                                    if (_e173 >= (select(1u, 8u, (_e1054 == 2u)) * select(1u, 10u, (_e1054 == 2u)))) {
+                                                        let _e1070 = params.member.member.member_2[2u];
+                                                        phi_1872_ = type_9(_e1047, (_e1045 - _e1070));
                                                     } else {
-                                                        phi_1851_ = 1u;
+                                                        let _e1064 = params.member.member.member_2[2u];
+                                                        phi_1872_ = type_9(_e1045, (_e1047 - _e1064));
                                                     }
-                                                    let _e1148 = phi_1851_;
-                                                    if (_e1145 == 2u) {
-                                                        phi_1856_ = 10u;
-                                                    } else {
-                                                        phi_1856_ = 1u;
-                                                    }
-                                                    let _e1151 = phi_1856_;
-                                                    if (_e187 >= (_e1148 * _e1151)) {
-                                                        let _e1163 = params.member.member.member_2[2u];
-                                                        phi_1872_ = type_9(_e1138, (_e1136 - _e1163));
-                                                    } else {
-                                                        let _e1157 = params.member.member.member_2[2u];
-                                                        phi_1872_ = type_9(_e1136, (_e1138 - _e1157));
-                                                    }
-                                                    let _e1167 = phi_1872_;
-                                                    phi_1873_ = _e1167;
+                                                    let _e1074 = phi_1872_;
+                                                    phi_1873_ = _e1074;
                                                 }
-                                                let _e1184 = phi_1873_;
-                                                let _e1189 = params.member.member_1.member_3;
-                                                let _e1191 = atomicAdd((&pairs.member[0u]), 1u);
-                                                if ((_e1191 + 1u) < _e1191) {
-                                                    let _e1195 = atomicAdd((&pairs.member[2u]), 1u);
+                                                let _e1090 = phi_1873_;
+                                                let _e1095 = params.member.member_1.member_3;
+                                                let _e1097 = atomicAdd((&pairs.member[0u]), 1u);
+                                                if ((_e1097 + 1u) < _e1097) {
+                                                    let _e1101 = atomicAdd((&pairs.member[2u]), 1u);
                                                 }
-                                                if (_e1191 < _e1189) {
-                                                    let _e1197 = (2u * _e1191);
-                                                    atomicStore((&pairs.member[(4u + _e1197)]), _e1184.member);
-                                                    atomicStore((&pairs.member[(_e1197 + 5u)]), _e1184.member_1);
+                                                if (_e1097 < _e1095) {
+                                                    let _e1103 = (2u * _e1097);
+                                                    atomicStore((&pairs.member[(4u + _e1103)]), _e1090.member);
+                                                    atomicStore((&pairs.member[(_e1103 + 5u)]), _e1090.member_1);
                                                 }
                                             }
                                         }
@@ -1283,148 +788,95 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         }
                         continue;
                         continuing {
-                            phi_1703_ = _e1085;
-                            break if !(_e1091);
+                            phi_1703_ = type_9(select(_e984.member, (_e984.member + 1u), _e987), select(_e984.member_1, _e984.member_1, _e987));
+                            break if !(_e1000);
                         }
                     }
                     workgroupBarrier();
-                    let _e1208 = atomicLoad((&counters[0u]));
-                    if (2048u < _e1208) {
-                        phi_1908_ = 2048u;
-                    } else {
-                        phi_1908_ = _e1208;
-                    }
-                    let _e1211 = phi_1908_;
-                    if (_e96 == 0u) {
-                        if (_e1211 > 0u) {
-                            let _e1215 = atomicAdd((&pairs.member[0u]), _e1211);
-                            if ((_e1215 + _e1211) < _e1215) {
-                                let _e1219 = atomicAdd((&pairs.member[2u]), 1u);
+                    let _e1114 = atomicLoad((&counters[0u]));
+                    let _e1116 = select(_e1114, 2048u, (2048u < _e1114));
+                    if (_e90 == 0u) {
+                        if (_e1116 > 0u) {
+                            let _e1120 = atomicAdd((&pairs.member[0u]), _e1116);
+                            if ((_e1120 + _e1116) < _e1120) {
+                                let _e1124 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            atomicStore((&counters[1u]), _e1215);
+                            atomicStore((&counters[1u]), _e1120);
                         }
                     }
                     workgroupBarrier();
-                    let _e1222 = atomicLoad((&counters[1u]));
+                    let _e1127 = atomicLoad((&counters[1u]));
                     phi_1934_ = type_9(0u, 16u);
                     loop {
-                        let _e1224 = phi_1934_;
-                        if (_e1224.member < _e1224.member_1) {
-                            phi_1935_ = type_9((_e1224.member + 1u), _e1224.member_1);
-                            phi_1958_ = type_9(1u, _e1224.member);
-                        } else {
-                            phi_1935_ = _e1224;
-                            phi_1958_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e1236 = phi_1935_;
-                        let _e1238 = phi_1958_;
-                        if (bitcast<i32>(_e1238.member) != 0i) {
-                            let _e1244 = ((_e1238.member_1 * 128u) + _e96);
-                            if (_e1244 >= _e1211) {
+                        let _e1129 = phi_1934_;
+                        let _e1132 = (_e1129.member < _e1129.member_1);
+                        if (bitcast<i32>(select(0u, 1u, _e1132)) != 0i) {
+                            let _e1147 = ((select(type_9().member_1, _e1129.member, _e1132) * 128u) + _e90);
+                            if (_e1147 >= _e1116) {
                                 phi_2123_ = false;
                             } else {
-                                let _e1247 = hits[_e1244];
-                                let _e1252 = params.member.member_2.member;
-                                let _e1255 = params.member.member_2.member_1;
-                                if (_e1255 == 0u) {
-                                    phi_1989_ = array<u32, 2>(0u, 2u);
+                                let _e1150 = hits[_e1147];
+                                let _e1155 = params.member.member_2.member;
+                                let _e1158 = params.member.member_2.member_1;
+                                let _e1159 = (_e1158 == 0u);
+                                let _e1174 = params.member.member.member_2[select(select(1u, 0u, _e1159), select(1u, 2u, _e1159), (_e173 >= (select(1u, 8u, (_e1155 == 2u)) * select(1u, 10u, (_e1155 == 2u)))))];
+                                let _e1179 = order.member[(_e1174 + ((_e177 * 128u) + (_e1150 >> bitcast<u32>(7i))))];
+                                let _e1181 = order.member[(_e957 + (_e1150 % 128u))];
+                                let _e1184 = params.member.member_2.member_1;
+                                if (_e1184 == 1u) {
+                                    let _e1212 = params.member.member.member_2[1u];
+                                    let _e1213 = (_e1179 - _e1212);
+                                    let _e1217 = params.member.member.member_2[1u];
+                                    let _e1218 = (_e1181 - _e1217);
+                                    let _e1219 = (_e1213 < _e1218);
+                                    phi_2105_ = type_9(select(_e1218, _e1213, _e1219), select(_e1213, _e1218, _e1219));
                                 } else {
-                                    phi_1989_ = array<u32, 2>(1u, 1u);
-                                }
-                                let _e1258 = phi_1989_;
-                                if (_e1252 == 2u) {
-                                    phi_1996_ = 8u;
-                                } else {
-                                    phi_1996_ = 1u;
-                                }
-                                let _e1263 = phi_1996_;
-                                if (_e1252 == 2u) {
-                                    phi_2001_ = 10u;
-                                } else {
-                                    phi_2001_ = 1u;
-                                }
-                                let _e1266 = phi_2001_;
-                                if (_e187 >= (_e1263 * _e1266)) {
-                                    phi_2009_ = array<u32, 2>(_e1258[1], _e1258[0]);
-                                } else {
-                                    phi_2009_ = _e1258;
-                                }
-                                let _e1271 = phi_2009_;
-                                let _e1278 = params.member.member.member_2[_e1271[0]];
-                                let _e1283 = order.member[(_e1278 + ((_e191 * 128u) + (_e1247 >> bitcast<u32>(7i))))];
-                                let _e1285 = order.member[(_e1046 + (_e1247 % 128u))];
-                                let _e1288 = params.member.member_2.member_1;
-                                if (_e1288 == 1u) {
-                                    let _e1318 = params.member.member.member_2[1u];
-                                    let _e1319 = (_e1283 - _e1318);
-                                    let _e1323 = params.member.member.member_2[1u];
-                                    let _e1324 = (_e1285 - _e1323);
-                                    if (_e1319 < _e1324) {
-                                        phi_2072_ = type_9(_e1319, _e1324);
+                                    let _e1188 = params.member.member_2.member;
+                                    if (_e173 >= (select(1u, 8u, (_e1188 == 2u)) * select(1u, 10u, (_e1188 == 2u)))) {
+                                        let _e1204 = params.member.member.member_2[2u];
+                                        phi_2104_ = type_9(_e1181, (_e1179 - _e1204));
                                     } else {
-                                        phi_2072_ = type_9(_e1324, _e1319);
+                                        let _e1198 = params.member.member.member_2[2u];
+                                        phi_2104_ = type_9(_e1179, (_e1181 - _e1198));
                                     }
-                                    let _e1329 = phi_2072_;
-                                    phi_2105_ = _e1329;
-                                } else {
-                                    let _e1292 = params.member.member_2.member;
-                                    if (_e1292 == 2u) {
-                                        phi_2083_ = 8u;
-                                    } else {
-                                        phi_2083_ = 1u;
-                                    }
-                                    let _e1295 = phi_2083_;
-                                    if (_e1292 == 2u) {
-                                        phi_2088_ = 10u;
-                                    } else {
-                                        phi_2088_ = 1u;
-                                    }
-                                    let _e1298 = phi_2088_;
-                                    if (_e187 >= (_e1295 * _e1298)) {
-                                        let _e1310 = params.member.member.member_2[2u];
-                                        phi_2104_ = type_9(_e1285, (_e1283 - _e1310));
-                                    } else {
-                                        let _e1304 = params.member.member.member_2[2u];
-                                        phi_2104_ = type_9(_e1283, (_e1285 - _e1304));
-                                    }
-                                    let _e1314 = phi_2104_;
-                                    phi_2105_ = _e1314;
+                                    let _e1208 = phi_2104_;
+                                    phi_2105_ = _e1208;
                                 }
-                                let _e1331 = phi_2105_;
-                                let _e1336 = params.member.member_1.member_3;
-                                let _e1337 = (_e1222 + _e1244);
-                                if (_e1337 < _e1336) {
-                                    let _e1339 = (2u * _e1337);
-                                    atomicStore((&pairs.member[(4u + _e1339)]), _e1331.member);
-                                    atomicStore((&pairs.member[(_e1339 + 5u)]), _e1331.member_1);
+                                let _e1224 = phi_2105_;
+                                let _e1229 = params.member.member_1.member_3;
+                                let _e1230 = (_e1127 + _e1147);
+                                if (_e1230 < _e1229) {
+                                    let _e1232 = (2u * _e1230);
+                                    atomicStore((&pairs.member[(4u + _e1232)]), _e1224.member);
+                                    atomicStore((&pairs.member[(_e1232 + 5u)]), _e1224.member_1);
                                 }
                                 phi_2123_ = true;
                             }
-                            let _e1345 = phi_2123_;
-                            phi_2124_ = _e1345;
+                            let _e1238 = phi_2123_;
+                            phi_2124_ = _e1238;
                         } else {
                             phi_2124_ = false;
                         }
-                        let _e1347 = phi_2124_;
+                        let _e1240 = phi_2124_;
                         continue;
                         continuing {
-                            phi_1934_ = _e1236;
-                            break if !(_e1347);
+                            phi_1934_ = type_9(select(_e1129.member, (_e1129.member + 1u), _e1132), select(_e1129.member_1, _e1129.member_1, _e1132));
+                            break if !(_e1240);
                         }
                     }
                     workgroupBarrier();
                 }
                 continue;
                 continuing {
-                    phi_1622_ = _e1038;
-                    break if !(_e1044);
+                    phi_1622_ = type_9(select(_e939.member, (_e939.member + 1u), _e942), select(_e939.member_1, _e939.member_1, _e942));
+                    break if !(_e955);
                 }
             }
         }
         continue;
         continuing {
-            phi_263_ = _e166;
-            break if !(_e172);
+            phi_263_ = type_9(select(_e142.member, (_e142.member + 1u), _e145), select(_e142.member_1, _e142.member_1, _e145));
+            break if !(_e158);
         }
     }
     return;

@@ -105,20 +105,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_5: type_17;
     var local_6: type_20;
     var local_7: type_17;
-    var phi_170_: u32;
-    var phi_177_: array<u32, 2>;
-    var phi_184_: u32;
-    var phi_189_: u32;
-    var phi_197_: array<u32, 2>;
     var phi_213_: type_14;
     var phi_216_: u32;
     var phi_218_: u32;
-    var phi_239_: bool;
-    var phi_245_: type_15;
     var phi_214_: type_14;
     var phi_259_: type_15;
-    var phi_288_: u32;
-    var phi_289_: u32;
     var phi_290_: u32;
     var phi_291_: u32;
     var phi_292_: bool;
@@ -126,94 +117,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_219_: u32;
     var phi_293_: bool;
     var local_8: u32;
-    var phi_316_: array<u32, 2>;
-    var phi_323_: u32;
-    var phi_328_: u32;
-    var phi_336_: array<u32, 2>;
-    var phi_395_: u32;
     var phi_398_: type_9;
-    var phi_399_: type_9;
-    var phi_422_: type_9;
-    var phi_438_: u32;
-    var phi_443_: u32;
-    var phi_446_: bool;
-    var phi_461_: u32;
     var phi_462_: u32;
     var phi_463_: u32;
     var phi_464_: bool;
-    var phi_468_: u32;
-    var phi_473_: u32;
     var phi_485_: u32;
-    var phi_501_: array<u32, 2>;
-    var phi_502_: array<u32, 2>;
     var phi_504_: array<u32, 2>;
-    var phi_532_: u32;
-    var phi_551_: u32;
-    var phi_570_: u32;
     var phi_575_: type_9;
-    var phi_576_: type_9;
-    var phi_599_: type_9;
-    var phi_625_: u32;
-    var phi_651_: u32;
     var phi_784_: type_9;
     var phi_787_: type_24;
-    var phi_785_: type_9;
-    var phi_810_: type_9;
     var phi_820_: type_9;
     var phi_823_: bool;
-    var phi_821_: type_9;
-    var phi_846_: type_9;
-    var phi_868_: f32;
-    var phi_885_: bool;
     var phi_824_: bool;
     var local_9: bool;
     var phi_891_: type_24;
     var phi_892_: bool;
     var phi_788_: type_24;
     var phi_893_: bool;
-    var phi_901_: u32;
     var local_10: type_24;
     var local_11: type_24;
     var local_12: type_24;
-    var phi_911_: u32;
     var local_13: type_24;
-    var phi_918_: u32;
     var local_14: type_24;
     var local_15: type_24;
     var local_16: type_24;
     var phi_950_: type_9;
-    var phi_951_: type_9;
-    var phi_974_: type_9;
-    var phi_1025_: f32;
-    var phi_1030_: f32;
     var phi_1071_: type_9;
-    var phi_1072_: type_9;
-    var phi_1095_: type_9;
-    var phi_1123_: f32;
-    var phi_1138_: f32;
-    var phi_1165_: u32;
-    var phi_1166_: u32;
     var phi_1178_: array<u32, 3>;
     var phi_1179_: array<u32, 3>;
     var phi_1180_: array<u32, 3>;
     var phi_1183_: type_9;
-    var phi_1184_: type_9;
-    var phi_1207_: type_9;
-    var phi_1232_: array<u32, 2>;
-    var phi_1239_: u32;
-    var phi_1244_: u32;
-    var phi_1252_: array<u32, 2>;
-    var phi_1342_: bool;
-    var phi_1354_: bool;
-    var phi_1355_: bool;
-    var phi_1398_: bool;
-    var phi_1399_: bool;
-    var phi_1405_: u32;
-    var phi_1406_: bool;
-    var phi_1407_: u32;
-    var phi_1408_: bool;
-    var phi_1413_: u32;
-    var phi_1423_: u32;
     var phi_1437_: array<u32, 2>;
     var phi_1438_: array<u32, 2>;
     var phi_1439_: bool;
@@ -221,28 +154,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1441_: bool;
     var phi_1442_: array<u32, 2>;
     var phi_1443_: bool;
-    var phi_1448_: array<u32, 2>;
     var phi_1449_: array<u32, 2>;
     var phi_1457_: array<u32, 2>;
     var phi_1458_: bool;
     var phi_1459_: array<u32, 2>;
     var phi_1460_: bool;
-    var phi_1465_: array<u32, 2>;
     var phi_1472_: array<u32, 2>;
-    var phi_1309_: f32;
-    var phi_1310_: f32;
-    var phi_1316_: u32;
-    var phi_1326_: u32;
     var phi_1473_: array<u32, 2>;
     var phi_1498_: type_14;
     var phi_1501_: u32;
     var phi_1503_: u32;
-    var phi_1524_: bool;
-    var phi_1530_: type_15;
     var phi_1499_: type_14;
     var phi_1544_: type_15;
-    var phi_1573_: u32;
-    var phi_1574_: u32;
     var phi_1575_: u32;
     var phi_1576_: u32;
     var phi_1577_: bool;
@@ -250,43 +173,28 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1504_: u32;
     var phi_1578_: bool;
     var local_17: u32;
-    var phi_1593_: u32;
+    var local_18: u32;
     var phi_1594_: u32;
     var phi_1598_: type_14;
     var phi_1601_: u32;
     var phi_1603_: u32;
-    var phi_1624_: bool;
-    var phi_1630_: type_15;
     var phi_1599_: type_14;
     var phi_1644_: type_15;
-    var phi_1673_: u32;
-    var phi_1674_: u32;
     var phi_1675_: u32;
     var phi_1676_: u32;
     var phi_1677_: bool;
     var phi_1602_: u32;
     var phi_1604_: u32;
     var phi_1678_: bool;
-    var local_18: u32;
     var local_19: u32;
-    var phi_1699_: u32;
+    var local_20: u32;
     var phi_1712_: u32;
     var phi_1713_: u32;
     var phi_1714_: u32;
     var phi_1715_: u32;
-    var phi_1726_: u32;
     var phi_1730_: type_9;
-    var phi_1731_: type_9;
-    var phi_1754_: type_9;
-    var phi_1788_: u32;
     var phi_1789_: u32;
-    var phi_1805_: u32;
     var phi_1808_: type_9;
-    var phi_1809_: type_9;
-    var phi_1832_: type_9;
-    var phi_1853_: u32;
-    var phi_1869_: u32;
-    var local_20: u32;
     var local_21: u32;
     var local_22: u32;
     var id_2: vec3<u32>;
@@ -296,1106 +204,632 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e85 = id_2;
-    let _e86 = n_2;
-    let _e87 = lane_2;
-    let _e97 = ((_e85.y * _e86.x) + _e85.x);
-    let _e100 = params.member.member_2.member;
-    let _e103 = params.member.member_2.member_1;
-    let _e106 = params.member.member_2.member_2;
-    let _e110 = params.member.member.member_2[3u];
-    if (_e100 == 2u) {
-        phi_170_ = 10u;
-    } else {
-        phi_170_ = 1u;
-    }
-    let _e113 = phi_170_;
-    if (_e103 == 0u) {
-        phi_177_ = array<u32, 2>(0u, 2u);
-    } else {
-        phi_177_ = array<u32, 2>(1u, 1u);
-    }
-    let _e116 = phi_177_;
-    if (_e100 == 2u) {
-        phi_184_ = 8u;
-    } else {
-        phi_184_ = 1u;
-    }
-    let _e121 = phi_184_;
-    if (_e100 == 2u) {
-        phi_189_ = 10u;
-    } else {
-        phi_189_ = 1u;
-    }
-    let _e124 = phi_189_;
-    if (_e106 >= (_e121 * _e124)) {
-        phi_197_ = array<u32, 2>(_e116[1], _e116[0]);
-    } else {
-        phi_197_ = _e116;
-    }
-    let _e129 = phi_197_;
-    atomicStore((&ranges[_e87]), 4294967295u);
-    atomicStore((&ranges[(128u + _e87)]), 0u);
-    if (_e87 <= 8u) {
+    let _e79 = id_2;
+    let _e80 = n_2;
+    let _e81 = lane_2;
+    let _e91 = ((_e79.y * _e80.x) + _e79.x);
+    let _e94 = params.member.member_2.member;
+    let _e97 = params.member.member_2.member_1;
+    let _e100 = params.member.member_2.member_2;
+    let _e104 = params.member.member.member_2[3u];
+    let _e106 = select(1u, 10u, (_e94 == 2u));
+    let _e107 = (_e97 == 0u);
+    atomicStore((&ranges[_e81]), 4294967295u);
+    atomicStore((&ranges[(128u + _e81)]), 0u);
+    if (_e81 <= 8u) {
         phi_213_ = type_14(0i, 32i);
         phi_216_ = 0u;
-        phi_218_ = _e110;
+        phi_218_ = _e104;
         loop {
-            let _e142 = phi_213_;
-            let _e144 = phi_216_;
-            let _e146 = phi_218_;
-            local_8 = _e144;
-            if (_e142.member < _e142.member_1) {
-                let _e153 = (_e142.member + 1i);
-                if ((false == (_e153 > _e142.member)) != false) {
-                    phi_239_ = true;
-                } else {
-                    phi_239_ = false;
-                }
-                let _e158 = phi_239_;
-                if _e158 {
-                    phi_245_ = type_15(0u, type_15().member_1);
-                } else {
-                    phi_245_ = type_15(1u, _e153);
-                }
-                let _e163 = phi_245_;
-                phi_214_ = type_14(_e163.member_1, _e142.member_1);
-                phi_259_ = type_15(1u, _e142.member);
+            let _e128 = phi_213_;
+            let _e130 = phi_216_;
+            let _e132 = phi_218_;
+            local_8 = _e130;
+            if (_e128.member < _e128.member_1) {
+                let _e139 = (_e128.member + 1i);
+                phi_214_ = type_14(select(_e139, type_15().member_1, select(false, true, ((false == (_e139 > _e128.member)) != false))), _e128.member_1);
+                phi_259_ = type_15(1u, _e128.member);
             } else {
-                phi_214_ = _e142;
+                phi_214_ = _e128;
                 phi_259_ = type_15(0u, type_15().member_1);
             }
-            let _e169 = phi_214_;
-            let _e171 = phi_259_;
-            if (bitcast<i32>(_e171.member) != 0i) {
-                if (_e144 >= _e146) {
+            let _e150 = phi_214_;
+            let _e152 = phi_259_;
+            if (bitcast<i32>(_e152.member) != 0i) {
+                if (_e130 >= _e132) {
                     phi_290_ = u32();
                     phi_291_ = u32();
                     phi_292_ = false;
                 } else {
-                    let _e178 = (_e144 + ((_e146 - _e144) / 2u));
-                    let _e180 = keys.member[_e178];
-                    if (_e180 < ((_e129[1] << bitcast<u32>(30u)) + (_e87 << bitcast<u32>(27u)))) {
-                        phi_288_ = (_e178 + 1u);
-                        phi_289_ = _e146;
-                    } else {
-                        phi_288_ = _e144;
-                        phi_289_ = _e178;
-                    }
-                    let _e184 = phi_288_;
-                    let _e186 = phi_289_;
-                    phi_290_ = _e184;
-                    phi_291_ = _e186;
+                    let _e159 = (_e130 + ((_e132 - _e130) / 2u));
+                    let _e161 = keys.member[_e159];
+                    let _e162 = (_e161 < ((select(select(1u, 2u, _e107), select(1u, 0u, _e107), (_e100 >= (select(1u, 8u, (_e94 == 2u)) * select(1u, 10u, (_e94 == 2u))))) << bitcast<u32>(30u)) + (_e81 << bitcast<u32>(27u))));
+                    phi_290_ = select(_e130, (_e159 + 1u), _e162);
+                    phi_291_ = select(_e159, _e132, _e162);
                     phi_292_ = true;
                 }
-                let _e188 = phi_290_;
-                let _e190 = phi_291_;
-                let _e192 = phi_292_;
-                phi_217_ = _e188;
-                phi_219_ = _e190;
-                phi_293_ = _e192;
+                let _e167 = phi_290_;
+                let _e169 = phi_291_;
+                let _e171 = phi_292_;
+                phi_217_ = _e167;
+                phi_219_ = _e169;
+                phi_293_ = _e171;
             } else {
                 phi_217_ = u32();
                 phi_219_ = u32();
                 phi_293_ = false;
             }
-            let _e194 = phi_217_;
-            let _e196 = phi_219_;
-            let _e198 = phi_293_;
+            let _e173 = phi_217_;
+            let _e175 = phi_219_;
+            let _e177 = phi_293_;
             continue;
             continuing {
-                phi_213_ = _e169;
-                phi_216_ = _e194;
-                phi_218_ = _e196;
-                break if !(_e198);
+                phi_213_ = _e150;
+                phi_216_ = _e173;
+                phi_218_ = _e175;
+                break if !(_e177);
             }
         }
-        let _e202 = local_8;
-        atomicStore((&ranges[(640u + _e87)]), _e202);
+        let _e181 = local_8;
+        atomicStore((&ranges[(640u + _e81)]), _e181);
     }
     workgroupBarrier();
-    let _e205 = params.member.member_2.member;
-    let _e208 = params.member.member_2.member_1;
-    if (_e208 == 0u) {
-        phi_316_ = array<u32, 2>(0u, 2u);
-    } else {
-        phi_316_ = array<u32, 2>(1u, 1u);
-    }
-    let _e211 = phi_316_;
-    if (_e205 == 2u) {
-        phi_323_ = 8u;
-    } else {
-        phi_323_ = 1u;
-    }
-    let _e216 = phi_323_;
-    if (_e205 == 2u) {
-        phi_328_ = 10u;
-    } else {
-        phi_328_ = 1u;
-    }
-    let _e219 = phi_328_;
-    if (_e106 >= (_e216 * _e219)) {
-        phi_336_ = array<u32, 2>(_e211[1], _e211[0]);
-    } else {
-        phi_336_ = _e211;
-    }
-    let _e224 = phi_336_;
-    let _e227 = ((_e97 * 128u) + _e87);
-    let _e231 = params.member.member.member_2[_e224[0]];
-    let _e232 = (_e231 + _e227);
-    let _e236 = params.member.member.member[_e224[0]];
-    if (_e227 < _e236) {
-        let _e239 = keys.member[_e232];
-        let _e241 = sorted.member[_e232];
-        local_7 = type_17(array<f32, 3>(_e241.member[0], _e241.member[1], _e241.member[2]), array<f32, 3>(_e241.member_1[0], _e241.member_1[1], _e241.member_1[2]));
-        if (_e100 == 2u) {
-            phi_395_ = 8u;
-        } else {
-            phi_395_ = 1u;
-        }
-        let _e255 = phi_395_;
-        phi_398_ = type_9(0u, _e255);
+    let _e184 = params.member.member_2.member;
+    let _e187 = params.member.member_2.member_1;
+    let _e188 = (_e187 == 0u);
+    let _e197 = select(select(1u, 0u, _e188), select(1u, 2u, _e188), (_e100 >= (select(1u, 8u, (_e184 == 2u)) * select(1u, 10u, (_e184 == 2u)))));
+    let _e199 = ((_e91 * 128u) + _e81);
+    let _e203 = params.member.member.member_2[_e197];
+    let _e204 = (_e203 + _e199);
+    let _e208 = params.member.member.member[_e197];
+    if (_e199 < _e208) {
+        let _e211 = keys.member[_e204];
+        let _e213 = sorted.member[_e204];
+        local_7 = type_17(array<f32, 3>(_e213.member[0], _e213.member[1], _e213.member[2]), array<f32, 3>(_e213.member_1[0], _e213.member_1[1], _e213.member_1[2]));
+        phi_398_ = type_9(0u, select(1u, 8u, (_e94 == 2u)));
         loop {
-            let _e258 = phi_398_;
-            if (_e258.member < _e258.member_1) {
-                phi_399_ = type_9((_e258.member + 1u), _e258.member_1);
-                phi_422_ = type_9(1u, _e258.member);
-            } else {
-                phi_399_ = _e258;
-                phi_422_ = type_9(0u, type_9().member_1);
-            }
-            let _e270 = phi_399_;
-            let _e272 = phi_422_;
-            let _e276 = (bitcast<i32>(_e272.member) != 0i);
-            if _e276 {
-                if (_e272.member_1 == 0u) {
-                    if (_e100 == 2u) {
-                        phi_438_ = 8u;
-                    } else {
-                        phi_438_ = 1u;
-                    }
-                    let _e280 = phi_438_;
-                    if (_e100 == 2u) {
-                        phi_443_ = 10u;
-                    } else {
-                        phi_443_ = 1u;
-                    }
-                    let _e283 = phi_443_;
-                    phi_446_ = (_e106 >= (_e280 * _e283));
-                } else {
-                    phi_446_ = false;
-                }
-                let _e287 = phi_446_;
-                if (_e100 != 2u) {
+            let _e229 = phi_398_;
+            let _e232 = (_e229.member < _e229.member_1);
+            let _e243 = select(type_9().member_1, _e229.member, _e232);
+            let _e245 = (bitcast<i32>(select(0u, 1u, _e232)) != 0i);
+            if _e245 {
+                let _e253 = select(false, (_e100 >= (select(1u, 8u, (_e94 == 2u)) * select(1u, 10u, (_e94 == 2u)))), (_e243 == 0u));
+                if (_e94 != 2u) {
                     phi_463_ = u32();
                     phi_464_ = true;
                 } else {
-                    if _e287 {
+                    if _e253 {
                         phi_462_ = u32();
                     } else {
-                        let _e292 = (((_e239 >> bitcast<u32>(27u)) % 8u) + _e272.member_1);
-                        if (_e292 < 8u) {
-                            phi_461_ = _e292;
-                        } else {
-                            phi_461_ = 8u;
-                        }
-                        let _e295 = phi_461_;
-                        phi_462_ = _e295;
+                        let _e258 = (((_e211 >> bitcast<u32>(27u)) % 8u) + _e243);
+                        phi_462_ = select(8u, _e258, (_e258 < 8u));
                     }
-                    let _e297 = phi_462_;
-                    phi_463_ = _e297;
-                    phi_464_ = _e287;
+                    let _e262 = phi_462_;
+                    phi_463_ = _e262;
+                    phi_464_ = _e253;
                 }
-                let _e299 = phi_463_;
-                let _e301 = phi_464_;
-                if _e301 {
-                    phi_468_ = 8u;
-                } else {
-                    phi_468_ = _e299;
-                }
-                let _e303 = phi_468_;
-                if (7u < _e303) {
-                    phi_473_ = 7u;
-                } else {
-                    phi_473_ = _e303;
-                }
-                let _e306 = phi_473_;
-                if (_e303 < 8u) {
-                    let _e311 = atomicLoad((&ranges[(_e306 + 641u)]));
-                    let _e313 = atomicLoad((&ranges[(640u + _e306)]));
-                    phi_485_ = (_e311 - _e313);
+                let _e264 = phi_463_;
+                let _e266 = phi_464_;
+                let _e267 = select(_e264, 8u, _e266);
+                let _e269 = select(_e267, 7u, (7u < _e267));
+                if (_e267 < 8u) {
+                    let _e274 = atomicLoad((&ranges[(_e269 + 641u)]));
+                    let _e276 = atomicLoad((&ranges[(640u + _e269)]));
+                    phi_485_ = (_e274 - _e276);
                 } else {
                     phi_485_ = 0u;
                 }
-                let _e316 = phi_485_;
-                if (_e100 == 2u) {
-                    if (_e316 == 0u) {
-                        phi_502_ = array<u32, 2>(0u, 0u);
-                    } else {
-                        if (_e316 <= 256u) {
-                            phi_501_ = array<u32, 2>(9u, 10u);
-                        } else {
-                            phi_501_ = array<u32, 2>(0u, 9u);
-                        }
-                        let _e321 = phi_501_;
-                        phi_502_ = _e321;
-                    }
-                    let _e323 = phi_502_;
-                    phi_504_ = _e323;
+                let _e279 = phi_485_;
+                if (_e94 == 2u) {
+                    let _e281 = (_e279 == 0u);
+                    let _e282 = (_e279 <= 256u);
+                    phi_504_ = array<u32, 2>(select(select(0u, 9u, _e282), 0u, _e281), select(select(9u, 10u, _e282), 0u, _e281));
                 } else {
                     phi_504_ = array<u32, 2>(0u, 1u);
                 }
-                let _e325 = phi_504_;
-                if (_e325[0] < _e325[1]) {
-                    if (_e100 == 2u) {
-                        let _e331 = survey.member[6u];
-                        if ((_e331 >> bitcast<u32>(31i)) == 1u) {
-                            phi_532_ = (_e331 & 2147483647u);
-                        } else {
-                            phi_532_ = ~(_e331);
-                        }
-                        let _e338 = phi_532_;
-                        let _e339 = bitcast<f32>(_e338);
-                        let _e341 = survey.member[7u];
-                        if ((_e341 >> bitcast<u32>(31i)) == 1u) {
-                            phi_551_ = (_e341 & 2147483647u);
-                        } else {
-                            phi_551_ = ~(_e341);
-                        }
-                        let _e348 = phi_551_;
-                        let _e349 = bitcast<f32>(_e348);
-                        let _e351 = survey.member[8u];
-                        if ((_e351 >> bitcast<u32>(31i)) == 1u) {
-                            phi_570_ = (_e351 & 2147483647u);
-                        } else {
-                            phi_570_ = ~(_e351);
-                        }
-                        let _e358 = phi_570_;
-                        let _e359 = bitcast<f32>(_e358);
+                let _e289 = phi_504_;
+                if (_e289[0] < _e289[1]) {
+                    if (_e94 == 2u) {
+                        let _e295 = survey.member[6u];
+                        let _e302 = bitcast<f32>(select(~(_e295), (_e295 & 2147483647u), ((_e295 >> bitcast<u32>(31i)) == 1u)));
+                        let _e304 = survey.member[7u];
+                        let _e311 = bitcast<f32>(select(~(_e304), (_e304 & 2147483647u), ((_e304 >> bitcast<u32>(31i)) == 1u)));
+                        let _e313 = survey.member[8u];
+                        let _e320 = bitcast<f32>(select(~(_e313), (_e313 & 2147483647u), ((_e313 >> bitcast<u32>(31i)) == 1u)));
                         local_5 = type_17(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                         phi_575_ = type_9(0u, 3u);
                         loop {
-                            let _e361 = phi_575_;
-                            if (_e361.member < _e361.member_1) {
-                                phi_576_ = type_9((_e361.member + 1u), _e361.member_1);
-                                phi_599_ = type_9(1u, _e361.member);
-                            } else {
-                                phi_576_ = _e361;
-                                phi_599_ = type_9(0u, type_9().member_1);
-                            }
-                            let _e373 = phi_576_;
-                            let _e375 = phi_599_;
-                            let _e379 = (bitcast<i32>(_e375.member) != 0i);
-                            if _e379 {
-                                let _e381 = survey.member[_e375.member_1];
-                                let _e382 = ~(_e381);
-                                if ((_e382 >> bitcast<u32>(31i)) == 1u) {
-                                    phi_625_ = (_e382 & 2147483647u);
-                                } else {
-                                    phi_625_ = ~(_e382);
-                                }
-                                let _e389 = phi_625_;
-                                local_5.member[_e375.member_1] = bitcast<f32>(_e389);
-                                let _e395 = survey.member[(3u + _e375.member_1)];
-                                if ((_e395 >> bitcast<u32>(31i)) == 1u) {
-                                    phi_651_ = (_e395 & 2147483647u);
-                                } else {
-                                    phi_651_ = ~(_e395);
-                                }
-                                let _e402 = phi_651_;
-                                local_5.member_1[_e375.member_1] = bitcast<f32>(_e402);
+                            let _e322 = phi_575_;
+                            let _e325 = (_e322.member < _e322.member_1);
+                            let _e336 = select(type_9().member_1, _e322.member, _e325);
+                            let _e338 = (bitcast<i32>(select(0u, 1u, _e325)) != 0i);
+                            if _e338 {
+                                let _e340 = survey.member[_e336];
+                                let _e341 = ~(_e340);
+                                local_5.member[_e336] = bitcast<f32>(select(~(_e341), (_e341 & 2147483647u), ((_e341 >> bitcast<u32>(31i)) == 1u)));
+                                let _e353 = survey.member[(3u + _e336)];
+                                local_5.member_1[_e336] = bitcast<f32>(select(~(_e353), (_e353 & 2147483647u), ((_e353 >> bitcast<u32>(31i)) == 1u)));
                             }
                             continue;
                             continuing {
-                                phi_575_ = _e373;
-                                break if !(_e379);
+                                phi_575_ = type_9(select(_e322.member, (_e322.member + 1u), _e325), select(_e322.member_1, _e322.member_1, _e325));
+                                break if !(_e338);
                             }
                         }
-                        let _e407 = local_5;
-                        local_6 = type_20(_e407, array<f32, 3>(_e339, _e349, _e359));
-                        if (_e272.member_1 == 0u) {
-                            let _e717 = (_e239 & 134217727u);
-                            phi_1178_ = array<u32, 3>((_e717 & 511u), ((_e717 >> bitcast<u32>(9u)) & 511u), (_e717 >> bitcast<u32>(18u)));
+                        let _e364 = local_5;
+                        local_6 = type_20(_e364, array<f32, 3>(_e302, _e311, _e320));
+                        if (_e243 == 0u) {
+                            let _e655 = (_e211 & 134217727u);
+                            phi_1178_ = array<u32, 3>((_e655 & 511u), ((_e655 >> bitcast<u32>(9u)) & 511u), (_e655 >> bitcast<u32>(18u)));
                         } else {
-                            let _e428 = local_6.member.member_1[0u];
-                            let _e432 = local_6.member.member[0u];
-                            let _e437 = local_6.member.member_1[1u];
-                            let _e441 = local_6.member.member[1u];
-                            let _e446 = local_6.member.member_1[2u];
-                            let _e450 = local_6.member.member[2u];
-                            local_3 = array<f32, 3>(((_e428 * 0.5f) - (_e432 * 0.5f)), ((_e437 * 0.5f) - (_e441 * 0.5f)), ((_e446 * 0.5f) - (_e450 * 0.5f)));
+                            let _e385 = local_6.member.member_1[0u];
+                            let _e389 = local_6.member.member[0u];
+                            let _e394 = local_6.member.member_1[1u];
+                            let _e398 = local_6.member.member[1u];
+                            let _e403 = local_6.member.member_1[2u];
+                            let _e407 = local_6.member.member[2u];
+                            local_3 = array<f32, 3>(((_e385 * 0.5f) - (_e389 * 0.5f)), ((_e394 * 0.5f) - (_e398 * 0.5f)), ((_e403 * 0.5f) - (_e407 * 0.5f)));
                             phi_784_ = type_9(0u, 9u);
-                            phi_787_ = type_24(type_20(type_17(array<f32, 3>(_e407.member[0], _e407.member[1], _e407.member[2]), array<f32, 3>(_e407.member_1[0], _e407.member_1[1], _e407.member_1[2])), array<f32, 3>(_e339, _e349, _e359)), 0u);
+                            phi_787_ = type_24(type_20(type_17(array<f32, 3>(_e364.member[0], _e364.member[1], _e364.member[2]), array<f32, 3>(_e364.member_1[0], _e364.member_1[1], _e364.member_1[2])), array<f32, 3>(_e302, _e311, _e320)), 0u);
                             loop {
-                                let _e455 = phi_784_;
-                                let _e457 = phi_787_;
-                                local_10 = _e457;
-                                local_11 = _e457;
-                                local_12 = _e457;
-                                local_13 = _e457;
-                                local_14 = _e457;
-                                local_15 = _e457;
-                                local_16 = _e457;
-                                if (_e455.member < _e455.member_1) {
-                                    phi_785_ = type_9((_e455.member + 1u), _e455.member_1);
-                                    phi_810_ = type_9(1u, _e455.member);
-                                } else {
-                                    phi_785_ = _e455;
-                                    phi_810_ = type_9(0u, type_9().member_1);
-                                }
-                                let _e469 = phi_785_;
-                                let _e471 = phi_810_;
-                                if (bitcast<i32>(_e471.member) != 0i) {
+                                let _e412 = phi_784_;
+                                let _e414 = phi_787_;
+                                local_10 = _e414;
+                                local_11 = _e414;
+                                local_12 = _e414;
+                                local_13 = _e414;
+                                local_14 = _e414;
+                                local_15 = _e414;
+                                local_16 = _e414;
+                                let _e417 = (_e412.member < _e412.member_1);
+                                let _e428 = select(type_9().member_1, _e412.member, _e417);
+                                if (bitcast<i32>(select(0u, 1u, _e417)) != 0i) {
                                     phi_820_ = type_9(0u, 3u);
                                     phi_823_ = true;
                                     loop {
-                                        let _e477 = phi_820_;
-                                        let _e479 = phi_823_;
-                                        local_9 = _e479;
-                                        if (_e477.member < _e477.member_1) {
-                                            phi_821_ = type_9((_e477.member + 1u), _e477.member_1);
-                                            phi_846_ = type_9(1u, _e477.member);
-                                        } else {
-                                            phi_821_ = _e477;
-                                            phi_846_ = type_9(0u, type_9().member_1);
-                                        }
-                                        let _e491 = phi_821_;
-                                        let _e493 = phi_846_;
-                                        let _e497 = (bitcast<i32>(_e493.member) != 0i);
-                                        if _e497 {
-                                            let _e499 = local_3[_e493.member_1];
-                                            let _e501 = (_e499 * (1f / 512f));
-                                            if (_e501 > 0.000000000000000000000000000006310887f) {
-                                                phi_868_ = _e501;
-                                            } else {
-                                                phi_868_ = 0.000000000000000000000000000006310887f;
-                                            }
-                                            let _e504 = phi_868_;
-                                            let _e507 = local_6.member_1[_e493.member_1];
-                                            if ((_e507 * bitcast<f32>(((127u - _e471.member_1) << bitcast<u32>(23i)))) > _e504) {
-                                                phi_885_ = false;
-                                            } else {
-                                                phi_885_ = _e479;
-                                            }
-                                            let _e515 = phi_885_;
-                                            phi_824_ = _e515;
+                                        let _e432 = phi_820_;
+                                        let _e434 = phi_823_;
+                                        local_9 = _e434;
+                                        let _e437 = (_e432.member < _e432.member_1);
+                                        let _e448 = select(type_9().member_1, _e432.member, _e437);
+                                        let _e450 = (bitcast<i32>(select(0u, 1u, _e437)) != 0i);
+                                        if _e450 {
+                                            let _e452 = local_3[_e448];
+                                            let _e454 = (_e452 * (1f / 512f));
+                                            let _e459 = local_6.member_1[_e448];
+                                            phi_824_ = select(_e434, false, ((_e459 * bitcast<f32>(((127u - _e428) << bitcast<u32>(23i)))) > select(0.000000000000000000000000000006310887f, _e454, (_e454 > 0.000000000000000000000000000006310887f))));
                                         } else {
                                             phi_824_ = bool();
                                         }
-                                        let _e517 = phi_824_;
+                                        let _e468 = phi_824_;
                                         continue;
                                         continuing {
-                                            phi_820_ = _e491;
-                                            phi_823_ = _e517;
-                                            break if !(_e497);
+                                            phi_820_ = type_9(select(_e432.member, (_e432.member + 1u), _e437), select(_e432.member_1, _e432.member_1, _e437));
+                                            phi_823_ = _e468;
+                                            break if !(_e450);
                                         }
                                     }
-                                    let _e520 = local_9;
-                                    if _e520 {
+                                    let _e471 = local_9;
+                                    if _e471 {
                                         phi_891_ = type_24();
                                         phi_892_ = false;
                                     } else {
-                                        phi_891_ = type_24(_e457.member, (_e471.member_1 + 1u));
+                                        phi_891_ = type_24(_e414.member, (_e428 + 1u));
                                         phi_892_ = true;
                                     }
-                                    let _e525 = phi_891_;
-                                    let _e527 = phi_892_;
-                                    phi_788_ = _e525;
-                                    phi_893_ = _e527;
+                                    let _e476 = phi_891_;
+                                    let _e478 = phi_892_;
+                                    phi_788_ = _e476;
+                                    phi_893_ = _e478;
                                 } else {
                                     phi_788_ = type_24();
                                     phi_893_ = false;
                                 }
-                                let _e529 = phi_788_;
-                                let _e531 = phi_893_;
+                                let _e480 = phi_788_;
+                                let _e482 = phi_893_;
                                 continue;
                                 continuing {
-                                    phi_784_ = _e469;
-                                    phi_787_ = _e529;
-                                    break if !(_e531);
+                                    phi_784_ = type_9(select(_e412.member, (_e412.member + 1u), _e417), select(_e412.member_1, _e412.member_1, _e417));
+                                    phi_787_ = _e480;
+                                    break if !(_e482);
                                 }
                             }
-                            let _e536 = (((_e239 >> bitcast<u32>(27u)) % 8u) + _e272.member_1);
-                            if (_e536 < 8u) {
-                                phi_901_ = _e536;
-                            } else {
-                                phi_901_ = 8u;
-                            }
-                            let _e539 = phi_901_;
-                            let _e541 = local_10;
-                            let _e546 = local_11;
-                            if (_e546.member_1 < 8u) {
-                                let _e550 = local_12;
-                                phi_911_ = (_e550.member_1 + 1u);
-                            } else {
-                                phi_911_ = 8u;
-                            }
-                            let _e554 = phi_911_;
-                            if ((_e539 + 1u) >= _e554) {
-                                phi_918_ = 0u;
-                            } else {
-                                let _e557 = local_13;
-                                phi_918_ = (_e557.member_1 - _e539);
-                            }
-                            let _e561 = phi_918_;
-                            let _e565 = bitcast<f32>(((127u - _e561) << bitcast<u32>(23i)));
-                            let _e567 = local_14;
-                            let _e573 = local_15;
-                            let _e579 = local_16;
-                            local_2.member = type_17(array<f32, 3>(_e541.member.member.member[0], _e541.member.member.member[1], _e541.member.member.member[2]), array<f32, 3>(_e541.member.member.member_1[0], _e541.member.member.member_1[1], _e541.member.member.member_1[2]));
-                            local_2.member_1 = array<f32, 3>((_e567.member.member_1[0] * _e565), (_e573.member.member_1[1] * _e565), (_e579.member.member_1[2] * _e565));
+                            let _e487 = (((_e211 >> bitcast<u32>(27u)) % 8u) + _e243);
+                            let _e489 = select(8u, _e487, (_e487 < 8u));
+                            let _e491 = local_10;
+                            let _e496 = local_11;
+                            let _e500 = local_12;
+                            let _e506 = local_13;
+                            let _e513 = bitcast<f32>(((127u - select((_e506.member_1 - _e489), 0u, ((_e489 + 1u) >= select(8u, (_e500.member_1 + 1u), (_e496.member_1 < 8u))))) << bitcast<u32>(23i)));
+                            let _e515 = local_14;
+                            let _e521 = local_15;
+                            let _e527 = local_16;
+                            local_2.member = type_17(array<f32, 3>(_e491.member.member.member[0], _e491.member.member.member[1], _e491.member.member.member[2]), array<f32, 3>(_e491.member.member.member_1[0], _e491.member.member.member_1[1], _e491.member.member.member_1[2]));
+                            local_2.member_1 = array<f32, 3>((_e515.member.member_1[0] * _e513), (_e521.member.member_1[1] * _e513), (_e527.member.member_1[2] * _e513));
                             local_1.member = array<f32, 3>(0f, 0f, 0f);
                             local_1.member_1 = array<f32, 3>(0f, 0f, 0f);
                             phi_950_ = type_9(0u, 3u);
                             loop {
-                                let _e601 = phi_950_;
-                                if (_e601.member < _e601.member_1) {
-                                    phi_951_ = type_9((_e601.member + 1u), _e601.member_1);
-                                    phi_974_ = type_9(1u, _e601.member);
-                                } else {
-                                    phi_951_ = _e601;
-                                    phi_974_ = type_9(0u, type_9().member_1);
-                                }
-                                let _e613 = phi_951_;
-                                let _e615 = phi_974_;
-                                let _e619 = (bitcast<i32>(_e615.member) != 0i);
-                                if _e619 {
-                                    let _e623 = local_2.member.member[_e615.member_1];
-                                    let _e627 = local_2.member.member_1[_e615.member_1];
-                                    let _e632 = (((_e627 * 0.5f) - (_e623 * 0.5f)) * (1f / 512f));
-                                    let _e635 = local_2.member_1[_e615.member_1];
-                                    let _e638 = local_2.member_1[_e615.member_1];
-                                    let _e640 = (_e635 + (_e638 * 0.00390625f));
-                                    if (_e632 > _e640) {
-                                        phi_1025_ = _e632;
-                                    } else {
-                                        phi_1025_ = _e640;
-                                    }
-                                    let _e643 = phi_1025_;
-                                    if (0.000000000000000000000000000006310887f > _e643) {
-                                        phi_1030_ = 0.000000000000000000000000000006310887f;
-                                    } else {
-                                        phi_1030_ = _e643;
-                                    }
-                                    let _e646 = phi_1030_;
-                                    local_1.member[_e615.member_1] = (_e623 * 0.25f);
-                                    local_1.member_1[_e615.member_1] = (1f / _e646);
+                                let _e549 = phi_950_;
+                                let _e552 = (_e549.member < _e549.member_1);
+                                let _e563 = select(type_9().member_1, _e549.member, _e552);
+                                let _e565 = (bitcast<i32>(select(0u, 1u, _e552)) != 0i);
+                                if _e565 {
+                                    let _e569 = local_2.member.member[_e563];
+                                    let _e573 = local_2.member.member_1[_e563];
+                                    let _e578 = (((_e573 * 0.5f) - (_e569 * 0.5f)) * (1f / 512f));
+                                    let _e581 = local_2.member_1[_e563];
+                                    let _e584 = local_2.member_1[_e563];
+                                    let _e586 = (_e581 + (_e584 * 0.00390625f));
+                                    let _e588 = select(_e586, _e578, (_e578 > _e586));
+                                    local_1.member[_e563] = (_e569 * 0.25f);
+                                    local_1.member_1[_e563] = (1f / select(_e588, 0.000000000000000000000000000006310887f, (0.000000000000000000000000000006310887f > _e588)));
                                 }
                                 continue;
                                 continuing {
-                                    phi_950_ = _e613;
-                                    break if !(_e619);
+                                    phi_950_ = type_9(select(_e549.member, (_e549.member + 1u), _e552), select(_e549.member_1, _e549.member_1, _e552));
+                                    break if !(_e565);
                                 }
                             }
-                            let _e654 = local_1;
-                            local_4 = _e654;
+                            let _e598 = local_1;
+                            local_4 = _e598;
                             local = array<u32, 3>(0u, 0u, 0u);
                             phi_1071_ = type_9(0u, 3u);
                             loop {
-                                let _e656 = phi_1071_;
-                                if (_e656.member < _e656.member_1) {
-                                    phi_1072_ = type_9((_e656.member + 1u), _e656.member_1);
-                                    phi_1095_ = type_9(1u, _e656.member);
-                                } else {
-                                    phi_1072_ = _e656;
-                                    phi_1095_ = type_9(0u, type_9().member_1);
-                                }
-                                let _e668 = phi_1072_;
-                                let _e670 = phi_1095_;
-                                let _e674 = (bitcast<i32>(_e670.member) != 0i);
-                                if _e674 {
-                                    let _e677 = local_4.member[_e670.member_1];
-                                    let _e680 = local_7.member[_e670.member_1];
-                                    let _e682 = ((_e680 * 0.25f) - _e677);
-                                    if (_e682 > 0f) {
-                                        phi_1123_ = _e682;
-                                    } else {
-                                        phi_1123_ = 0f;
-                                    }
-                                    let _e685 = phi_1123_;
-                                    let _e688 = local_7.member_1[_e670.member_1];
-                                    let _e690 = ((_e688 * 0.25f) - _e677);
-                                    if (_e690 > 0f) {
-                                        phi_1138_ = _e690;
-                                    } else {
-                                        phi_1138_ = 0f;
-                                    }
-                                    let _e693 = phi_1138_;
-                                    let _e697 = local_4.member_1[_e670.member_1];
-                                    let _e698 = ((_e685 + _e693) * _e697);
-                                    if (_e698 >= 511f) {
-                                        phi_1166_ = 511u;
-                                    } else {
-                                        if (_e698 > 0f) {
-                                            phi_1165_ = select(select(u32(_e698), 0u, (_e698 < 0f)), 4294967295u, (_e698 > 4294967000f));
-                                        } else {
-                                            phi_1165_ = 0u;
-                                        }
-                                        let _e707 = phi_1165_;
-                                        phi_1166_ = _e707;
-                                    }
-                                    let _e709 = phi_1166_;
-                                    local[_e670.member_1] = _e709;
+                                let _e600 = phi_1071_;
+                                let _e603 = (_e600.member < _e600.member_1);
+                                let _e614 = select(type_9().member_1, _e600.member, _e603);
+                                let _e616 = (bitcast<i32>(select(0u, 1u, _e603)) != 0i);
+                                if _e616 {
+                                    let _e619 = local_4.member[_e614];
+                                    let _e622 = local_7.member[_e614];
+                                    let _e624 = ((_e622 * 0.25f) - _e619);
+                                    let _e629 = local_7.member_1[_e614];
+                                    let _e631 = ((_e629 * 0.25f) - _e619);
+                                    let _e637 = local_4.member_1[_e614];
+                                    let _e638 = ((select(0f, _e624, (_e624 > 0f)) + select(0f, _e631, (_e631 > 0f))) * _e637);
+                                    local[_e614] = select(select(0u, select(select(u32(_e638), 0u, (_e638 < 0f)), 4294967295u, (_e638 > 4294967000f)), (_e638 > 0f)), 511u, (_e638 >= 511f));
                                 }
                                 continue;
                                 continuing {
-                                    phi_1071_ = _e668;
-                                    break if !(_e674);
+                                    phi_1071_ = type_9(select(_e600.member, (_e600.member + 1u), _e603), select(_e600.member_1, _e600.member_1, _e603));
+                                    break if !(_e616);
                                 }
                             }
-                            let _e712 = local;
-                            phi_1178_ = array<u32, 3>(_e712[0], _e712[1], _e712[2]);
+                            let _e650 = local;
+                            phi_1178_ = array<u32, 3>(_e650[0], _e650[1], _e650[2]);
                         }
-                        let _e726 = phi_1178_;
-                        phi_1179_ = _e726;
+                        let _e664 = phi_1178_;
+                        phi_1179_ = _e664;
                     } else {
                         phi_1179_ = array<u32, 3>(0u, 0u, 0u);
                     }
-                    let _e728 = phi_1179_;
-                    phi_1180_ = _e728;
+                    let _e666 = phi_1179_;
+                    phi_1180_ = _e666;
                 } else {
                     phi_1180_ = array<u32, 3>(0u, 0u, 0u);
                 }
-                let _e730 = phi_1180_;
-                phi_1183_ = type_9(_e325[0], _e325[1]);
+                let _e668 = phi_1180_;
+                phi_1183_ = type_9(_e289[0], _e289[1]);
                 loop {
-                    let _e733 = phi_1183_;
-                    if (_e733.member < _e733.member_1) {
-                        phi_1184_ = type_9((_e733.member + 1u), _e733.member_1);
-                        phi_1207_ = type_9(1u, _e733.member);
-                    } else {
-                        phi_1184_ = _e733;
-                        phi_1207_ = type_9(0u, type_9().member_1);
-                    }
-                    let _e745 = phi_1184_;
-                    let _e747 = phi_1207_;
-                    let _e751 = (bitcast<i32>(_e747.member) != 0i);
-                    if _e751 {
-                        let _e753 = ((_e272.member_1 * _e113) + _e747.member_1);
-                        let _e754 = (_e106 + _e753);
-                        let _e757 = params.member.member_2.member;
-                        let _e760 = params.member.member_2.member_1;
-                        if (_e760 == 0u) {
-                            phi_1232_ = array<u32, 2>(0u, 2u);
+                    let _e671 = phi_1183_;
+                    let _e674 = (_e671.member < _e671.member_1);
+                    let _e687 = (bitcast<i32>(select(0u, 1u, _e674)) != 0i);
+                    if _e687 {
+                        let _e689 = ((_e243 * _e106) + select(type_9().member_1, _e671.member, _e674));
+                        let _e690 = (_e100 + _e689);
+                        let _e693 = params.member.member_2.member;
+                        let _e696 = params.member.member_2.member_1;
+                        let _e697 = (_e696 == 0u);
+                        let _e708 = keys.member[_e204];
+                        let _e710 = sorted.member[_e204];
+                        let _e712 = (select(select(1u, 2u, _e697), select(1u, 0u, _e697), (_e690 >= (select(1u, 8u, (_e693 == 2u)) * select(1u, 10u, (_e693 == 2u))))) << bitcast<u32>(30u));
+                        if (_e693 == 1u) {
+                            let _e825 = survey.member[6u];
+                            let _e836 = bitcast<u32>(select(select(_e710.member_1[2], _e710.member_1[1], (_e825 == 1u)), _e710.member_1[0], (_e825 == 0u)));
+                            let _e840 = bitcast<u32>(bitcast<f32>(select(_e836, 0u, (_e836 == 2147483648u))));
+                            phi_1473_ = array<u32, 2>(((_e712 | (_e708 & 1073741823u)) + _e690), (_e712 | (select((_e840 | 2147483648u), ~(_e840), ((_e840 >> bitcast<u32>(31i)) == 1u)) >> bitcast<u32>(2i))));
                         } else {
-                            phi_1232_ = array<u32, 2>(1u, 1u);
-                        }
-                        let _e763 = phi_1232_;
-                        if (_e757 == 2u) {
-                            phi_1239_ = 8u;
-                        } else {
-                            phi_1239_ = 1u;
-                        }
-                        let _e768 = phi_1239_;
-                        if (_e757 == 2u) {
-                            phi_1244_ = 10u;
-                        } else {
-                            phi_1244_ = 1u;
-                        }
-                        let _e771 = phi_1244_;
-                        if (_e754 >= (_e768 * _e771)) {
-                            phi_1252_ = array<u32, 2>(_e763[1], _e763[0]);
-                        } else {
-                            phi_1252_ = _e763;
-                        }
-                        let _e776 = phi_1252_;
-                        let _e779 = keys.member[_e232];
-                        let _e781 = sorted.member[_e232];
-                        let _e783 = (_e776[1] << bitcast<u32>(30u));
-                        if (_e757 == 1u) {
-                            let _e904 = survey.member[6u];
-                            if (_e904 == 0u) {
-                                phi_1310_ = _e781.member_1[0];
-                            } else {
-                                if (_e904 == 1u) {
-                                    phi_1309_ = _e781.member_1[1];
-                                } else {
-                                    phi_1309_ = _e781.member_1[2];
-                                }
-                                let _e912 = phi_1309_;
-                                phi_1310_ = _e912;
-                            }
-                            let _e916 = phi_1310_;
-                            let _e917 = bitcast<u32>(_e916);
-                            if (_e917 == 2147483648u) {
-                                phi_1316_ = 0u;
-                            } else {
-                                phi_1316_ = _e917;
-                            }
-                            let _e920 = phi_1316_;
-                            let _e922 = bitcast<u32>(bitcast<f32>(_e920));
-                            if ((_e922 >> bitcast<u32>(31i)) == 1u) {
-                                phi_1326_ = ~(_e922);
-                            } else {
-                                phi_1326_ = (_e922 | 2147483648u);
-                            }
-                            let _e929 = phi_1326_;
-                            phi_1473_ = array<u32, 2>(((_e783 | (_e779 & 1073741823u)) + _e754), (_e783 | (_e929 >> bitcast<u32>(2i))));
-                        } else {
-                            if (_e757 == 2u) {
-                                let _e787 = (_e754 % 80u);
-                                let _e789 = (_e787 % 10u);
-                                if (_e760 == 1u) {
-                                    phi_1342_ = ((_e787 / 10u) == 0u);
-                                } else {
-                                    phi_1342_ = false;
-                                }
-                                let _e793 = phi_1342_;
-                                if (_e303 >= 8u) {
+                            if (_e693 == 2u) {
+                                let _e716 = (_e690 % 80u);
+                                let _e718 = (_e716 % 10u);
+                                let _e721 = select(false, ((_e716 / 10u) == 0u), (_e696 == 1u));
+                                if (_e267 >= 8u) {
                                     phi_1459_ = array<u32, 2>();
                                     phi_1460_ = true;
                                 } else {
-                                    if _e793 {
-                                        if (_e789 < 4u) {
-                                            phi_1354_ = false;
-                                        } else {
-                                            phi_1354_ = true;
-                                        }
-                                        let _e797 = phi_1354_;
-                                        phi_1355_ = _e797;
-                                    } else {
-                                        phi_1355_ = true;
-                                    }
-                                    let _e799 = phi_1355_;
-                                    if _e799 {
-                                        if (_e789 == 9u) {
+                                    if select(true, select(true, false, (_e718 < 4u)), _e721) {
+                                        if (_e718 == 9u) {
                                             phi_1449_ = array<u32, 2>(0u, 134217727u);
                                         } else {
-                                            let _e803 = (_e730[1] + (_e789 % 3u));
-                                            let _e806 = (_e730[2] + (_e789 / 3u));
-                                            if (_e803 < 1u) {
+                                            let _e729 = (_e668[1] + (_e718 % 3u));
+                                            let _e732 = (_e668[2] + (_e718 / 3u));
+                                            if (_e729 < 1u) {
                                                 phi_1442_ = array<u32, 2>();
                                                 phi_1443_ = true;
                                             } else {
-                                                if (_e806 < 1u) {
+                                                if (_e732 < 1u) {
                                                     phi_1440_ = array<u32, 2>();
                                                     phi_1441_ = true;
                                                 } else {
-                                                    if (_e803 > 512u) {
+                                                    if (_e729 > 512u) {
                                                         phi_1438_ = array<u32, 2>();
                                                         phi_1439_ = true;
                                                     } else {
-                                                        let _e810 = (_e806 > 512u);
-                                                        if _e810 {
+                                                        let _e736 = (_e732 > 512u);
+                                                        if _e736 {
                                                             phi_1437_ = array<u32, 2>();
                                                         } else {
-                                                            if (_e730[0] > 0u) {
-                                                                if _e793 {
-                                                                    if (_e789 == 4u) {
-                                                                        phi_1398_ = false;
-                                                                    } else {
-                                                                        phi_1398_ = true;
-                                                                    }
-                                                                    let _e815 = phi_1398_;
-                                                                    phi_1399_ = _e815;
-                                                                } else {
-                                                                    phi_1399_ = true;
-                                                                }
-                                                                let _e817 = phi_1399_;
-                                                                if _e817 {
-                                                                    phi_1405_ = (_e730[0] - 1u);
-                                                                    phi_1406_ = false;
-                                                                } else {
-                                                                    phi_1405_ = u32();
-                                                                    phi_1406_ = true;
-                                                                }
-                                                                let _e821 = phi_1405_;
-                                                                let _e823 = phi_1406_;
-                                                                phi_1407_ = _e821;
-                                                                phi_1408_ = _e823;
-                                                            } else {
-                                                                phi_1407_ = u32();
-                                                                phi_1408_ = true;
-                                                            }
-                                                            let _e825 = phi_1407_;
-                                                            let _e827 = phi_1408_;
-                                                            if _e827 {
-                                                                phi_1413_ = _e730[0];
-                                                            } else {
-                                                                phi_1413_ = _e825;
-                                                            }
-                                                            let _e830 = phi_1413_;
-                                                            if ((_e730[0] + 1u) < 512u) {
-                                                                phi_1423_ = (_e730[0] + 1u);
-                                                            } else {
-                                                                phi_1423_ = _e730[0];
-                                                            }
-                                                            let _e838 = phi_1423_;
-                                                            phi_1437_ = array<u32, 2>(((((_e806 - 1u) << bitcast<u32>(18u)) | ((_e803 - 1u) << bitcast<u32>(9u))) | _e830), ((((_e806 - 1u) << bitcast<u32>(18u)) | ((_e803 - 1u) << bitcast<u32>(9u))) | _e838));
+                                                            let _e738 = (_e668[0] > 0u);
+                                                            let _e741 = select(true, select(true, false, (_e718 == 4u)), _e721);
+                                                            phi_1437_ = array<u32, 2>(((((_e732 - 1u) << bitcast<u32>(18u)) | ((_e729 - 1u) << bitcast<u32>(9u))) | select(select(u32(), select(u32(), (_e668[0] - 1u), _e741), _e738), _e668[0], select(true, select(true, false, _e741), _e738))), ((((_e732 - 1u) << bitcast<u32>(18u)) | ((_e729 - 1u) << bitcast<u32>(9u))) | select(_e668[0], (_e668[0] + 1u), ((_e668[0] + 1u) < 512u))));
                                                         }
-                                                        let _e857 = phi_1437_;
-                                                        phi_1438_ = _e857;
-                                                        phi_1439_ = _e810;
+                                                        let _e775 = phi_1437_;
+                                                        phi_1438_ = _e775;
+                                                        phi_1439_ = _e736;
                                                     }
-                                                    let _e859 = phi_1438_;
-                                                    let _e861 = phi_1439_;
-                                                    phi_1440_ = _e859;
-                                                    phi_1441_ = _e861;
+                                                    let _e777 = phi_1438_;
+                                                    let _e779 = phi_1439_;
+                                                    phi_1440_ = _e777;
+                                                    phi_1441_ = _e779;
                                                 }
-                                                let _e863 = phi_1440_;
-                                                let _e865 = phi_1441_;
-                                                phi_1442_ = _e863;
-                                                phi_1443_ = _e865;
+                                                let _e781 = phi_1440_;
+                                                let _e783 = phi_1441_;
+                                                phi_1442_ = _e781;
+                                                phi_1443_ = _e783;
                                             }
-                                            let _e867 = phi_1442_;
-                                            let _e869 = phi_1443_;
-                                            if _e869 {
-                                                phi_1448_ = array<u32, 2>(1u, 0u);
-                                            } else {
-                                                phi_1448_ = _e867;
-                                            }
-                                            let _e871 = phi_1448_;
-                                            phi_1449_ = _e871;
+                                            let _e785 = phi_1442_;
+                                            let _e787 = phi_1443_;
+                                            phi_1449_ = array<u32, 2>(select(_e785[0], 1u, _e787), select(_e785[1], 0u, _e787));
                                         }
-                                        let _e873 = phi_1449_;
-                                        phi_1457_ = array<u32, 2>(((_e303 << bitcast<u32>(27u)) | _e873[0]), ((_e303 << bitcast<u32>(27u)) | _e873[1]));
+                                        let _e794 = phi_1449_;
+                                        phi_1457_ = array<u32, 2>(((_e267 << bitcast<u32>(27u)) | _e794[0]), ((_e267 << bitcast<u32>(27u)) | _e794[1]));
                                         phi_1458_ = false;
                                     } else {
                                         phi_1457_ = array<u32, 2>();
                                         phi_1458_ = true;
                                     }
-                                    let _e884 = phi_1457_;
-                                    let _e886 = phi_1458_;
-                                    phi_1459_ = _e884;
-                                    phi_1460_ = _e886;
+                                    let _e805 = phi_1457_;
+                                    let _e807 = phi_1458_;
+                                    phi_1459_ = _e805;
+                                    phi_1460_ = _e807;
                                 }
-                                let _e888 = phi_1459_;
-                                let _e890 = phi_1460_;
-                                if _e890 {
-                                    phi_1465_ = array<u32, 2>(1u, 0u);
-                                } else {
-                                    phi_1465_ = _e888;
-                                }
-                                let _e892 = phi_1465_;
-                                phi_1472_ = array<u32, 2>((_e783 | _e892[0]), (_e783 | _e892[1]));
+                                let _e809 = phi_1459_;
+                                let _e811 = phi_1460_;
+                                phi_1472_ = array<u32, 2>((_e712 | select(_e809[0], 1u, _e811)), (_e712 | select(_e809[1], 0u, _e811)));
                             } else {
-                                phi_1472_ = array<u32, 2>(_e783, _e783);
+                                phi_1472_ = array<u32, 2>(_e712, _e712);
                             }
-                            let _e899 = phi_1472_;
-                            phi_1473_ = _e899;
+                            let _e820 = phi_1472_;
+                            phi_1473_ = _e820;
                         }
-                        let _e935 = phi_1473_;
-                        if (_e935[0] <= _e935[1]) {
-                            let _e940 = atomicMin((&ranges[_e753]), _e935[0]);
-                            let _e943 = atomicMax((&ranges[(128u + _e753)]), _e935[1]);
+                        let _e852 = phi_1473_;
+                        if (_e852[0] <= _e852[1]) {
+                            let _e857 = atomicMin((&ranges[_e689]), _e852[0]);
+                            let _e860 = atomicMax((&ranges[(128u + _e689)]), _e852[1]);
                         }
                     }
                     continue;
                     continuing {
-                        phi_1183_ = _e745;
-                        break if !(_e751);
+                        phi_1183_ = type_9(select(_e671.member, (_e671.member + 1u), _e674), select(_e671.member_1, _e671.member_1, _e674));
+                        break if !(_e687);
                     }
                 }
             }
             continue;
             continuing {
-                phi_398_ = _e270;
-                break if !(_e276);
+                phi_398_ = type_9(select(_e229.member, (_e229.member + 1u), _e232), select(_e229.member_1, _e229.member_1, _e232));
+                break if !(_e245);
             }
         }
     }
     workgroupBarrier();
-    let _e947 = atomicLoad((&ranges[_e87]));
-    let _e950 = atomicLoad((&ranges[(128u + _e87)]));
-    if (_e947 <= _e950) {
+    let _e864 = atomicLoad((&ranges[_e81]));
+    let _e867 = atomicLoad((&ranges[(128u + _e81)]));
+    if (_e864 <= _e867) {
         phi_1498_ = type_14(0i, 32i);
         phi_1501_ = 0u;
-        phi_1503_ = _e110;
+        phi_1503_ = _e104;
         loop {
-            let _e953 = phi_1498_;
-            let _e955 = phi_1501_;
-            let _e957 = phi_1503_;
-            local_17 = _e955;
-            local_20 = _e955;
-            local_21 = _e955;
-            if (_e953.member < _e953.member_1) {
-                let _e964 = (_e953.member + 1i);
-                if ((false == (_e964 > _e953.member)) != false) {
-                    phi_1524_ = true;
-                } else {
-                    phi_1524_ = false;
-                }
-                let _e969 = phi_1524_;
-                if _e969 {
-                    phi_1530_ = type_15(0u, type_15().member_1);
-                } else {
-                    phi_1530_ = type_15(1u, _e964);
-                }
-                let _e974 = phi_1530_;
-                phi_1499_ = type_14(_e974.member_1, _e953.member_1);
-                phi_1544_ = type_15(1u, _e953.member);
+            let _e870 = phi_1498_;
+            let _e872 = phi_1501_;
+            let _e874 = phi_1503_;
+            local_17 = _e872;
+            local_18 = _e872;
+            local_21 = _e872;
+            if (_e870.member < _e870.member_1) {
+                let _e881 = (_e870.member + 1i);
+                phi_1499_ = type_14(select(_e881, type_15().member_1, select(false, true, ((false == (_e881 > _e870.member)) != false))), _e870.member_1);
+                phi_1544_ = type_15(1u, _e870.member);
             } else {
-                phi_1499_ = _e953;
+                phi_1499_ = _e870;
                 phi_1544_ = type_15(0u, type_15().member_1);
             }
-            let _e980 = phi_1499_;
-            let _e982 = phi_1544_;
-            if (bitcast<i32>(_e982.member) != 0i) {
-                if (_e955 >= _e957) {
+            let _e892 = phi_1499_;
+            let _e894 = phi_1544_;
+            if (bitcast<i32>(_e894.member) != 0i) {
+                if (_e872 >= _e874) {
                     phi_1575_ = u32();
                     phi_1576_ = u32();
                     phi_1577_ = false;
                 } else {
-                    let _e989 = (_e955 + ((_e957 - _e955) / 2u));
-                    let _e991 = keys.member[_e989];
-                    if (_e991 < _e947) {
-                        phi_1573_ = (_e989 + 1u);
-                        phi_1574_ = _e957;
-                    } else {
-                        phi_1573_ = _e955;
-                        phi_1574_ = _e989;
-                    }
-                    let _e995 = phi_1573_;
-                    let _e997 = phi_1574_;
-                    phi_1575_ = _e995;
-                    phi_1576_ = _e997;
+                    let _e901 = (_e872 + ((_e874 - _e872) / 2u));
+                    let _e903 = keys.member[_e901];
+                    let _e904 = (_e903 < _e864);
+                    phi_1575_ = select(_e872, (_e901 + 1u), _e904);
+                    phi_1576_ = select(_e901, _e874, _e904);
                     phi_1577_ = true;
                 }
-                let _e999 = phi_1575_;
-                let _e1001 = phi_1576_;
-                let _e1003 = phi_1577_;
-                phi_1502_ = _e999;
-                phi_1504_ = _e1001;
-                phi_1578_ = _e1003;
+                let _e909 = phi_1575_;
+                let _e911 = phi_1576_;
+                let _e913 = phi_1577_;
+                phi_1502_ = _e909;
+                phi_1504_ = _e911;
+                phi_1578_ = _e913;
             } else {
                 phi_1502_ = u32();
                 phi_1504_ = u32();
                 phi_1578_ = false;
             }
-            let _e1005 = phi_1502_;
-            let _e1007 = phi_1504_;
-            let _e1009 = phi_1578_;
+            let _e915 = phi_1502_;
+            let _e917 = phi_1504_;
+            let _e919 = phi_1578_;
             continue;
             continuing {
-                phi_1498_ = _e980;
-                phi_1501_ = _e1005;
-                phi_1503_ = _e1007;
-                break if !(_e1009);
+                phi_1498_ = _e892;
+                phi_1501_ = _e915;
+                phi_1503_ = _e917;
+                break if !(_e919);
             }
         }
-        if (_e103 == 1u) {
-            let _e1015 = params.member.member.member_2[1u];
-            let _e1018 = ((_e1015 + (_e97 * 128u)) + 1u);
-            let _e1020 = local_17;
-            if (_e1018 < _e1020) {
-                let _e1371 = local_20;
-                phi_1593_ = _e1371;
-            } else {
-                phi_1593_ = _e1018;
-            }
-            let _e1023 = phi_1593_;
-            phi_1594_ = _e1023;
+        if (_e97 == 1u) {
+            let _e925 = params.member.member.member_2[1u];
+            let _e928 = ((_e925 + (_e91 * 128u)) + 1u);
+            let _e930 = local_17;
+            let _e933 = local_18;
+            phi_1594_ = select(_e928, _e933, (_e928 < _e930));
         } else {
-            let _e1374 = local_21;
-            phi_1594_ = _e1374;
+            let _e1189 = local_21;
+            phi_1594_ = _e1189;
         }
-        let _e1025 = phi_1594_;
+        let _e936 = phi_1594_;
         phi_1598_ = type_14(0i, 32i);
         phi_1601_ = 0u;
-        phi_1603_ = _e110;
+        phi_1603_ = _e104;
         loop {
-            let _e1028 = phi_1598_;
-            let _e1030 = phi_1601_;
-            let _e1032 = phi_1603_;
-            local_18 = _e1030;
-            local_19 = _e1030;
-            local_22 = _e1030;
-            if (_e1028.member < _e1028.member_1) {
-                let _e1039 = (_e1028.member + 1i);
-                if ((false == (_e1039 > _e1028.member)) != false) {
-                    phi_1624_ = true;
-                } else {
-                    phi_1624_ = false;
-                }
-                let _e1044 = phi_1624_;
-                if _e1044 {
-                    phi_1630_ = type_15(0u, type_15().member_1);
-                } else {
-                    phi_1630_ = type_15(1u, _e1039);
-                }
-                let _e1049 = phi_1630_;
-                phi_1599_ = type_14(_e1049.member_1, _e1028.member_1);
-                phi_1644_ = type_15(1u, _e1028.member);
+            let _e939 = phi_1598_;
+            let _e941 = phi_1601_;
+            let _e943 = phi_1603_;
+            local_19 = _e941;
+            local_20 = _e941;
+            local_22 = _e941;
+            if (_e939.member < _e939.member_1) {
+                let _e950 = (_e939.member + 1i);
+                phi_1599_ = type_14(select(_e950, type_15().member_1, select(false, true, ((false == (_e950 > _e939.member)) != false))), _e939.member_1);
+                phi_1644_ = type_15(1u, _e939.member);
             } else {
-                phi_1599_ = _e1028;
+                phi_1599_ = _e939;
                 phi_1644_ = type_15(0u, type_15().member_1);
             }
-            let _e1055 = phi_1599_;
-            let _e1057 = phi_1644_;
-            if (bitcast<i32>(_e1057.member) != 0i) {
-                if (_e1030 >= _e1032) {
+            let _e961 = phi_1599_;
+            let _e963 = phi_1644_;
+            if (bitcast<i32>(_e963.member) != 0i) {
+                if (_e941 >= _e943) {
                     phi_1675_ = u32();
                     phi_1676_ = u32();
                     phi_1677_ = false;
                 } else {
-                    let _e1064 = (_e1030 + ((_e1032 - _e1030) / 2u));
-                    let _e1066 = keys.member[_e1064];
-                    if (_e1066 < (_e950 + 1u)) {
-                        phi_1673_ = (_e1064 + 1u);
-                        phi_1674_ = _e1032;
-                    } else {
-                        phi_1673_ = _e1030;
-                        phi_1674_ = _e1064;
-                    }
-                    let _e1070 = phi_1673_;
-                    let _e1072 = phi_1674_;
-                    phi_1675_ = _e1070;
-                    phi_1676_ = _e1072;
+                    let _e970 = (_e941 + ((_e943 - _e941) / 2u));
+                    let _e972 = keys.member[_e970];
+                    let _e973 = (_e972 < (_e867 + 1u));
+                    phi_1675_ = select(_e941, (_e970 + 1u), _e973);
+                    phi_1676_ = select(_e970, _e943, _e973);
                     phi_1677_ = true;
                 }
-                let _e1074 = phi_1675_;
-                let _e1076 = phi_1676_;
-                let _e1078 = phi_1677_;
-                phi_1602_ = _e1074;
-                phi_1604_ = _e1076;
-                phi_1678_ = _e1078;
+                let _e978 = phi_1675_;
+                let _e980 = phi_1676_;
+                let _e982 = phi_1677_;
+                phi_1602_ = _e978;
+                phi_1604_ = _e980;
+                phi_1678_ = _e982;
             } else {
                 phi_1602_ = u32();
                 phi_1604_ = u32();
                 phi_1678_ = false;
             }
-            let _e1080 = phi_1602_;
-            let _e1082 = phi_1604_;
-            let _e1084 = phi_1678_;
+            let _e984 = phi_1602_;
+            let _e986 = phi_1604_;
+            let _e988 = phi_1678_;
             continue;
             continuing {
-                phi_1598_ = _e1055;
-                phi_1601_ = _e1080;
-                phi_1603_ = _e1082;
-                break if !(_e1084);
+                phi_1598_ = _e961;
+                phi_1601_ = _e984;
+                phi_1603_ = _e986;
+                break if !(_e988);
             }
         }
-        let _e1087 = local_18;
-        if (_e1025 < _e1087) {
-            let _e1090 = local_19;
-            let _e1091 = (_e1090 - _e1025);
-            let _e1092 = (_e1091 / 1024u);
-            if ((_e1091 % 1024u) > 0u) {
-                phi_1699_ = (_e1092 + 1u);
-            } else {
-                phi_1699_ = _e1092;
+        let _e991 = local_19;
+        if (_e936 < _e991) {
+            let _e994 = local_20;
+            let _e995 = (_e994 - _e936);
+            let _e996 = (_e995 / 1024u);
+            let _e1000 = select(_e996, (_e996 + 1u), ((_e995 % 1024u) > 0u));
+            let _e1002 = atomicAdd((&work.member[0u]), _e1000);
+            if ((_e1002 + _e1000) < _e1002) {
+                let _e1006 = atomicAdd((&work.member[2u]), 1u);
             }
-            let _e1097 = phi_1699_;
-            let _e1099 = atomicAdd((&work.member[0u]), _e1097);
-            if ((_e1099 + _e1097) < _e1099) {
-                let _e1103 = atomicAdd((&work.member[2u]), 1u);
-            }
-            phi_1712_ = _e1099;
+            phi_1712_ = _e1002;
         } else {
             phi_1712_ = 0u;
         }
-        let _e1105 = phi_1712_;
-        phi_1713_ = _e1105;
-        let _e1397 = local_22;
-        phi_1714_ = _e1397;
-        phi_1715_ = _e1025;
+        let _e1008 = phi_1712_;
+        phi_1713_ = _e1008;
+        let _e1207 = local_22;
+        phi_1714_ = _e1207;
+        phi_1715_ = _e936;
     } else {
         phi_1713_ = 0u;
         phi_1714_ = 0u;
         phi_1715_ = 0u;
     }
-    let _e1107 = phi_1713_;
-    let _e1109 = phi_1714_;
-    let _e1111 = phi_1715_;
-    atomicStore((&ranges[(256u + _e87)]), _e1111);
-    atomicStore((&ranges[(384u + _e87)]), _e1109);
-    atomicStore((&ranges[(512u + _e87)]), _e1107);
+    let _e1010 = phi_1713_;
+    let _e1012 = phi_1714_;
+    let _e1014 = phi_1715_;
+    atomicStore((&ranges[(256u + _e81)]), _e1014);
+    atomicStore((&ranges[(384u + _e81)]), _e1012);
+    atomicStore((&ranges[(512u + _e81)]), _e1010);
     workgroupBarrier();
-    if (_e100 == 2u) {
-        phi_1726_ = 8u;
-    } else {
-        phi_1726_ = 1u;
-    }
-    let _e1120 = phi_1726_;
-    phi_1730_ = type_9(0u, (_e1120 * _e113));
+    phi_1730_ = type_9(0u, (select(1u, 8u, (_e94 == 2u)) * _e106));
     loop {
-        let _e1124 = phi_1730_;
-        if (_e1124.member < _e1124.member_1) {
-            phi_1731_ = type_9((_e1124.member + 1u), _e1124.member_1);
-            phi_1754_ = type_9(1u, _e1124.member);
-        } else {
-            phi_1731_ = _e1124;
-            phi_1754_ = type_9(0u, type_9().member_1);
-        }
-        let _e1136 = phi_1731_;
-        let _e1138 = phi_1754_;
-        let _e1142 = (bitcast<i32>(_e1138.member) != 0i);
-        if _e1142 {
-            let _e1145 = atomicLoad((&ranges[(256u + _e1138.member_1)]));
-            let _e1148 = atomicLoad((&ranges[(384u + _e1138.member_1)]));
-            if (_e1145 < _e1148) {
-                let _e1150 = (_e1148 - _e1145);
-                let _e1151 = (_e1150 / 1024u);
-                if ((_e1150 % 1024u) > 0u) {
-                    phi_1788_ = (_e1151 + 1u);
-                } else {
-                    phi_1788_ = _e1151;
-                }
-                let _e1156 = phi_1788_;
-                phi_1789_ = _e1156;
+        let _e1026 = phi_1730_;
+        let _e1029 = (_e1026.member < _e1026.member_1);
+        let _e1040 = select(type_9().member_1, _e1026.member, _e1029);
+        let _e1042 = (bitcast<i32>(select(0u, 1u, _e1029)) != 0i);
+        if _e1042 {
+            let _e1045 = atomicLoad((&ranges[(256u + _e1040)]));
+            let _e1048 = atomicLoad((&ranges[(384u + _e1040)]));
+            if (_e1045 < _e1048) {
+                let _e1050 = (_e1048 - _e1045);
+                let _e1051 = (_e1050 / 1024u);
+                phi_1789_ = select(_e1051, (_e1051 + 1u), ((_e1050 % 1024u) > 0u));
             } else {
                 phi_1789_ = 0u;
             }
-            let _e1158 = phi_1789_;
-            let _e1159 = (_e1158 / 128u);
-            if ((_e1158 % 128u) > 0u) {
-                phi_1805_ = (_e1159 + 1u);
-            } else {
-                phi_1805_ = _e1159;
-            }
-            let _e1164 = phi_1805_;
-            phi_1808_ = type_9(0u, _e1164);
+            let _e1057 = phi_1789_;
+            let _e1058 = (_e1057 / 128u);
+            phi_1808_ = type_9(0u, select(_e1058, (_e1058 + 1u), ((_e1057 % 128u) > 0u)));
             loop {
-                let _e1167 = phi_1808_;
-                if (_e1167.member < _e1167.member_1) {
-                    phi_1809_ = type_9((_e1167.member + 1u), _e1167.member_1);
-                    phi_1832_ = type_9(1u, _e1167.member);
-                } else {
-                    phi_1809_ = _e1167;
-                    phi_1832_ = type_9(0u, type_9().member_1);
-                }
-                let _e1179 = phi_1809_;
-                let _e1181 = phi_1832_;
-                let _e1185 = (bitcast<i32>(_e1181.member) != 0i);
-                if _e1185 {
-                    let _e1187 = ((_e1181.member_1 * 128u) + _e87);
-                    if (_e1187 < _e1158) {
-                        let _e1190 = (_e1145 + (_e1187 * 1024u));
-                        let _e1191 = (_e1148 - _e1190);
-                        if (1024u < _e1191) {
-                            phi_1853_ = 1024u;
-                        } else {
-                            phi_1853_ = _e1191;
-                        }
-                        let _e1194 = phi_1853_;
-                        let _e1195 = (_e1194 / 128u);
-                        if ((_e1194 % 128u) > 0u) {
-                            phi_1869_ = (_e1195 + 1u);
-                        } else {
-                            phi_1869_ = _e1195;
-                        }
-                        let _e1200 = phi_1869_;
-                        let _e1211 = atomicLoad((&ranges[(512u + _e1138.member_1)]));
-                        let _e1212 = (_e1211 + _e1187);
-                        let _e1215 = params.member.member_1.member_3;
-                        if (_e1212 < _e1215) {
-                            let _e1217 = (2u * _e1212);
-                            atomicStore((&work.member[(4u + _e1217)]), (((_e106 + _e1138.member_1) << bitcast<u32>(24i)) | _e97));
-                            atomicStore((&work.member[(_e1217 + 5u)]), (((_e1200 - 1u) << bitcast<u32>(29i)) | _e1190));
+                let _e1065 = phi_1808_;
+                let _e1068 = (_e1065.member < _e1065.member_1);
+                let _e1081 = (bitcast<i32>(select(0u, 1u, _e1068)) != 0i);
+                if _e1081 {
+                    let _e1083 = ((select(type_9().member_1, _e1065.member, _e1068) * 128u) + _e81);
+                    if (_e1083 < _e1057) {
+                        let _e1086 = (_e1045 + (_e1083 * 1024u));
+                        let _e1087 = (_e1048 - _e1086);
+                        let _e1089 = select(_e1087, 1024u, (1024u < _e1087));
+                        let _e1090 = (_e1089 / 128u);
+                        let _e1105 = atomicLoad((&ranges[(512u + _e1040)]));
+                        let _e1106 = (_e1105 + _e1083);
+                        let _e1109 = params.member.member_1.member_3;
+                        if (_e1106 < _e1109) {
+                            let _e1111 = (2u * _e1106);
+                            atomicStore((&work.member[(4u + _e1111)]), (((_e100 + _e1040) << bitcast<u32>(24i)) | _e91));
+                            atomicStore((&work.member[(_e1111 + 5u)]), (((select(_e1090, (_e1090 + 1u), ((_e1089 % 128u) > 0u)) - 1u) << bitcast<u32>(29i)) | _e1086));
                         }
                     }
                 }
                 continue;
                 continuing {
-                    phi_1808_ = _e1179;
-                    break if !(_e1185);
+                    phi_1808_ = type_9(select(_e1065.member, (_e1065.member + 1u), _e1068), select(_e1065.member_1, _e1065.member_1, _e1068));
+                    break if !(_e1081);
                 }
             }
         }
         continue;
         continuing {
-            phi_1730_ = _e1136;
-            break if !(_e1142);
+            phi_1730_ = type_9(select(_e1026.member, (_e1026.member + 1u), _e1029), select(_e1026.member_1, _e1026.member_1, _e1029));
+            break if !(_e1042);
         }
     }
     return;

@@ -118,312 +118,106 @@ var<storage> input: type_11;
 var<storage, read_write> output: type_43;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_3121_: bool;
-    var phi_3122_: bool;
-    var phi_3126_: array<u32, 2>;
-
-    if (param_1[1] > param[1]) {
-        phi_3122_ = true;
-    } else {
-        if (param_1[1] == param[1]) {
-            phi_3121_ = (param_1[0] > param[0]);
-        } else {
-            phi_3121_ = false;
-        }
-        let _e14 = phi_3121_;
-        phi_3122_ = _e14;
-    }
-    let _e16 = phi_3122_;
-    if _e16 {
-        phi_3126_ = param_1;
-    } else {
-        phi_3126_ = param;
-    }
-    let _e18 = phi_3126_;
-    return _e18;
+    let _e14 = select(select(false, (param_1[0] > param[0]), (param_1[1] == param[1])), true, (param_1[1] > param[1]));
+    return array<u32, 2>(select(param[0], param_1[0], _e14), select(param[1], param_1[1], _e14));
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_3097_: bool;
-    var phi_3098_: bool;
-    var phi_3102_: array<u32, 2>;
-
-    if (param_2[1] > param_3[1]) {
-        phi_3098_ = true;
-    } else {
-        if (param_2[1] == param_3[1]) {
-            phi_3097_ = (param_2[0] > param_3[0]);
-        } else {
-            phi_3097_ = false;
-        }
-        let _e14 = phi_3097_;
-        phi_3098_ = _e14;
-    }
-    let _e16 = phi_3098_;
-    if _e16 {
-        phi_3102_ = param_3;
-    } else {
-        phi_3102_ = param_2;
-    }
-    let _e18 = phi_3102_;
-    return _e18;
+    let _e14 = select(select(false, (param_2[0] > param_3[0]), (param_2[1] == param_3[1])), true, (param_2[1] > param_3[1]));
+    return array<u32, 2>(select(param_2[0], param_3[0], _e14), select(param_2[1], param_3[1], _e14));
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_3073_: bool;
-    var phi_3074_: bool;
-    var phi_3078_: array<u32, 2>;
-
-    if (param_5[1] > param_4[1]) {
-        phi_3074_ = true;
-    } else {
-        if (param_5[1] == param_4[1]) {
-            phi_3073_ = (param_5[0] > param_4[0]);
-        } else {
-            phi_3073_ = false;
-        }
-        let _e14 = phi_3073_;
-        phi_3074_ = _e14;
-    }
-    let _e16 = phi_3074_;
-    if _e16 {
-        phi_3078_ = param_5;
-    } else {
-        phi_3078_ = param_4;
-    }
-    let _e18 = phi_3078_;
-    return _e18;
+    let _e14 = select(select(false, (param_5[0] > param_4[0]), (param_5[1] == param_4[1])), true, (param_5[1] > param_4[1]));
+    return array<u32, 2>(select(param_4[0], param_5[0], _e14), select(param_4[1], param_5[1], _e14));
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_3049_: bool;
-    var phi_3050_: bool;
-    var phi_3054_: array<u32, 2>;
-
-    if (param_6[1] > param_7[1]) {
-        phi_3050_ = true;
-    } else {
-        if (param_6[1] == param_7[1]) {
-            phi_3049_ = (param_6[0] > param_7[0]);
-        } else {
-            phi_3049_ = false;
-        }
-        let _e14 = phi_3049_;
-        phi_3050_ = _e14;
-    }
-    let _e16 = phi_3050_;
-    if _e16 {
-        phi_3054_ = param_7;
-    } else {
-        phi_3054_ = param_6;
-    }
-    let _e18 = phi_3054_;
-    return _e18;
+    let _e14 = select(select(false, (param_6[0] > param_7[0]), (param_6[1] == param_7[1])), true, (param_6[1] > param_7[1]));
+    return array<u32, 2>(select(param_6[0], param_7[0], _e14), select(param_6[1], param_7[1], _e14));
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_3025_: bool;
-    var phi_3026_: bool;
-    var phi_3030_: array<u32, 2>;
-
-    if (param_9[1] > param_8[1]) {
-        phi_3026_ = true;
-    } else {
-        if (param_9[1] == param_8[1]) {
-            phi_3025_ = (param_9[0] > param_8[0]);
-        } else {
-            phi_3025_ = false;
-        }
-        let _e14 = phi_3025_;
-        phi_3026_ = _e14;
-    }
-    let _e16 = phi_3026_;
-    if _e16 {
-        phi_3030_ = param_9;
-    } else {
-        phi_3030_ = param_8;
-    }
-    let _e18 = phi_3030_;
-    return _e18;
+    let _e14 = select(select(false, (param_9[0] > param_8[0]), (param_9[1] == param_8[1])), true, (param_9[1] > param_8[1]));
+    return array<u32, 2>(select(param_8[0], param_9[0], _e14), select(param_8[1], param_9[1], _e14));
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_3001_: bool;
-    var phi_3002_: bool;
-    var phi_3006_: array<u32, 2>;
-
-    if (param_10[1] > param_11[1]) {
-        phi_3002_ = true;
-    } else {
-        if (param_10[1] == param_11[1]) {
-            phi_3001_ = (param_10[0] > param_11[0]);
-        } else {
-            phi_3001_ = false;
-        }
-        let _e14 = phi_3001_;
-        phi_3002_ = _e14;
-    }
-    let _e16 = phi_3002_;
-    if _e16 {
-        phi_3006_ = param_11;
-    } else {
-        phi_3006_ = param_10;
-    }
-    let _e18 = phi_3006_;
-    return _e18;
+    let _e14 = select(select(false, (param_10[0] > param_11[0]), (param_10[1] == param_11[1])), true, (param_10[1] > param_11[1]));
+    return array<u32, 2>(select(param_10[0], param_11[0], _e14), select(param_10[1], param_11[1], _e14));
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_205_: u32;
-    var phi_254_: u32;
     var phi_255_: u32;
-    var phi_263_: u32;
-    var phi_279_: u32;
-    var phi_302_: u32;
     var phi_303_: u32;
     var phi_306_: type_9;
-    var phi_307_: type_9;
-    var phi_332_: type_9;
-    var phi_379_: u32;
     var phi_380_: u32;
-    var phi_388_: u32;
-    var phi_402_: u32;
-    var phi_445_: array<u32, 2>;
-    var phi_505_: array<u32, 2>;
     var phi_666_: bool;
     var phi_704_: type_29;
-    var phi_710_: bool;
-    var phi_733_: u32;
     var phi_736_: type_9;
     var phi_739_: u32;
-    var phi_737_: type_9;
-    var phi_762_: type_9;
     var phi_740_: u32;
     var local: u32;
-    var phi_951_: u32;
+    var local_1: u32;
     var phi_1057_: type_9;
     var phi_1060_: u32;
-    var phi_1058_: type_9;
-    var phi_1083_: type_9;
-    var phi_1107_: bool;
-    var phi_1108_: bool;
-    var phi_1109_: bool;
-    var phi_1113_: bool;
-    var phi_1121_: bool;
-    var phi_1129_: u32;
     var phi_1061_: u32;
     var phi_1130_: u32;
     var phi_1140_: type_9;
-    var phi_1166_: u32;
     var phi_1179_: type_9;
     var phi_1182_: type_9;
-    var phi_1180_: type_9;
-    var phi_1207_: type_9;
     var phi_1224_: type_9;
     var phi_1227_: type_9;
-    var phi_1228_: type_9;
-    var phi_1250_: type_9;
     var phi_1284_: type_9;
     var phi_1285_: bool;
     var phi_1225_: type_9;
     var phi_1286_: bool;
-    var phi_1294_: u32;
     var phi_1297_: type_9;
-    var phi_1298_: type_9;
-    var phi_1323_: type_9;
     var phi_1519_: bool;
     var phi_1603_: bool;
     var phi_1604_: bool;
-    var phi_1608_: bool;
     var phi_1609_: bool;
-    var phi_1752_: bool;
-    var phi_1758_: bool;
-    var phi_1730_: bool;
-    var phi_1737_: bool;
-    var phi_1745_: bool;
     var phi_1760_: bool;
-    var phi_1764_: bool;
     var phi_1765_: bool;
-    var phi_1806_: bool;
-    var phi_1807_: bool;
-    var phi_1814_: bool;
-    var phi_1928_: bool;
     var phi_1929_: bool;
-    var phi_1964_: u32;
-    var phi_1965_: u32;
-    var phi_1966_: u32;
-    var phi_1967_: u32;
     var phi_1970_: type_15;
     var phi_1973_: u32;
     var phi_1975_: u32;
-    var phi_1996_: bool;
-    var phi_2002_: type_16;
     var phi_1971_: type_15;
     var phi_2016_: type_16;
-    var phi_2084_: bool;
-    var phi_2085_: bool;
-    var phi_2086_: bool;
-    var phi_2087_: bool;
-    var phi_2091_: bool;
     var phi_2092_: bool;
-    var phi_2097_: u32;
-    var phi_2098_: u32;
     var phi_2099_: u32;
     var phi_2100_: u32;
     var phi_2101_: bool;
     var phi_1974_: u32;
     var phi_1976_: u32;
     var phi_2102_: bool;
-    var local_1: u32;
     var local_2: u32;
+    var local_3: u32;
     var phi_2150_: bool;
     var phi_2151_: bool;
     var phi_2152_: bool;
     var phi_2153_: bool;
-    var phi_2157_: bool;
     var phi_2158_: bool;
     var phi_2162_: bool;
-    var phi_2166_: bool;
     var phi_2167_: bool;
-    var phi_2171_: bool;
     var phi_2172_: bool;
-    var phi_2176_: bool;
     var phi_2177_: bool;
-    var phi_2293_: bool;
-    var phi_2294_: bool;
-    var phi_2381_: bool;
-    var phi_2382_: bool;
-    var phi_2470_: bool;
-    var phi_2471_: bool;
-    var phi_2558_: bool;
-    var phi_2559_: bool;
-    var phi_2648_: bool;
-    var phi_2649_: bool;
-    var phi_2736_: bool;
-    var phi_2737_: bool;
     var phi_2741_: bool;
     var phi_2742_: bool;
     var phi_2743_: bool;
-    var phi_2747_: bool;
     var phi_2748_: bool;
     var phi_2749_: bool;
     var phi_2750_: bool;
     var phi_2751_: bool;
-    var phi_2755_: bool;
     var phi_2775_: bool;
     var phi_2776_: bool;
-    var phi_2809_: u32;
     var phi_2832_: u32;
     var phi_2839_: type_9;
-    var phi_2840_: type_9;
-    var phi_2863_: type_9;
-    var phi_2887_: u32;
-    var phi_2939_: type_9;
     var phi_2944_: type_9;
     var phi_2958_: bool;
     var phi_2959_: bool;
     var phi_1183_: type_9;
-    var local_3: u32;
     var local_4: u32;
     var local_5: type_9;
     var id_2: vec3<u32>;
@@ -433,1127 +227,706 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e55 = id_2;
-    let _e56 = n_2;
-    let _e57 = lane_2;
-    let _e70 = ((_e55.y * _e56.x) + _e55.x);
-    let _e73 = (_e56.x * _e56.y);
-    let _e75 = params.member.member;
-    let _e78 = params.member.member_2.member_1;
-    let _e84 = params.member.member_1.member_2;
-    let _e86 = input.member[0u];
-    if (_e84 < _e86) {
-        phi_205_ = _e84;
-    } else {
-        phi_205_ = _e86;
-    }
-    let _e89 = phi_205_;
-    if (_e57 == 0u) {
+    let _e53 = id_2;
+    let _e54 = n_2;
+    let _e55 = lane_2;
+    let _e68 = ((_e53.y * _e54.x) + _e53.x);
+    let _e71 = (_e54.x * _e54.y);
+    let _e73 = params.member.member;
+    let _e76 = params.member.member_2.member_1;
+    let _e82 = params.member.member_1.member_2;
+    let _e84 = input.member[0u];
+    let _e86 = select(_e84, _e82, (_e82 < _e84));
+    if (_e55 == 0u) {
         atomicStore((&counters[7u]), 0u);
     }
-    let _e94 = params.member.member_1.member_1;
-    if (_e89 > _e94) {
-        let _e98 = params.member.member_1.member_1;
-        let _e99 = (_e89 - _e98);
-        let _e102 = params.member.member_2.member_3;
-        if (_e102 == 0u) {
+    let _e91 = params.member.member_1.member_1;
+    if (_e86 > _e91) {
+        let _e95 = params.member.member_1.member_1;
+        let _e96 = (_e86 - _e95);
+        let _e99 = params.member.member_2.member_3;
+        if (_e99 == 0u) {
             return;
         }
-        let _e104 = (_e99 / _e102);
-        if (_e102 == 0u) {
+        let _e101 = (_e96 / _e99);
+        if (_e99 == 0u) {
             return;
         }
-        if ((_e99 % _e102) > 0u) {
-            phi_254_ = (_e104 + 1u);
-        } else {
-            phi_254_ = _e104;
-        }
-        let _e110 = phi_254_;
-        phi_255_ = _e110;
+        phi_255_ = select(_e101, (_e101 + 1u), ((_e96 % _e99) > 0u));
     } else {
         phi_255_ = 0u;
     }
-    let _e112 = phi_255_;
-    let _e115 = params.member.member_2.member_4;
-    if (_e115 < _e112) {
-        phi_263_ = _e115;
-    } else {
-        phi_263_ = _e112;
-    }
-    let _e118 = phi_263_;
-    let _e119 = (_e118 / 4u);
-    if ((_e118 % 4u) > 0u) {
-        phi_279_ = (_e119 + 1u);
-    } else {
-        phi_279_ = _e119;
-    }
-    let _e124 = phi_279_;
-    if (_e124 > _e70) {
-        let _e126 = (_e124 - _e70);
-        if (_e73 == 0u) {
+    let _e108 = phi_255_;
+    let _e111 = params.member.member_2.member_4;
+    let _e113 = select(_e108, _e111, (_e111 < _e108));
+    let _e114 = (_e113 / 4u);
+    let _e118 = select(_e114, (_e114 + 1u), ((_e113 % 4u) > 0u));
+    if (_e118 > _e68) {
+        let _e120 = (_e118 - _e68);
+        if (_e71 == 0u) {
             return;
         }
-        let _e128 = (_e126 / _e73);
-        if (_e73 == 0u) {
+        let _e122 = (_e120 / _e71);
+        if (_e71 == 0u) {
             return;
         }
-        if ((_e126 % _e73) > 0u) {
-            phi_302_ = (_e128 + 1u);
-        } else {
-            phi_302_ = _e128;
-        }
-        let _e134 = phi_302_;
-        phi_303_ = _e134;
+        phi_303_ = select(_e122, (_e122 + 1u), ((_e120 % _e71) > 0u));
     } else {
         phi_303_ = 0u;
     }
-    let _e136 = phi_303_;
-    phi_306_ = type_9(0u, _e136);
+    let _e129 = phi_303_;
+    phi_306_ = type_9(0u, _e129);
     loop {
-        let _e139 = phi_306_;
-        if (_e139.member < _e139.member_1) {
-            phi_307_ = type_9((_e139.member + 1u), _e139.member_1);
-            phi_332_ = type_9(1u, _e139.member);
-        } else {
-            phi_307_ = _e139;
-            phi_332_ = type_9(0u, type_9().member_1);
-        }
-        let _e151 = phi_307_;
-        let _e153 = phi_332_;
-        let _e157 = (bitcast<i32>(_e153.member) != 0i);
-        if _e157 {
-            let _e162 = (((_e70 + (_e153.member_1 * _e73)) * 4u) + (_e57 / 32u));
-            let _e165 = params.member.member_1.member_1;
-            if (_e89 > _e165) {
-                let _e169 = params.member.member_1.member_1;
-                let _e170 = (_e89 - _e169);
-                let _e173 = params.member.member_2.member_3;
-                if (_e173 == 0u) {
+        let _e132 = phi_306_;
+        let _e135 = (_e132.member < _e132.member_1);
+        let _e148 = (bitcast<i32>(select(0u, 1u, _e135)) != 0i);
+        if _e148 {
+            let _e153 = (((_e68 + (select(type_9().member_1, _e132.member, _e135) * _e71)) * 4u) + (_e55 / 32u));
+            let _e156 = params.member.member_1.member_1;
+            if (_e86 > _e156) {
+                let _e160 = params.member.member_1.member_1;
+                let _e161 = (_e86 - _e160);
+                let _e164 = params.member.member_2.member_3;
+                if (_e164 == 0u) {
                     return;
                 }
-                let _e175 = (_e170 / _e173);
-                if (_e173 == 0u) {
+                let _e166 = (_e161 / _e164);
+                if (_e164 == 0u) {
                     return;
                 }
-                if ((_e170 % _e173) > 0u) {
-                    phi_379_ = (_e175 + 1u);
-                } else {
-                    phi_379_ = _e175;
-                }
-                let _e181 = phi_379_;
-                phi_380_ = _e181;
+                phi_380_ = select(_e166, (_e166 + 1u), ((_e161 % _e164) > 0u));
             } else {
                 phi_380_ = 0u;
             }
-            let _e183 = phi_380_;
-            let _e186 = params.member.member_2.member_4;
-            if (_e186 < _e183) {
-                phi_388_ = _e186;
-            } else {
-                phi_388_ = _e183;
-            }
-            let _e189 = phi_388_;
-            let _e190 = (_e162 < _e189);
-            let _e193 = params.member.member_1.member_1;
-            let _e196 = params.member.member_2.member_3;
-            if _e190 {
-                phi_402_ = (_e162 * _e196);
-            } else {
-                phi_402_ = 0u;
-            }
-            let _e199 = phi_402_;
-            let _e201 = (2u * (_e193 + _e199));
-            let _e204 = input.member[(4u + _e201)];
-            let _e207 = input.member[(_e201 + 5u)];
-            if (_e57 <= 5u) {
-                atomicStore((&counters[_e57]), 0u);
+            let _e173 = phi_380_;
+            let _e176 = params.member.member_2.member_4;
+            let _e179 = (_e153 < select(_e173, _e176, (_e176 < _e173)));
+            let _e182 = params.member.member_1.member_1;
+            let _e185 = params.member.member_2.member_3;
+            let _e189 = (2u * (_e182 + select(0u, (_e153 * _e185), _e179)));
+            let _e192 = input.member[(4u + _e189)];
+            let _e195 = input.member[(_e189 + 5u)];
+            if (_e55 <= 5u) {
+                atomicStore((&counters[_e55]), 0u);
             }
             workgroupBarrier();
-            if (_e78 == 0u) {
-                phi_445_ = array<u32, 2>(0u, 2u);
-            } else {
-                phi_445_ = array<u32, 2>(1u, 1u);
+            let _e198 = (_e76 == 0u);
+            if ((_e55 % 32u) == 0u) {
+                let _e204 = (_e55 / 32u);
+                let _e210 = params.member.member_2.member[0u][select(1u, 0u, _e198)];
+                firsts[(2u * _e204)] = (_e210 + (_e192 * 32u));
+                let _e219 = params.member.member_2.member[0u][select(1u, 2u, _e198)];
+                firsts[((2u * _e204) + 1u)] = (_e219 + (_e195 * 32u));
             }
-            let _e212 = phi_445_;
-            if ((_e57 % 32u) == 0u) {
-                let _e218 = (_e57 / 32u);
-                let _e224 = params.member.member_2.member[0u][_e212[0]];
-                firsts[(2u * _e218)] = (_e224 + (_e204 * 32u));
-                let _e233 = params.member.member_2.member[0u][_e212[1]];
-                firsts[((2u * _e218) + 1u)] = (_e233 + (_e207 * 32u));
-            }
-            let _e238 = params.member.member_2.member_1;
-            if (_e238 == 0u) {
-                phi_505_ = array<u32, 2>(0u, 2u);
-            } else {
-                phi_505_ = array<u32, 2>(1u, 1u);
-            }
-            let _e241 = phi_505_;
-            let _e244 = (_e57 / 32u);
-            let _e245 = (_e57 % 32u);
-            let _e247 = params.member.member_2.member_2;
-            let _e251 = params.member.member_2.member[_e247][_e241[0]];
-            let _e254 = nodes.member[(_e251 + _e204)];
-            let _e268 = params.member.member_2.member_2;
-            let _e272 = params.member.member_2.member[_e268][_e241[1]];
-            let _e275 = nodes.member[(_e272 + _e207)];
-            let _e289 = params.member.member_2.member_2;
-            let _e296 = params.member.member_2.member[(_e289 - 1u)][_e241[0]];
-            let _e299 = nodes.member[(_e296 + ((_e204 * 32u) + _e245))];
-            let _e316 = params.member.member_2.member_2;
-            let _e323 = params.member.member_2.member[(_e316 - 1u)][_e241[1]];
-            let _e326 = nodes.member[(_e323 + ((_e207 * 32u) + _e245))];
-            if _e190 {
-                phi_666_ = ((((((_e299.member.x <= _e275.member_1.y) && (_e275.member.x <= _e299.member_1.y)) && (_e299.member.y <= _e275.member_2.x)) && (_e275.member.y <= _e299.member_2.x)) && (_e299.member_1.x <= _e275.member_2.y)) && (_e275.member_1.x <= _e299.member_2.y));
+            let _e224 = params.member.member_2.member_1;
+            let _e225 = (_e224 == 0u);
+            let _e226 = select(1u, 0u, _e225);
+            let _e227 = select(1u, 2u, _e225);
+            let _e228 = (_e55 / 32u);
+            let _e229 = (_e55 % 32u);
+            let _e231 = params.member.member_2.member_2;
+            let _e235 = params.member.member_2.member[_e231][_e226];
+            let _e238 = nodes.member[(_e235 + _e192)];
+            let _e252 = params.member.member_2.member_2;
+            let _e256 = params.member.member_2.member[_e252][_e227];
+            let _e259 = nodes.member[(_e256 + _e195)];
+            let _e273 = params.member.member_2.member_2;
+            let _e280 = params.member.member_2.member[(_e273 - 1u)][_e226];
+            let _e283 = nodes.member[(_e280 + ((_e192 * 32u) + _e229))];
+            let _e300 = params.member.member_2.member_2;
+            let _e307 = params.member.member_2.member[(_e300 - 1u)][_e227];
+            let _e310 = nodes.member[(_e307 + ((_e195 * 32u) + _e229))];
+            if _e179 {
+                phi_666_ = ((((((_e283.member.x <= _e259.member_1.y) && (_e259.member.x <= _e283.member_1.y)) && (_e283.member.y <= _e259.member_2.x)) && (_e259.member.y <= _e283.member_2.x)) && (_e283.member_1.x <= _e259.member_2.y)) && (_e259.member_1.x <= _e283.member_2.y));
             } else {
                 phi_666_ = false;
             }
-            let _e351 = phi_666_;
-            if _e190 {
-                if ((((((_e326.member.x <= _e254.member_1.y) && (_e254.member.x <= _e326.member_1.y)) && (_e326.member.y <= _e254.member_2.x)) && (_e254.member.y <= _e326.member_2.x)) && (_e326.member_1.x <= _e254.member_2.y)) && (_e254.member_1.x <= _e326.member_2.y)) {
-                    let _e365 = atomicAdd((&counters[_e244]), 1u);
-                    let _e366 = ((_e244 * 32u) + _e365);
-                    columns[_e366] = type_29(array<f32, 3>(_e326.member.x, _e326.member.y, _e326.member_1.x), array<f32, 3>(_e326.member_1.y, _e326.member_2.x, _e326.member_2.y));
-                    names[_e366] = _e245;
+            let _e335 = phi_666_;
+            if _e179 {
+                if ((((((_e310.member.x <= _e238.member_1.y) && (_e238.member.x <= _e310.member_1.y)) && (_e310.member.y <= _e238.member_2.x)) && (_e238.member.y <= _e310.member_2.x)) && (_e310.member_1.x <= _e238.member_2.y)) && (_e238.member_1.x <= _e310.member_2.y)) {
+                    let _e349 = atomicAdd((&counters[_e228]), 1u);
+                    let _e350 = ((_e228 * 32u) + _e349);
+                    columns[_e350] = type_29(array<f32, 3>(_e310.member.x, _e310.member.y, _e310.member_1.x), array<f32, 3>(_e310.member_1.y, _e310.member_2.x, _e310.member_2.y));
+                    names[_e350] = _e229;
                 }
             }
-            if _e351 {
-                phi_704_ = type_29(array<f32, 3>(_e299.member.x, _e299.member.y, _e299.member_1.x), array<f32, 3>(_e299.member_1.y, _e299.member_2.x, _e299.member_2.y));
+            if _e335 {
+                phi_704_ = type_29(array<f32, 3>(_e283.member.x, _e283.member.y, _e283.member_1.x), array<f32, 3>(_e283.member_1.y, _e283.member_2.x, _e283.member_2.y));
             } else {
                 phi_704_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e373 = phi_704_;
+            let _e357 = phi_704_;
             workgroupBarrier();
-            if (_e78 == 1u) {
-                phi_710_ = (_e204 == _e207);
-            } else {
-                phi_710_ = false;
-            }
-            let _e377 = phi_710_;
-            let _e378 = (_e57 / 32u);
-            let _e380 = (_e378 * 32u);
-            let _e382 = atomicLoad((&counters[_e378]));
-            let _e383 = (_e382 / 4u);
-            if ((_e382 % 4u) > 0u) {
-                phi_733_ = (_e383 + 1u);
-            } else {
-                phi_733_ = _e383;
-            }
-            let _e388 = phi_733_;
-            phi_736_ = type_9(0u, _e388);
+            let _e360 = select(false, (_e192 == _e195), (_e76 == 1u));
+            let _e361 = (_e55 / 32u);
+            let _e363 = (_e361 * 32u);
+            let _e365 = atomicLoad((&counters[_e361]));
+            let _e366 = (_e365 / 4u);
+            phi_736_ = type_9(0u, select(_e366, (_e366 + 1u), ((_e365 % 4u) > 0u)));
             phi_739_ = 0u;
             loop {
-                let _e391 = phi_736_;
-                let _e393 = phi_739_;
-                local = _e393;
-                local_3 = _e393;
-                if (_e391.member < _e391.member_1) {
-                    phi_737_ = type_9((_e391.member + 1u), _e391.member_1);
-                    phi_762_ = type_9(1u, _e391.member);
-                } else {
-                    phi_737_ = _e391;
-                    phi_762_ = type_9(0u, type_9().member_1);
-                }
-                let _e405 = phi_737_;
-                let _e407 = phi_762_;
-                let _e411 = (bitcast<i32>(_e407.member) != 0i);
-                if _e411 {
-                    let _e412 = (4u * _e407.member_1);
-                    let _e415 = columns[(_e380 + _e412)];
-                    let _e454 = columns[((_e380 + _e412) + 1u)];
-                    let _e495 = columns[((_e380 + _e412) + 2u)];
-                    let _e536 = columns[((_e380 + _e412) + 3u)];
-                    phi_740_ = (_e393 | ((((select(0u, 1u, ((((((_e373.member[0] <= _e415.member_1[0]) && (_e415.member[0] <= _e373.member_1[0])) && (_e373.member[1] <= _e415.member_1[1])) && (_e415.member[1] <= _e373.member_1[1])) && (_e373.member[2] <= _e415.member_1[2])) && (_e415.member[2] <= _e373.member_1[2]))) << bitcast<u32>((_e412 & 31u))) | (select(0u, 1u, ((((((_e373.member[0] <= _e454.member_1[0]) && (_e454.member[0] <= _e373.member_1[0])) && (_e373.member[1] <= _e454.member_1[1])) && (_e454.member[1] <= _e373.member_1[1])) && (_e373.member[2] <= _e454.member_1[2])) && (_e454.member[2] <= _e373.member_1[2]))) << bitcast<u32>(((_e412 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e373.member[0] <= _e495.member_1[0]) && (_e495.member[0] <= _e373.member_1[0])) && (_e373.member[1] <= _e495.member_1[1])) && (_e495.member[1] <= _e373.member_1[1])) && (_e373.member[2] <= _e495.member_1[2])) && (_e495.member[2] <= _e373.member_1[2]))) << bitcast<u32>(((_e412 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e373.member[0] <= _e536.member_1[0]) && (_e536.member[0] <= _e373.member_1[0])) && (_e373.member[1] <= _e536.member_1[1])) && (_e536.member[1] <= _e373.member_1[1])) && (_e373.member[2] <= _e536.member_1[2])) && (_e536.member[2] <= _e373.member_1[2]))) << bitcast<u32>(((_e412 + 3u) & 31u)))));
+                let _e373 = phi_736_;
+                let _e375 = phi_739_;
+                local = _e375;
+                local_1 = _e375;
+                let _e378 = (_e373.member < _e373.member_1);
+                let _e391 = (bitcast<i32>(select(0u, 1u, _e378)) != 0i);
+                if _e391 {
+                    let _e392 = (4u * select(type_9().member_1, _e373.member, _e378));
+                    let _e395 = columns[(_e363 + _e392)];
+                    let _e434 = columns[((_e363 + _e392) + 1u)];
+                    let _e475 = columns[((_e363 + _e392) + 2u)];
+                    let _e516 = columns[((_e363 + _e392) + 3u)];
+                    phi_740_ = (_e375 | ((((select(0u, 1u, ((((((_e357.member[0] <= _e395.member_1[0]) && (_e395.member[0] <= _e357.member_1[0])) && (_e357.member[1] <= _e395.member_1[1])) && (_e395.member[1] <= _e357.member_1[1])) && (_e357.member[2] <= _e395.member_1[2])) && (_e395.member[2] <= _e357.member_1[2]))) << bitcast<u32>((_e392 & 31u))) | (select(0u, 1u, ((((((_e357.member[0] <= _e434.member_1[0]) && (_e434.member[0] <= _e357.member_1[0])) && (_e357.member[1] <= _e434.member_1[1])) && (_e434.member[1] <= _e357.member_1[1])) && (_e357.member[2] <= _e434.member_1[2])) && (_e434.member[2] <= _e357.member_1[2]))) << bitcast<u32>(((_e392 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e357.member[0] <= _e475.member_1[0]) && (_e475.member[0] <= _e357.member_1[0])) && (_e357.member[1] <= _e475.member_1[1])) && (_e475.member[1] <= _e357.member_1[1])) && (_e357.member[2] <= _e475.member_1[2])) && (_e475.member[2] <= _e357.member_1[2]))) << bitcast<u32>(((_e392 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e357.member[0] <= _e516.member_1[0]) && (_e516.member[0] <= _e357.member_1[0])) && (_e357.member[1] <= _e516.member_1[1])) && (_e516.member[1] <= _e357.member_1[1])) && (_e357.member[2] <= _e516.member_1[2])) && (_e516.member[2] <= _e357.member_1[2]))) << bitcast<u32>(((_e392 + 3u) & 31u)))));
                 } else {
                     phi_740_ = u32();
                 }
-                let _e576 = phi_740_;
+                let _e556 = phi_740_;
                 continue;
                 continuing {
-                    phi_736_ = _e405;
-                    phi_739_ = _e576;
-                    break if !(_e411);
+                    phi_736_ = type_9(select(_e373.member, (_e373.member + 1u), _e378), select(_e373.member_1, _e373.member_1, _e378));
+                    phi_739_ = _e556;
+                    break if !(_e391);
                 }
             }
-            if (_e382 < 32u) {
-                let _e584 = local;
-                phi_951_ = (_e584 & ((1u << bitcast<u32>((_e382 & 31u))) - 1u));
-            } else {
-                let _e1739 = local_3;
-                phi_951_ = _e1739;
-            }
-            let _e587 = phi_951_;
-            if _e377 {
-                phi_1057_ = type_9(0u, _e382);
-                phi_1060_ = _e587;
+            let _e564 = local;
+            let _e567 = local_1;
+            let _e568 = select(_e567, (_e564 & ((1u << bitcast<u32>((_e365 & 31u))) - 1u)), (_e365 < 32u));
+            if _e360 {
+                phi_1057_ = type_9(0u, _e365);
+                phi_1060_ = _e568;
                 loop {
-                    let _e590 = phi_1057_;
-                    let _e592 = phi_1060_;
-                    local_4 = _e592;
-                    if (_e590.member < _e590.member_1) {
-                        phi_1058_ = type_9((_e590.member + 1u), _e590.member_1);
-                        phi_1083_ = type_9(1u, _e590.member);
-                    } else {
-                        phi_1058_ = _e590;
-                        phi_1083_ = type_9(0u, type_9().member_1);
-                    }
-                    let _e604 = phi_1058_;
-                    let _e606 = phi_1083_;
-                    let _e610 = (bitcast<i32>(_e606.member) != 0i);
-                    if _e610 {
-                        let _e613 = names[(_e380 + _e606.member_1)];
-                        if _e377 {
-                            let _e614 = ((_e57 % 32u) < _e613);
-                            if _e614 {
-                                phi_1107_ = bool();
-                            } else {
-                                phi_1107_ = false;
-                            }
-                            let _e616 = phi_1107_;
-                            phi_1108_ = _e616;
-                            phi_1109_ = _e614;
-                        } else {
-                            phi_1108_ = bool();
-                            phi_1109_ = true;
-                        }
-                        let _e618 = phi_1108_;
-                        let _e620 = phi_1109_;
-                        if _e620 {
-                            phi_1113_ = true;
-                        } else {
-                            phi_1113_ = _e618;
-                        }
-                        let _e622 = phi_1113_;
-                        if _e622 {
-                            phi_1121_ = false;
-                        } else {
-                            phi_1121_ = true;
-                        }
-                        let _e624 = phi_1121_;
-                        if _e624 {
-                            phi_1129_ = (_e592 & ~((1u << bitcast<u32>((_e606.member_1 & 31u)))));
-                        } else {
-                            phi_1129_ = _e592;
-                        }
-                        let _e631 = phi_1129_;
-                        phi_1061_ = _e631;
+                    let _e571 = phi_1057_;
+                    let _e573 = phi_1060_;
+                    local_4 = _e573;
+                    let _e576 = (_e571.member < _e571.member_1);
+                    let _e587 = select(type_9().member_1, _e571.member, _e576);
+                    let _e589 = (bitcast<i32>(select(0u, 1u, _e576)) != 0i);
+                    if _e589 {
+                        let _e592 = names[(_e363 + _e587)];
+                        let _e593 = ((_e55 % 32u) < _e592);
+                        phi_1061_ = select(_e573, (_e573 & ~((1u << bitcast<u32>((_e587 & 31u))))), select(true, false, select(select(bool(), select(false, bool(), _e593), _e360), true, select(true, _e593, _e360))));
                     } else {
                         phi_1061_ = u32();
                     }
-                    let _e633 = phi_1061_;
+                    let _e606 = phi_1061_;
                     continue;
                     continuing {
-                        phi_1057_ = _e604;
-                        phi_1060_ = _e633;
-                        break if !(_e610);
+                        phi_1057_ = type_9(select(_e571.member, (_e571.member + 1u), _e576), select(_e571.member_1, _e571.member_1, _e576));
+                        phi_1060_ = _e606;
+                        break if !(_e589);
                     }
                 }
-                let _e1753 = local_4;
-                phi_1130_ = _e1753;
+                let _e1641 = local_4;
+                phi_1130_ = _e1641;
             } else {
-                phi_1130_ = _e587;
+                phi_1130_ = _e568;
             }
-            let _e636 = phi_1130_;
-            let _e638 = countOneBits(_e636);
-            if (_e638 > 0u) {
-                let _e641 = atomicAdd((&counters[4u]), _e638);
-                phi_1140_ = type_9(_e636, _e641);
+            let _e609 = phi_1130_;
+            let _e611 = countOneBits(_e609);
+            if (_e611 > 0u) {
+                let _e614 = atomicAdd((&counters[4u]), _e611);
+                phi_1140_ = type_9(_e609, _e614);
             } else {
-                phi_1140_ = type_9(_e636, 0u);
+                phi_1140_ = type_9(_e609, 0u);
             }
-            let _e644 = phi_1140_;
+            let _e617 = phi_1140_;
             workgroupBarrier();
-            if (_e57 == 0u) {
-                let _e647 = atomicLoad((&counters[4u]));
-                n_hits[0u] = _e647;
+            if (_e55 == 0u) {
+                let _e620 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e620;
             }
-            let _e650 = workgroupUniformLoad((&n_hits[0u]));
-            let _e651 = (_e650 / 512u);
-            if ((_e650 % 512u) > 0u) {
-                phi_1166_ = (_e651 + 1u);
-            } else {
-                phi_1166_ = _e651;
+            let _e623 = workgroupUniformLoad((&n_hits[0u]));
+            let _e624 = (_e623 / 512u);
+            if (_e55 == 0u) {
+                let _e631 = atomicLoad((&counters[7u]));
+                let _e633 = n_hits[0u];
+                atomicStore((&counters[7u]), (_e631 + _e633));
             }
-            let _e656 = phi_1166_;
-            if (_e57 == 0u) {
-                let _e659 = atomicLoad((&counters[7u]));
-                let _e661 = n_hits[0u];
-                atomicStore((&counters[7u]), (_e659 + _e661));
-            }
-            phi_1179_ = type_9(0u, _e656);
-            phi_1182_ = _e644;
+            phi_1179_ = type_9(0u, select(_e624, (_e624 + 1u), ((_e623 % 512u) > 0u)));
+            phi_1182_ = _e617;
             loop {
-                let _e666 = phi_1179_;
-                let _e668 = phi_1182_;
-                if (_e666.member < _e666.member_1) {
-                    phi_1180_ = type_9((_e666.member + 1u), _e666.member_1);
-                    phi_1207_ = type_9(1u, _e666.member);
-                } else {
-                    phi_1180_ = _e666;
-                    phi_1207_ = type_9(0u, type_9().member_1);
-                }
-                let _e680 = phi_1180_;
-                let _e682 = phi_1207_;
-                let _e686 = (bitcast<i32>(_e682.member) != 0i);
-                if _e686 {
-                    let _e687 = (_e57 / 32u);
-                    let _e689 = (_e682.member_1 * 512u);
-                    phi_1224_ = _e668;
-                    phi_1227_ = type_9(0u, countOneBits(_e668.member));
+                let _e638 = phi_1179_;
+                let _e640 = phi_1182_;
+                let _e643 = (_e638.member < _e638.member_1);
+                let _e656 = (bitcast<i32>(select(0u, 1u, _e643)) != 0i);
+                if _e656 {
+                    let _e657 = (_e55 / 32u);
+                    let _e659 = (select(type_9().member_1, _e638.member, _e643) * 512u);
+                    phi_1224_ = _e640;
+                    phi_1227_ = type_9(0u, countOneBits(_e640.member));
                     loop {
-                        let _e694 = phi_1224_;
-                        let _e696 = phi_1227_;
-                        local_5 = _e694;
-                        if (_e696.member < _e696.member_1) {
-                            phi_1228_ = type_9((_e696.member + 1u), _e696.member_1);
-                            phi_1250_ = type_9(1u, _e696.member);
-                        } else {
-                            phi_1228_ = _e696;
-                            phi_1250_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e708 = phi_1228_;
-                        let _e710 = phi_1250_;
-                        if (bitcast<i32>(_e710.member) != 0i) {
-                            let _e715 = (_e694.member_1 - _e689);
-                            if (_e715 >= 512u) {
+                        let _e664 = phi_1224_;
+                        let _e666 = phi_1227_;
+                        local_5 = _e664;
+                        let _e669 = (_e666.member < _e666.member_1);
+                        if (bitcast<i32>(select(0u, 1u, _e669)) != 0i) {
+                            let _e682 = (_e664.member_1 - _e659);
+                            if (_e682 >= 512u) {
                                 phi_1284_ = type_9();
                                 phi_1285_ = false;
                             } else {
-                                let _e724 = names[((_e687 * 32u) + select(firstTrailingBit(_e694.member), 32u, (_e694.member == 0u)))];
-                                hits[_e715] = (((_e687 << bitcast<u32>(10i)) | ((_e57 % 32u) << bitcast<u32>(5i))) | _e724);
-                                phi_1284_ = type_9((_e694.member & (_e694.member - 1u)), (_e694.member_1 + 1u));
+                                let _e691 = names[((_e657 * 32u) + select(firstTrailingBit(_e664.member), 32u, (_e664.member == 0u)))];
+                                hits[_e682] = (((_e657 << bitcast<u32>(10i)) | ((_e55 % 32u) << bitcast<u32>(5i))) | _e691);
+                                phi_1284_ = type_9((_e664.member & (_e664.member - 1u)), (_e664.member_1 + 1u));
                                 phi_1285_ = true;
                             }
-                            let _e740 = phi_1284_;
-                            let _e742 = phi_1285_;
-                            phi_1225_ = _e740;
-                            phi_1286_ = _e742;
+                            let _e707 = phi_1284_;
+                            let _e709 = phi_1285_;
+                            phi_1225_ = _e707;
+                            phi_1286_ = _e709;
                         } else {
                             phi_1225_ = type_9();
                             phi_1286_ = false;
                         }
-                        let _e744 = phi_1225_;
-                        let _e746 = phi_1286_;
+                        let _e711 = phi_1225_;
+                        let _e713 = phi_1286_;
                         continue;
                         continuing {
-                            phi_1224_ = _e744;
-                            phi_1227_ = _e708;
-                            break if !(_e746);
+                            phi_1224_ = _e711;
+                            phi_1227_ = type_9(select(_e666.member, (_e666.member + 1u), _e669), select(_e666.member_1, _e666.member_1, _e669));
+                            break if !(_e713);
                         }
                     }
                     workgroupBarrier();
-                    let _e749 = n_hits[0u];
-                    let _e750 = (_e749 - _e689);
-                    if (512u < _e750) {
-                        phi_1294_ = 512u;
-                    } else {
-                        phi_1294_ = _e750;
-                    }
-                    let _e753 = phi_1294_;
+                    let _e716 = n_hits[0u];
+                    let _e717 = (_e716 - _e659);
+                    let _e719 = select(_e717, 512u, (512u < _e717));
                     phi_1297_ = type_9(0u, 4u);
                     loop {
-                        let _e755 = phi_1297_;
-                        if (_e755.member < _e755.member_1) {
-                            phi_1298_ = type_9((_e755.member + 1u), _e755.member_1);
-                            phi_1323_ = type_9(1u, _e755.member);
-                        } else {
-                            phi_1298_ = _e755;
-                            phi_1323_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e767 = phi_1298_;
-                        let _e769 = phi_1323_;
-                        if (bitcast<i32>(_e769.member) != 0i) {
-                            let _e775 = (_e57 + (_e769.member_1 * 128u));
-                            if (_e775 >= _e753) {
+                        let _e721 = phi_1297_;
+                        let _e724 = (_e721.member < _e721.member_1);
+                        if (bitcast<i32>(select(0u, 1u, _e724)) != 0i) {
+                            let _e739 = (_e55 + (select(type_9().member_1, _e721.member, _e724) * 128u));
+                            if (_e739 >= _e719) {
                                 phi_2775_ = false;
                             } else {
-                                let _e778 = hits[_e775];
-                                if ((_e75.member_1 & 512u) != 0u) {
-                                    let _e781 = ((_e778 >> bitcast<u32>(10i)) & 3u);
-                                    let _e788 = firsts[(2u * _e781)];
-                                    let _e789 = (_e788 + ((_e778 >> bitcast<u32>(5i)) & 31u));
-                                    let _e793 = firsts[((2u * _e781) + 1u)];
-                                    let _e794 = (_e793 + (_e778 & 31u));
-                                    let _e800 = ends.member[(((_e789 / 32u) * 96u) + (_e789 % 32u))];
-                                    let _e808 = ends.member[(((((_e789 / 32u) * 3u) + 1u) * 32u) + (_e789 % 32u))];
-                                    let _e824 = ends.member[(((((_e789 / 32u) * 3u) + 2u) * 32u) + (_e789 % 32u))];
-                                    let _e834 = ends.member[(((_e794 / 32u) * 96u) + (_e794 % 32u))];
-                                    let _e842 = ends.member[(((((_e794 / 32u) * 3u) + 1u) * 32u) + (_e794 % 32u))];
-                                    let _e858 = ends.member[(((((_e794 / 32u) * 3u) + 2u) * 32u) + (_e794 % 32u))];
-                                    let _e869 = (((_e75.member_5 + (2f * _e75.member_4)) * 1.0001f) + (8f * 0.000000000000000000000000000000000000011754944f));
-                                    phi_1519_ = !(((((((_e800.x - _e834.w) > _e869) && ((_e808.z - _e858.y) > _e869)) || (((_e834.x - _e800.w) > _e869) && ((_e842.z - _e824.y) > _e869))) || ((((_e800.y - _e842.x) > _e869) && ((_e808.w - _e858.z) > _e869)) || (((_e834.y - _e808.x) > _e869) && ((_e842.w - _e824.z) > _e869)))) || ((((_e800.z - _e842.y) > _e869) && ((_e824.x - _e858.w) > _e869)) || (((_e834.z - _e808.y) > _e869) && ((_e858.x - _e824.w) > _e869)))));
+                                let _e742 = hits[_e739];
+                                if ((_e73.member_1 & 512u) != 0u) {
+                                    let _e745 = ((_e742 >> bitcast<u32>(10i)) & 3u);
+                                    let _e752 = firsts[(2u * _e745)];
+                                    let _e753 = (_e752 + ((_e742 >> bitcast<u32>(5i)) & 31u));
+                                    let _e757 = firsts[((2u * _e745) + 1u)];
+                                    let _e758 = (_e757 + (_e742 & 31u));
+                                    let _e764 = ends.member[(((_e753 / 32u) * 96u) + (_e753 % 32u))];
+                                    let _e772 = ends.member[(((((_e753 / 32u) * 3u) + 1u) * 32u) + (_e753 % 32u))];
+                                    let _e788 = ends.member[(((((_e753 / 32u) * 3u) + 2u) * 32u) + (_e753 % 32u))];
+                                    let _e798 = ends.member[(((_e758 / 32u) * 96u) + (_e758 % 32u))];
+                                    let _e806 = ends.member[(((((_e758 / 32u) * 3u) + 1u) * 32u) + (_e758 % 32u))];
+                                    let _e822 = ends.member[(((((_e758 / 32u) * 3u) + 2u) * 32u) + (_e758 % 32u))];
+                                    let _e833 = (((_e73.member_5 + (2f * _e73.member_4)) * 1.0001f) + (8f * 0.000000000000000000000000000000000000011754944f));
+                                    phi_1519_ = !(((((((_e764.x - _e798.w) > _e833) && ((_e772.z - _e822.y) > _e833)) || (((_e798.x - _e764.w) > _e833) && ((_e806.z - _e788.y) > _e833))) || ((((_e764.y - _e806.x) > _e833) && ((_e772.w - _e822.z) > _e833)) || (((_e798.y - _e772.x) > _e833) && ((_e806.w - _e788.z) > _e833)))) || ((((_e764.z - _e806.y) > _e833) && ((_e788.x - _e822.w) > _e833)) || (((_e798.z - _e772.y) > _e833) && ((_e822.x - _e788.w) > _e833)))));
                                 } else {
                                     phi_1519_ = true;
                                 }
-                                let _e907 = phi_1519_;
-                                if _e907 {
+                                let _e871 = phi_1519_;
+                                if _e871 {
                                     phi_1609_ = true;
                                 } else {
-                                    let _e910 = ((_e778 >> bitcast<u32>(10i)) & 3u);
-                                    let _e917 = firsts[(2u * _e910)];
-                                    let _e922 = firsts[((2u * _e910) + 1u)];
-                                    if ((_e75.member_1 & 2u) != 0u) {
+                                    let _e874 = ((_e742 >> bitcast<u32>(10i)) & 3u);
+                                    let _e881 = firsts[(2u * _e874)];
+                                    let _e886 = firsts[((2u * _e874) + 1u)];
+                                    if ((_e73.member_1 & 2u) != 0u) {
                                         phi_1604_ = false;
                                     } else {
-                                        if ((_e75.member_1 & 32u) != 0u) {
-                                            let _e931 = nodes.member[(_e917 + ((_e778 >> bitcast<u32>(5i)) & 31u))];
-                                            let _e945 = nodes.member[(_e922 + (_e778 & 31u))];
-                                            phi_1603_ = (((((_e931.member_1.y - _e945.member.x) > _e75.member_6) && ((_e945.member_1.y - _e931.member.x) > _e75.member_6)) && (((_e931.member_2.x - _e945.member.y) > _e75.member_6) && ((_e945.member_2.x - _e931.member.y) > _e75.member_6))) && (((_e931.member_2.y - _e945.member_1.x) > _e75.member_6) && ((_e945.member_2.y - _e931.member_1.x) > _e75.member_6)));
+                                        if ((_e73.member_1 & 32u) != 0u) {
+                                            let _e895 = nodes.member[(_e881 + ((_e742 >> bitcast<u32>(5i)) & 31u))];
+                                            let _e909 = nodes.member[(_e886 + (_e742 & 31u))];
+                                            phi_1603_ = (((((_e895.member_1.y - _e909.member.x) > _e73.member_6) && ((_e909.member_1.y - _e895.member.x) > _e73.member_6)) && (((_e895.member_2.x - _e909.member.y) > _e73.member_6) && ((_e909.member_2.x - _e895.member.y) > _e73.member_6))) && (((_e895.member_2.y - _e909.member_1.x) > _e73.member_6) && ((_e909.member_2.y - _e895.member_1.x) > _e73.member_6)));
                                         } else {
                                             phi_1603_ = true;
                                         }
-                                        let _e977 = phi_1603_;
-                                        phi_1604_ = _e977;
+                                        let _e941 = phi_1603_;
+                                        phi_1604_ = _e941;
                                     }
-                                    let _e979 = phi_1604_;
-                                    if _e979 {
-                                        phi_1608_ = false;
-                                    } else {
-                                        phi_1608_ = true;
-                                    }
-                                    let _e981 = phi_1608_;
-                                    phi_1609_ = _e981;
+                                    let _e943 = phi_1604_;
+                                    phi_1609_ = select(true, false, _e943);
                                 }
-                                let _e983 = phi_1609_;
-                                if _e983 {
-                                    let _e986 = ((_e778 >> bitcast<u32>(10i)) & 3u);
-                                    let _e993 = firsts[(2u * _e986)];
-                                    let _e998 = firsts[((2u * _e986) + 1u)];
-                                    let _e1001 = leaves.member[(_e993 + ((_e778 >> bitcast<u32>(5i)) & 31u))];
-                                    let _e1007 = leaves.member[(_e998 + (_e778 & 31u))];
-                                    let _e1014 = ((_e778 >> bitcast<u32>(10i)) & 3u);
-                                    let _e1021 = firsts[(2u * _e1014)];
-                                    let _e1026 = firsts[((2u * _e1014) + 1u)];
-                                    let _e1029 = nodes.member[(_e1021 + ((_e778 >> bitcast<u32>(5i)) & 31u))];
-                                    let _e1043 = nodes.member[(_e1026 + (_e778 & 31u))];
-                                    if ((_e75.member_1 & 1u) != 0u) {
-                                        if (_e78 == 0u) {
-                                            if (_e1007.x == _e1001.x) {
-                                                phi_1730_ = true;
-                                            } else {
-                                                phi_1730_ = (_e1007.x == _e1001.x);
-                                            }
-                                            let _e1072 = phi_1730_;
-                                            if (_e1007.y == _e1001.x) {
-                                                phi_1737_ = true;
-                                            } else {
-                                                phi_1737_ = (_e1007.y == _e1001.x);
-                                            }
-                                            let _e1076 = phi_1737_;
-                                            if (_e1007.z == _e1001.x) {
-                                                phi_1745_ = true;
-                                            } else {
-                                                phi_1745_ = (_e1007.z == _e1001.x);
-                                            }
-                                            let _e1081 = phi_1745_;
-                                            phi_1760_ = ((_e1072 || _e1076) || _e1081);
+                                let _e946 = phi_1609_;
+                                if _e946 {
+                                    let _e949 = ((_e742 >> bitcast<u32>(10i)) & 3u);
+                                    let _e956 = firsts[(2u * _e949)];
+                                    let _e961 = firsts[((2u * _e949) + 1u)];
+                                    let _e964 = leaves.member[(_e956 + ((_e742 >> bitcast<u32>(5i)) & 31u))];
+                                    let _e970 = leaves.member[(_e961 + (_e742 & 31u))];
+                                    let _e977 = ((_e742 >> bitcast<u32>(10i)) & 3u);
+                                    let _e984 = firsts[(2u * _e977)];
+                                    let _e989 = firsts[((2u * _e977) + 1u)];
+                                    let _e992 = nodes.member[(_e984 + ((_e742 >> bitcast<u32>(5i)) & 31u))];
+                                    let _e1006 = nodes.member[(_e989 + (_e742 & 31u))];
+                                    if ((_e73.member_1 & 1u) != 0u) {
+                                        if (_e76 == 0u) {
+                                            phi_1760_ = ((select((_e970.x == _e964.x), true, (_e970.x == _e964.x)) || select((_e970.y == _e964.x), true, (_e970.y == _e964.x))) || select((_e970.z == _e964.x), true, (_e970.z == _e964.x)));
                                         } else {
-                                            if (_e1007.x == _e1001.x) {
-                                                phi_1752_ = true;
-                                            } else {
-                                                phi_1752_ = (_e1007.x == _e1001.y);
-                                            }
-                                            let _e1063 = phi_1752_;
-                                            if (_e1007.y == _e1001.x) {
-                                                phi_1758_ = true;
-                                            } else {
-                                                phi_1758_ = (_e1007.y == _e1001.y);
-                                            }
-                                            let _e1067 = phi_1758_;
-                                            phi_1760_ = (_e1063 || _e1067);
+                                            phi_1760_ = (select((_e970.x == _e964.y), true, (_e970.x == _e964.x)) || select((_e970.y == _e964.y), true, (_e970.y == _e964.x)));
                                         }
-                                        let _e1084 = phi_1760_;
-                                        if _e1084 {
-                                            phi_1764_ = false;
-                                        } else {
-                                            phi_1764_ = true;
-                                        }
-                                        let _e1086 = phi_1764_;
-                                        phi_1765_ = _e1086;
+                                        let _e1042 = phi_1760_;
+                                        phi_1765_ = select(true, false, _e1042);
                                     } else {
                                         phi_1765_ = true;
                                     }
-                                    let _e1088 = phi_1765_;
-                                    if _e1088 {
-                                        if ((_e75.member_1 & 2u) != 0u) {
-                                            let _e1093 = bodies.member[_e1001.x];
-                                            let _e1095 = bodies.member[_e1007.x];
-                                            if ((_e1093 / 4u) != (_e1095 / 4u)) {
-                                                phi_1807_ = true;
-                                            } else {
-                                                if ((_e1093 & 2u) == 0u) {
-                                                    phi_1806_ = false;
-                                                } else {
-                                                    phi_1806_ = true;
-                                                }
-                                                let _e1102 = phi_1806_;
-                                                phi_1807_ = _e1102;
-                                            }
-                                            let _e1104 = phi_1807_;
-                                            if _e1104 {
-                                                phi_1814_ = (((_e1093 & _e1095) & 1u) == 0u);
-                                            } else {
-                                                phi_1814_ = false;
-                                            }
-                                            let _e1109 = phi_1814_;
-                                            if _e1109 {
-                                                if ((_e75.member_1 & 4u) != 0u) {
-                                                    let _e1116 = bodies.member[_e75.member[0]];
-                                                    let _e1119 = bodies.member[(_e75.member[0] + 1u)];
-                                                    let _e1124 = ((_e75.member[0] + 4u) + (2u * (_e1093 >> bitcast<u32>(2i))));
-                                                    let _e1129 = ((_e75.member[0] + 4u) + (2u * (_e1095 >> bitcast<u32>(2i))));
-                                                    let _e1131 = bodies.member[_e1124];
-                                                    let _e1133 = bodies.member[_e1129];
-                                                    let _e1142 = bodies.member[((((_e75.member[0] + 4u) + (2u * _e1116)) + (_e1131 * _e1119)) + (_e1133 / 32u))];
-                                                    let _e1145 = bodies.member[(_e1124 + 1u)];
-                                                    let _e1148 = bodies.member[(_e1129 + 1u)];
-                                                    if (_e1145 == _e1148) {
-                                                        if (((_e1142 >> bitcast<u32>(((_e1133 % 32u) & 31u))) & 1u) == 1u) {
-                                                            phi_1928_ = true;
-                                                        } else {
-                                                            phi_1928_ = ((_e1093 >> bitcast<u32>(2i)) == (_e1095 >> bitcast<u32>(2i)));
-                                                        }
-                                                        let _e1162 = phi_1928_;
-                                                        phi_1929_ = _e1162;
+                                    let _e1045 = phi_1765_;
+                                    if _e1045 {
+                                        if ((_e73.member_1 & 2u) != 0u) {
+                                            let _e1050 = bodies.member[_e964.x];
+                                            let _e1052 = bodies.member[_e970.x];
+                                            if select(false, (((_e1050 & _e1052) & 1u) == 0u), select(select(true, false, ((_e1050 & 2u) == 0u)), true, ((_e1050 / 4u) != (_e1052 / 4u)))) {
+                                                if ((_e73.member_1 & 4u) != 0u) {
+                                                    let _e1070 = bodies.member[_e73.member[0]];
+                                                    let _e1073 = bodies.member[(_e73.member[0] + 1u)];
+                                                    let _e1078 = ((_e73.member[0] + 4u) + (2u * (_e1050 >> bitcast<u32>(2i))));
+                                                    let _e1083 = ((_e73.member[0] + 4u) + (2u * (_e1052 >> bitcast<u32>(2i))));
+                                                    let _e1085 = bodies.member[_e1078];
+                                                    let _e1087 = bodies.member[_e1083];
+                                                    let _e1096 = bodies.member[((((_e73.member[0] + 4u) + (2u * _e1070)) + (_e1085 * _e1073)) + (_e1087 / 32u))];
+                                                    let _e1099 = bodies.member[(_e1078 + 1u)];
+                                                    let _e1102 = bodies.member[(_e1083 + 1u)];
+                                                    if (_e1099 == _e1102) {
+                                                        phi_1929_ = select(((_e1050 >> bitcast<u32>(2i)) == (_e1052 >> bitcast<u32>(2i))), true, (((_e1096 >> bitcast<u32>(((_e1087 % 32u) & 31u))) & 1u) == 1u));
                                                     } else {
                                                         phi_1929_ = false;
                                                     }
-                                                    let _e1164 = phi_1929_;
-                                                    if _e1164 {
-                                                        let _e1167 = bodies.member[(_e75.member[0] + 2u)];
-                                                        let _e1170 = bodies.member[(_e75.member[0] + 3u)];
-                                                        let _e1171 = (_e1170 + _e75.member[0]);
-                                                        if (_e78 == 1u) {
-                                                            if (_e1007.w < _e1001.w) {
-                                                                phi_1964_ = _e1001.w;
-                                                                phi_1965_ = _e1007.w;
-                                                            } else {
-                                                                phi_1964_ = _e1007.w;
-                                                                phi_1965_ = _e1001.w;
-                                                            }
-                                                            let _e1175 = phi_1964_;
-                                                            let _e1177 = phi_1965_;
-                                                            phi_1966_ = _e1175;
-                                                            phi_1967_ = _e1177;
-                                                        } else {
-                                                            phi_1966_ = _e1007.w;
-                                                            phi_1967_ = _e1001.w;
-                                                        }
-                                                        let _e1179 = phi_1966_;
-                                                        let _e1181 = phi_1967_;
+                                                    let _e1117 = phi_1929_;
+                                                    if _e1117 {
+                                                        let _e1120 = bodies.member[(_e73.member[0] + 2u)];
+                                                        let _e1123 = bodies.member[(_e73.member[0] + 3u)];
+                                                        let _e1124 = (_e1123 + _e73.member[0]);
+                                                        let _e1125 = (_e76 == 1u);
+                                                        let _e1126 = (_e970.w < _e964.w);
+                                                        let _e1129 = select(_e970.w, select(_e970.w, _e964.w, _e1126), _e1125);
+                                                        let _e1130 = select(_e964.w, select(_e964.w, _e970.w, _e1126), _e1125);
                                                         phi_1970_ = type_15(0i, 32i);
-                                                        phi_1973_ = _e1167;
+                                                        phi_1973_ = _e1120;
                                                         phi_1975_ = 0u;
                                                         loop {
-                                                            let _e1183 = phi_1970_;
-                                                            let _e1185 = phi_1973_;
-                                                            let _e1187 = phi_1975_;
-                                                            local_1 = _e1187;
-                                                            local_2 = _e1187;
-                                                            if (_e1183.member < _e1183.member_1) {
-                                                                let _e1194 = (_e1183.member + 1i);
-                                                                if ((false == (_e1194 > _e1183.member)) != false) {
-                                                                    phi_1996_ = true;
-                                                                } else {
-                                                                    phi_1996_ = false;
-                                                                }
-                                                                let _e1199 = phi_1996_;
-                                                                if _e1199 {
-                                                                    phi_2002_ = type_16(0u, type_16().member_1);
-                                                                } else {
-                                                                    phi_2002_ = type_16(1u, _e1194);
-                                                                }
-                                                                let _e1204 = phi_2002_;
-                                                                phi_1971_ = type_15(_e1204.member_1, _e1183.member_1);
-                                                                phi_2016_ = type_16(1u, _e1183.member);
+                                                            let _e1132 = phi_1970_;
+                                                            let _e1134 = phi_1973_;
+                                                            let _e1136 = phi_1975_;
+                                                            local_2 = _e1136;
+                                                            local_3 = _e1136;
+                                                            if (_e1132.member < _e1132.member_1) {
+                                                                let _e1143 = (_e1132.member + 1i);
+                                                                phi_1971_ = type_15(select(_e1143, type_16().member_1, select(false, true, ((false == (_e1143 > _e1132.member)) != false))), _e1132.member_1);
+                                                                phi_2016_ = type_16(1u, _e1132.member);
                                                             } else {
-                                                                phi_1971_ = _e1183;
+                                                                phi_1971_ = _e1132;
                                                                 phi_2016_ = type_16(0u, type_16().member_1);
                                                             }
-                                                            let _e1210 = phi_1971_;
-                                                            let _e1212 = phi_2016_;
-                                                            if (bitcast<i32>(_e1212.member) != 0i) {
-                                                                if (_e1187 >= _e1185) {
+                                                            let _e1154 = phi_1971_;
+                                                            let _e1156 = phi_2016_;
+                                                            if (bitcast<i32>(_e1156.member) != 0i) {
+                                                                if (_e1136 >= _e1134) {
                                                                     phi_2099_ = u32();
                                                                     phi_2100_ = u32();
                                                                     phi_2101_ = false;
                                                                 } else {
-                                                                    let _e1219 = (_e1187 + ((_e1185 - _e1187) / 2u));
-                                                                    let _e1221 = (_e1171 + (3u * _e1219));
-                                                                    let _e1223 = bodies.member[_e1221];
-                                                                    let _e1226 = bodies.member[(_e1221 + 1u)];
-                                                                    let _e1229 = bodies.member[(_e1221 + 2u)];
-                                                                    if (_e1223 < _e78) {
+                                                                    let _e1163 = (_e1136 + ((_e1134 - _e1136) / 2u));
+                                                                    let _e1165 = (_e1124 + (3u * _e1163));
+                                                                    let _e1167 = bodies.member[_e1165];
+                                                                    let _e1170 = bodies.member[(_e1165 + 1u)];
+                                                                    let _e1173 = bodies.member[(_e1165 + 2u)];
+                                                                    if (_e1167 < _e76) {
                                                                         phi_2092_ = true;
                                                                     } else {
-                                                                        if (_e1223 == _e78) {
-                                                                            if (_e1226 < _e1181) {
-                                                                                phi_2086_ = false;
-                                                                            } else {
-                                                                                if (_e1226 == _e1181) {
-                                                                                    if (_e1229 < _e1179) {
-                                                                                        phi_2084_ = false;
-                                                                                    } else {
-                                                                                        phi_2084_ = true;
-                                                                                    }
-                                                                                    let _e1236 = phi_2084_;
-                                                                                    phi_2085_ = _e1236;
-                                                                                } else {
-                                                                                    phi_2085_ = true;
-                                                                                }
-                                                                                let _e1238 = phi_2085_;
-                                                                                phi_2086_ = _e1238;
-                                                                            }
-                                                                            let _e1240 = phi_2086_;
-                                                                            phi_2087_ = _e1240;
-                                                                        } else {
-                                                                            phi_2087_ = true;
-                                                                        }
-                                                                        let _e1242 = phi_2087_;
-                                                                        if _e1242 {
-                                                                            phi_2091_ = false;
-                                                                        } else {
-                                                                            phi_2091_ = true;
-                                                                        }
-                                                                        let _e1244 = phi_2091_;
-                                                                        phi_2092_ = _e1244;
+                                                                        phi_2092_ = select(true, false, select(true, select(select(true, select(true, false, (_e1173 < _e1129)), (_e1170 == _e1130)), false, (_e1170 < _e1130)), (_e1167 == _e76)));
                                                                     }
-                                                                    let _e1246 = phi_2092_;
-                                                                    if _e1246 {
-                                                                        phi_2097_ = _e1185;
-                                                                        phi_2098_ = (_e1219 + 1u);
-                                                                    } else {
-                                                                        phi_2097_ = _e1219;
-                                                                        phi_2098_ = _e1187;
-                                                                    }
-                                                                    let _e1249 = phi_2097_;
-                                                                    let _e1251 = phi_2098_;
-                                                                    phi_2099_ = _e1249;
-                                                                    phi_2100_ = _e1251;
+                                                                    let _e1185 = phi_2092_;
+                                                                    phi_2099_ = select(_e1163, _e1134, _e1185);
+                                                                    phi_2100_ = select(_e1136, (_e1163 + 1u), _e1185);
                                                                     phi_2101_ = true;
                                                                 }
-                                                                let _e1253 = phi_2099_;
-                                                                let _e1255 = phi_2100_;
-                                                                let _e1257 = phi_2101_;
-                                                                phi_1974_ = _e1253;
-                                                                phi_1976_ = _e1255;
-                                                                phi_2102_ = _e1257;
+                                                                let _e1190 = phi_2099_;
+                                                                let _e1192 = phi_2100_;
+                                                                let _e1194 = phi_2101_;
+                                                                phi_1974_ = _e1190;
+                                                                phi_1976_ = _e1192;
+                                                                phi_2102_ = _e1194;
                                                             } else {
                                                                 phi_1974_ = u32();
                                                                 phi_1976_ = u32();
                                                                 phi_2102_ = false;
                                                             }
-                                                            let _e1259 = phi_1974_;
-                                                            let _e1261 = phi_1976_;
-                                                            let _e1263 = phi_2102_;
+                                                            let _e1196 = phi_1974_;
+                                                            let _e1198 = phi_1976_;
+                                                            let _e1200 = phi_2102_;
                                                             continue;
                                                             continuing {
-                                                                phi_1970_ = _e1210;
-                                                                phi_1973_ = _e1259;
-                                                                phi_1975_ = _e1261;
-                                                                break if !(_e1263);
+                                                                phi_1970_ = _e1154;
+                                                                phi_1973_ = _e1196;
+                                                                phi_1975_ = _e1198;
+                                                                break if !(_e1200);
                                                             }
                                                         }
-                                                        let _e1266 = local_1;
-                                                        if (_e1266 < _e1167) {
-                                                            let _e1269 = local_2;
-                                                            let _e1271 = (_e1171 + (3u * _e1269));
-                                                            let _e1273 = bodies.member[_e1271];
-                                                            if (_e1273 == _e78) {
-                                                                let _e1277 = bodies.member[(_e1271 + 1u)];
-                                                                if (_e1277 == _e1181) {
-                                                                    let _e1281 = bodies.member[(_e1271 + 2u)];
-                                                                    phi_2150_ = (_e1281 == _e1179);
+                                                        let _e1203 = local_2;
+                                                        if (_e1203 < _e1120) {
+                                                            let _e1206 = local_3;
+                                                            let _e1208 = (_e1124 + (3u * _e1206));
+                                                            let _e1210 = bodies.member[_e1208];
+                                                            if (_e1210 == _e76) {
+                                                                let _e1214 = bodies.member[(_e1208 + 1u)];
+                                                                if (_e1214 == _e1130) {
+                                                                    let _e1218 = bodies.member[(_e1208 + 2u)];
+                                                                    phi_2150_ = (_e1218 == _e1129);
                                                                     phi_2151_ = false;
                                                                 } else {
                                                                     phi_2150_ = bool();
                                                                     phi_2151_ = true;
                                                                 }
-                                                                let _e1284 = phi_2150_;
-                                                                let _e1286 = phi_2151_;
-                                                                phi_2152_ = _e1284;
-                                                                phi_2153_ = _e1286;
+                                                                let _e1221 = phi_2150_;
+                                                                let _e1223 = phi_2151_;
+                                                                phi_2152_ = _e1221;
+                                                                phi_2153_ = _e1223;
                                                             } else {
                                                                 phi_2152_ = bool();
                                                                 phi_2153_ = true;
                                                             }
-                                                            let _e1288 = phi_2152_;
-                                                            let _e1290 = phi_2153_;
-                                                            if _e1290 {
-                                                                phi_2157_ = false;
-                                                            } else {
-                                                                phi_2157_ = _e1288;
-                                                            }
-                                                            let _e1292 = phi_2157_;
-                                                            phi_2158_ = _e1292;
+                                                            let _e1225 = phi_2152_;
+                                                            let _e1227 = phi_2153_;
+                                                            phi_2158_ = select(_e1225, false, _e1227);
                                                         } else {
                                                             phi_2158_ = false;
                                                         }
-                                                        let _e1294 = phi_2158_;
-                                                        phi_2162_ = _e1294;
+                                                        let _e1230 = phi_2158_;
+                                                        phi_2162_ = _e1230;
                                                     } else {
                                                         phi_2162_ = true;
                                                     }
-                                                    let _e1296 = phi_2162_;
-                                                    if _e1296 {
-                                                        phi_2166_ = false;
-                                                    } else {
-                                                        phi_2166_ = true;
-                                                    }
-                                                    let _e1298 = phi_2166_;
-                                                    phi_2167_ = _e1298;
+                                                    let _e1232 = phi_2162_;
+                                                    phi_2167_ = select(true, false, _e1232);
                                                 } else {
                                                     phi_2167_ = true;
                                                 }
-                                                let _e1300 = phi_2167_;
-                                                if _e1300 {
-                                                    phi_2171_ = false;
-                                                } else {
-                                                    phi_2171_ = true;
-                                                }
-                                                let _e1302 = phi_2171_;
-                                                phi_2172_ = _e1302;
+                                                let _e1235 = phi_2167_;
+                                                phi_2172_ = select(true, false, _e1235);
                                             } else {
                                                 phi_2172_ = true;
                                             }
-                                            let _e1304 = phi_2172_;
-                                            if _e1304 {
-                                                phi_2176_ = false;
-                                            } else {
-                                                phi_2176_ = true;
-                                            }
-                                            let _e1306 = phi_2176_;
-                                            phi_2177_ = _e1306;
+                                            let _e1238 = phi_2172_;
+                                            phi_2177_ = select(true, false, _e1238);
                                         } else {
                                             phi_2177_ = true;
                                         }
-                                        let _e1308 = phi_2177_;
-                                        if _e1308 {
-                                            if ((_e75.member_1 & 32u) != 0u) {
-                                                let _e1329 = (((((_e1029.member_1.y - _e1043.member.x) > _e75.member_6) && ((_e1043.member_1.y - _e1029.member.x) > _e75.member_6)) && (((_e1029.member_2.x - _e1043.member.y) > _e75.member_6) && ((_e1043.member_2.x - _e1029.member.y) > _e75.member_6))) && (((_e1029.member_2.y - _e1043.member_1.x) > _e75.member_6) && ((_e1043.member_2.y - _e1029.member_1.x) > _e75.member_6)));
-                                                if _e1329 {
+                                        let _e1241 = phi_2177_;
+                                        if _e1241 {
+                                            if ((_e73.member_1 & 32u) != 0u) {
+                                                let _e1262 = (((((_e992.member_1.y - _e1006.member.x) > _e73.member_6) && ((_e1006.member_1.y - _e992.member.x) > _e73.member_6)) && (((_e992.member_2.x - _e1006.member.y) > _e73.member_6) && ((_e1006.member_2.x - _e992.member.y) > _e73.member_6))) && (((_e992.member_2.y - _e1006.member_1.x) > _e73.member_6) && ((_e1006.member_2.y - _e992.member_1.x) > _e73.member_6)));
+                                                if _e1262 {
                                                     phi_2741_ = bool();
                                                 } else {
-                                                    let _e1331 = keys.member[_e1001.x];
-                                                    let _e1334 = keys.member[_e1001.y];
-                                                    let _e1336 = function_5(_e1331[0], _e1334[0]);
-                                                    let _e1338 = keys.member[_e1001.z];
-                                                    let _e1340 = function_5(_e1336, _e1338[0]);
-                                                    let _e1342 = keys.member[_e1007.x];
-                                                    let _e1345 = keys.member[_e1007.y];
-                                                    let _e1347 = function_4(_e1342[3], _e1345[3]);
-                                                    let _e1349 = keys.member[_e1007.z];
-                                                    let _e1351 = function_4(_e1347, _e1349[3]);
-                                                    if (_e1340[1] > _e1351[1]) {
-                                                        phi_2294_ = true;
-                                                    } else {
-                                                        if (_e1340[1] == _e1351[1]) {
-                                                            phi_2293_ = (_e1340[0] > _e1351[0]);
-                                                        } else {
-                                                            phi_2293_ = false;
-                                                        }
-                                                        let _e1362 = phi_2293_;
-                                                        phi_2294_ = _e1362;
-                                                    }
-                                                    let _e1364 = phi_2294_;
-                                                    let _e1367 = keys.member[_e1007.x];
-                                                    let _e1370 = keys.member[_e1007.y];
-                                                    let _e1372 = function_5(_e1367[0], _e1370[0]);
-                                                    let _e1374 = keys.member[_e1007.z];
-                                                    let _e1376 = function_5(_e1372, _e1374[0]);
-                                                    let _e1378 = keys.member[_e1001.x];
-                                                    let _e1381 = keys.member[_e1001.y];
-                                                    let _e1383 = function_4(_e1378[3], _e1381[3]);
-                                                    let _e1385 = keys.member[_e1001.z];
-                                                    let _e1387 = function_4(_e1383, _e1385[3]);
-                                                    if (_e1376[1] > _e1387[1]) {
-                                                        phi_2382_ = true;
-                                                    } else {
-                                                        if (_e1376[1] == _e1387[1]) {
-                                                            phi_2381_ = (_e1376[0] > _e1387[0]);
-                                                        } else {
-                                                            phi_2381_ = false;
-                                                        }
-                                                        let _e1398 = phi_2381_;
-                                                        phi_2382_ = _e1398;
-                                                    }
-                                                    let _e1400 = phi_2382_;
-                                                    let _e1404 = keys.member[_e1001.x];
-                                                    let _e1407 = keys.member[_e1001.y];
-                                                    let _e1409 = function_3(_e1404[1], _e1407[1]);
-                                                    let _e1411 = keys.member[_e1001.z];
-                                                    let _e1413 = function_3(_e1409, _e1411[1]);
-                                                    let _e1415 = keys.member[_e1007.x];
-                                                    let _e1418 = keys.member[_e1007.y];
-                                                    let _e1420 = function_2(_e1415[4], _e1418[4]);
-                                                    let _e1422 = keys.member[_e1007.z];
-                                                    let _e1424 = function_2(_e1420, _e1422[4]);
-                                                    if (_e1413[1] > _e1424[1]) {
-                                                        phi_2471_ = true;
-                                                    } else {
-                                                        if (_e1413[1] == _e1424[1]) {
-                                                            phi_2470_ = (_e1413[0] > _e1424[0]);
-                                                        } else {
-                                                            phi_2470_ = false;
-                                                        }
-                                                        let _e1435 = phi_2470_;
-                                                        phi_2471_ = _e1435;
-                                                    }
-                                                    let _e1437 = phi_2471_;
-                                                    let _e1440 = keys.member[_e1007.x];
-                                                    let _e1443 = keys.member[_e1007.y];
-                                                    let _e1445 = function_3(_e1440[1], _e1443[1]);
-                                                    let _e1447 = keys.member[_e1007.z];
-                                                    let _e1449 = function_3(_e1445, _e1447[1]);
-                                                    let _e1451 = keys.member[_e1001.x];
-                                                    let _e1454 = keys.member[_e1001.y];
-                                                    let _e1456 = function_2(_e1451[4], _e1454[4]);
-                                                    let _e1458 = keys.member[_e1001.z];
-                                                    let _e1460 = function_2(_e1456, _e1458[4]);
-                                                    if (_e1449[1] > _e1460[1]) {
-                                                        phi_2559_ = true;
-                                                    } else {
-                                                        if (_e1449[1] == _e1460[1]) {
-                                                            phi_2558_ = (_e1449[0] > _e1460[0]);
-                                                        } else {
-                                                            phi_2558_ = false;
-                                                        }
-                                                        let _e1471 = phi_2558_;
-                                                        phi_2559_ = _e1471;
-                                                    }
-                                                    let _e1473 = phi_2559_;
-                                                    let _e1478 = keys.member[_e1001.x];
-                                                    let _e1481 = keys.member[_e1001.y];
-                                                    let _e1483 = function_1(_e1478[2], _e1481[2]);
-                                                    let _e1485 = keys.member[_e1001.z];
-                                                    let _e1487 = function_1(_e1483, _e1485[2]);
-                                                    let _e1489 = keys.member[_e1007.x];
-                                                    let _e1492 = keys.member[_e1007.y];
-                                                    let _e1494 = function_(_e1489[5], _e1492[5]);
-                                                    let _e1496 = keys.member[_e1007.z];
-                                                    let _e1498 = function_(_e1494, _e1496[5]);
-                                                    if (_e1487[1] > _e1498[1]) {
-                                                        phi_2649_ = true;
-                                                    } else {
-                                                        if (_e1487[1] == _e1498[1]) {
-                                                            phi_2648_ = (_e1487[0] > _e1498[0]);
-                                                        } else {
-                                                            phi_2648_ = false;
-                                                        }
-                                                        let _e1509 = phi_2648_;
-                                                        phi_2649_ = _e1509;
-                                                    }
-                                                    let _e1511 = phi_2649_;
-                                                    let _e1514 = keys.member[_e1007.x];
-                                                    let _e1517 = keys.member[_e1007.y];
-                                                    let _e1519 = function_1(_e1514[2], _e1517[2]);
-                                                    let _e1521 = keys.member[_e1007.z];
-                                                    let _e1523 = function_1(_e1519, _e1521[2]);
-                                                    let _e1525 = keys.member[_e1001.x];
-                                                    let _e1528 = keys.member[_e1001.y];
-                                                    let _e1530 = function_(_e1525[5], _e1528[5]);
-                                                    let _e1532 = keys.member[_e1001.z];
-                                                    let _e1534 = function_(_e1530, _e1532[5]);
-                                                    if (_e1523[1] > _e1534[1]) {
-                                                        phi_2737_ = true;
-                                                    } else {
-                                                        if (_e1523[1] == _e1534[1]) {
-                                                            phi_2736_ = (_e1523[0] > _e1534[0]);
-                                                        } else {
-                                                            phi_2736_ = false;
-                                                        }
-                                                        let _e1545 = phi_2736_;
-                                                        phi_2737_ = _e1545;
-                                                    }
-                                                    let _e1547 = phi_2737_;
-                                                    phi_2741_ = (((!(_e1364) && !(_e1400)) && (!(_e1437) && !(_e1473))) && (!(_e1511) && !(_e1547)));
+                                                    let _e1264 = keys.member[_e964.x];
+                                                    let _e1267 = keys.member[_e964.y];
+                                                    let _e1269 = function_5(_e1264[0], _e1267[0]);
+                                                    let _e1271 = keys.member[_e964.z];
+                                                    let _e1273 = function_5(_e1269, _e1271[0]);
+                                                    let _e1275 = keys.member[_e970.x];
+                                                    let _e1278 = keys.member[_e970.y];
+                                                    let _e1280 = function_4(_e1275[3], _e1278[3]);
+                                                    let _e1282 = keys.member[_e970.z];
+                                                    let _e1284 = function_4(_e1280, _e1282[3]);
+                                                    let _e1298 = keys.member[_e970.x];
+                                                    let _e1301 = keys.member[_e970.y];
+                                                    let _e1303 = function_5(_e1298[0], _e1301[0]);
+                                                    let _e1305 = keys.member[_e970.z];
+                                                    let _e1307 = function_5(_e1303, _e1305[0]);
+                                                    let _e1309 = keys.member[_e964.x];
+                                                    let _e1312 = keys.member[_e964.y];
+                                                    let _e1314 = function_4(_e1309[3], _e1312[3]);
+                                                    let _e1316 = keys.member[_e964.z];
+                                                    let _e1318 = function_4(_e1314, _e1316[3]);
+                                                    let _e1333 = keys.member[_e964.x];
+                                                    let _e1336 = keys.member[_e964.y];
+                                                    let _e1338 = function_3(_e1333[1], _e1336[1]);
+                                                    let _e1340 = keys.member[_e964.z];
+                                                    let _e1342 = function_3(_e1338, _e1340[1]);
+                                                    let _e1344 = keys.member[_e970.x];
+                                                    let _e1347 = keys.member[_e970.y];
+                                                    let _e1349 = function_2(_e1344[4], _e1347[4]);
+                                                    let _e1351 = keys.member[_e970.z];
+                                                    let _e1353 = function_2(_e1349, _e1351[4]);
+                                                    let _e1367 = keys.member[_e970.x];
+                                                    let _e1370 = keys.member[_e970.y];
+                                                    let _e1372 = function_3(_e1367[1], _e1370[1]);
+                                                    let _e1374 = keys.member[_e970.z];
+                                                    let _e1376 = function_3(_e1372, _e1374[1]);
+                                                    let _e1378 = keys.member[_e964.x];
+                                                    let _e1381 = keys.member[_e964.y];
+                                                    let _e1383 = function_2(_e1378[4], _e1381[4]);
+                                                    let _e1385 = keys.member[_e964.z];
+                                                    let _e1387 = function_2(_e1383, _e1385[4]);
+                                                    let _e1403 = keys.member[_e964.x];
+                                                    let _e1406 = keys.member[_e964.y];
+                                                    let _e1408 = function_1(_e1403[2], _e1406[2]);
+                                                    let _e1410 = keys.member[_e964.z];
+                                                    let _e1412 = function_1(_e1408, _e1410[2]);
+                                                    let _e1414 = keys.member[_e970.x];
+                                                    let _e1417 = keys.member[_e970.y];
+                                                    let _e1419 = function_(_e1414[5], _e1417[5]);
+                                                    let _e1421 = keys.member[_e970.z];
+                                                    let _e1423 = function_(_e1419, _e1421[5]);
+                                                    let _e1437 = keys.member[_e970.x];
+                                                    let _e1440 = keys.member[_e970.y];
+                                                    let _e1442 = function_1(_e1437[2], _e1440[2]);
+                                                    let _e1444 = keys.member[_e970.z];
+                                                    let _e1446 = function_1(_e1442, _e1444[2]);
+                                                    let _e1448 = keys.member[_e964.x];
+                                                    let _e1451 = keys.member[_e964.y];
+                                                    let _e1453 = function_(_e1448[5], _e1451[5]);
+                                                    let _e1455 = keys.member[_e964.z];
+                                                    let _e1457 = function_(_e1453, _e1455[5]);
+                                                    phi_2741_ = (((!(select(select(false, (_e1273[0] > _e1284[0]), (_e1273[1] == _e1284[1])), true, (_e1273[1] > _e1284[1]))) && !(select(select(false, (_e1307[0] > _e1318[0]), (_e1307[1] == _e1318[1])), true, (_e1307[1] > _e1318[1])))) && (!(select(select(false, (_e1342[0] > _e1353[0]), (_e1342[1] == _e1353[1])), true, (_e1342[1] > _e1353[1]))) && !(select(select(false, (_e1376[0] > _e1387[0]), (_e1376[1] == _e1387[1])), true, (_e1376[1] > _e1387[1]))))) && (!(select(select(false, (_e1412[0] > _e1423[0]), (_e1412[1] == _e1423[1])), true, (_e1412[1] > _e1423[1]))) && !(select(select(false, (_e1446[0] > _e1457[0]), (_e1446[1] == _e1457[1])), true, (_e1446[1] > _e1457[1])))));
                                                 }
-                                                let _e1552 = phi_2741_;
-                                                phi_2742_ = _e1552;
-                                                phi_2743_ = _e1329;
+                                                let _e1473 = phi_2741_;
+                                                phi_2742_ = _e1473;
+                                                phi_2743_ = _e1262;
                                             } else {
                                                 phi_2742_ = bool();
                                                 phi_2743_ = true;
                                             }
-                                            let _e1554 = phi_2742_;
-                                            let _e1556 = phi_2743_;
-                                            if _e1556 {
-                                                phi_2747_ = false;
-                                            } else {
-                                                phi_2747_ = true;
-                                            }
-                                            let _e1558 = phi_2747_;
-                                            phi_2748_ = _e1554;
-                                            phi_2749_ = _e1558;
+                                            let _e1475 = phi_2742_;
+                                            let _e1477 = phi_2743_;
+                                            phi_2748_ = _e1475;
+                                            phi_2749_ = select(true, false, _e1477);
                                         } else {
                                             phi_2748_ = false;
                                             phi_2749_ = true;
                                         }
-                                        let _e1560 = phi_2748_;
-                                        let _e1562 = phi_2749_;
-                                        phi_2750_ = _e1560;
-                                        phi_2751_ = _e1562;
+                                        let _e1480 = phi_2748_;
+                                        let _e1482 = phi_2749_;
+                                        phi_2750_ = _e1480;
+                                        phi_2751_ = _e1482;
                                     } else {
                                         phi_2750_ = false;
                                         phi_2751_ = true;
                                     }
-                                    let _e1564 = phi_2750_;
-                                    let _e1566 = phi_2751_;
-                                    if _e1566 {
-                                        phi_2755_ = _e1564;
+                                    let _e1484 = phi_2750_;
+                                    let _e1486 = phi_2751_;
+                                    let _e1487 = select(true, _e1484, _e1486);
+                                    if _e1487 {
                                     } else {
-                                        phi_2755_ = true;
+                                        let _e1489 = atomicAdd((&counters[7u]), 4294967295u);
                                     }
-                                    let _e1568 = phi_2755_;
-                                    if _e1568 {
-                                    } else {
-                                        let _e1570 = atomicAdd((&counters[7u]), 4294967295u);
-                                    }
-                                    if _e1568 {
-                                        if _e907 {
-                                            let _e1572 = atomicAdd((&counters[5u]), 1u);
-                                            hits[_e775] = ((2147483648u | (_e1572 << bitcast<u32>(12i))) | _e778);
+                                    if _e1487 {
+                                        if _e871 {
+                                            let _e1491 = atomicAdd((&counters[5u]), 1u);
+                                            hits[_e739] = ((2147483648u | (_e1491 << bitcast<u32>(12i))) | _e742);
                                         }
                                     }
                                 }
                                 phi_2775_ = true;
                             }
-                            let _e1579 = phi_2775_;
-                            phi_2776_ = _e1579;
+                            let _e1498 = phi_2775_;
+                            phi_2776_ = _e1498;
                         } else {
                             phi_2776_ = false;
                         }
-                        let _e1581 = phi_2776_;
+                        let _e1500 = phi_2776_;
                         continue;
                         continuing {
-                            phi_1297_ = _e767;
-                            break if !(_e1581);
+                            phi_1297_ = type_9(select(_e721.member, (_e721.member + 1u), _e724), select(_e721.member_1, _e721.member_1, _e724));
+                            break if !(_e1500);
                         }
                     }
-                    let _e1585 = params.member.member_1.member_3;
+                    let _e1504 = params.member.member_1.member_3;
                     workgroupBarrier();
-                    if (_e57 == 0u) {
-                        let _e1588 = atomicLoad((&counters[5u]));
-                        if (_e1588 > 0u) {
-                            let _e1592 = params.member.member.member_1;
-                            if ((_e1592 & 1024u) != 0u) {
-                                let _e1602 = atomicAdd((&output.member[0u]), _e1588);
-                                let _e1603 = (_e1602 + _e1588);
-                                if (_e1603 < _e1602) {
-                                    phi_2809_ = 4294967295u;
-                                } else {
-                                    phi_2809_ = _e1603;
+                    if (_e55 == 0u) {
+                        let _e1507 = atomicLoad((&counters[5u]));
+                        if (_e1507 > 0u) {
+                            let _e1511 = params.member.member.member_1;
+                            if ((_e1511 & 1024u) != 0u) {
+                                let _e1521 = atomicAdd((&output.member[0u]), _e1507);
+                                let _e1522 = (_e1521 + _e1507);
+                                let _e1524 = select(_e1522, 4294967295u, (_e1522 < _e1521));
+                                let _e1527 = params.member.member_1.member_3;
+                                if (_e1524 > _e1527) {
+                                    let _e1530 = atomicMax((&output.member[2u]), _e1524);
                                 }
-                                let _e1606 = phi_2809_;
-                                let _e1609 = params.member.member_1.member_3;
-                                if (_e1606 > _e1609) {
-                                    let _e1612 = atomicMax((&output.member[2u]), _e1606);
-                                }
-                                phi_2832_ = _e1602;
+                                phi_2832_ = _e1521;
                             } else {
-                                let _e1596 = atomicAdd((&output.member[0u]), _e1588);
-                                if ((_e1596 + _e1588) < _e1596) {
-                                    let _e1600 = atomicAdd((&output.member[2u]), 1u);
+                                let _e1515 = atomicAdd((&output.member[0u]), _e1507);
+                                if ((_e1515 + _e1507) < _e1515) {
+                                    let _e1519 = atomicAdd((&output.member[2u]), 1u);
                                 }
-                                phi_2832_ = _e1596;
+                                phi_2832_ = _e1515;
                             }
-                            let _e1614 = phi_2832_;
-                            atomicStore((&counters[6u]), _e1614);
+                            let _e1532 = phi_2832_;
+                            atomicStore((&counters[6u]), _e1532);
                         }
                         atomicStore((&counters[5u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e1618 = atomicLoad((&counters[6u]));
+                    let _e1536 = atomicLoad((&counters[6u]));
                     phi_2839_ = type_9(0u, 4u);
                     loop {
-                        let _e1620 = phi_2839_;
-                        if (_e1620.member < _e1620.member_1) {
-                            phi_2840_ = type_9((_e1620.member + 1u), _e1620.member_1);
-                            phi_2863_ = type_9(1u, _e1620.member);
-                        } else {
-                            phi_2840_ = _e1620;
-                            phi_2863_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e1632 = phi_2840_;
-                        let _e1634 = phi_2863_;
-                        if (bitcast<i32>(_e1634.member) != 0i) {
-                            let _e1640 = (_e57 + (_e1634.member_1 * 128u));
-                            if (_e1640 >= _e753) {
+                        let _e1538 = phi_2839_;
+                        let _e1541 = (_e1538.member < _e1538.member_1);
+                        if (bitcast<i32>(select(0u, 1u, _e1541)) != 0i) {
+                            let _e1556 = (_e55 + (select(type_9().member_1, _e1538.member, _e1541) * 128u));
+                            if (_e1556 >= _e719) {
                                 phi_2958_ = false;
                             } else {
-                                let _e1643 = hits[_e1640];
-                                if ((_e1643 & 2147483648u) == 0u) {
-                                    phi_2887_ = 4294967295u;
-                                } else {
-                                    phi_2887_ = ((_e1643 & 2147483647u) >> bitcast<u32>(12i));
-                                }
-                                let _e1650 = phi_2887_;
-                                if (_e1650 != 4294967295u) {
-                                    let _e1654 = ((_e1643 >> bitcast<u32>(10i)) & 3u);
-                                    let _e1661 = firsts[(2u * _e1654)];
-                                    let _e1666 = firsts[((2u * _e1654) + 1u)];
-                                    let _e1669 = leaves.member[(_e1661 + ((_e1643 >> bitcast<u32>(5i)) & 31u))];
-                                    let _e1672 = leaves.member[(_e1666 + (_e1643 & 31u))];
-                                    let _e1674 = (_e1618 + _e1650);
-                                    if (_e78 == 1u) {
-                                        if (_e1669.w < _e1672.w) {
-                                            phi_2939_ = type_9(_e1669.w, _e1672.w);
-                                        } else {
-                                            phi_2939_ = type_9(_e1672.w, _e1669.w);
-                                        }
-                                        let _e1681 = phi_2939_;
-                                        phi_2944_ = _e1681;
+                                let _e1559 = hits[_e1556];
+                                let _e1565 = select(((_e1559 & 2147483647u) >> bitcast<u32>(12i)), 4294967295u, ((_e1559 & 2147483648u) == 0u));
+                                if (_e1565 != 4294967295u) {
+                                    let _e1569 = ((_e1559 >> bitcast<u32>(10i)) & 3u);
+                                    let _e1576 = firsts[(2u * _e1569)];
+                                    let _e1581 = firsts[((2u * _e1569) + 1u)];
+                                    let _e1584 = leaves.member[(_e1576 + ((_e1559 >> bitcast<u32>(5i)) & 31u))];
+                                    let _e1587 = leaves.member[(_e1581 + (_e1559 & 31u))];
+                                    let _e1589 = (_e1536 + _e1565);
+                                    if (_e76 == 1u) {
+                                        let _e1592 = (_e1584.w < _e1587.w);
+                                        phi_2944_ = type_9(select(_e1587.w, _e1584.w, _e1592), select(_e1584.w, _e1587.w, _e1592));
                                     } else {
-                                        phi_2944_ = type_9(_e1669.w, _e1672.w);
+                                        phi_2944_ = type_9(_e1584.w, _e1587.w);
                                     }
-                                    let _e1683 = phi_2944_;
-                                    if (_e1674 < _e1585) {
-                                        let _e1687 = (2u * _e1674);
-                                        atomicStore((&output.member[(4u + _e1687)]), _e1683.member);
-                                        atomicStore((&output.member[(_e1687 + 5u)]), _e1683.member_1);
+                                    let _e1597 = phi_2944_;
+                                    if (_e1589 < _e1504) {
+                                        let _e1601 = (2u * _e1589);
+                                        atomicStore((&output.member[(4u + _e1601)]), _e1597.member);
+                                        atomicStore((&output.member[(_e1601 + 5u)]), _e1597.member_1);
                                     }
                                 }
                                 phi_2958_ = true;
                             }
-                            let _e1693 = phi_2958_;
-                            phi_2959_ = _e1693;
+                            let _e1607 = phi_2958_;
+                            phi_2959_ = _e1607;
                         } else {
                             phi_2959_ = false;
                         }
-                        let _e1695 = phi_2959_;
+                        let _e1609 = phi_2959_;
                         continue;
                         continuing {
-                            phi_2839_ = _e1632;
-                            break if !(_e1695);
+                            phi_2839_ = type_9(select(_e1538.member, (_e1538.member + 1u), _e1541), select(_e1538.member_1, _e1538.member_1, _e1541));
+                            break if !(_e1609);
                         }
                     }
                     workgroupBarrier();
-                    let _e1865 = local_5;
-                    phi_1183_ = _e1865;
+                    let _e1698 = local_5;
+                    phi_1183_ = _e1698;
                 } else {
                     phi_1183_ = type_9();
                 }
-                let _e1698 = phi_1183_;
+                let _e1612 = phi_1183_;
                 continue;
                 continuing {
-                    phi_1179_ = _e680;
-                    phi_1182_ = _e1698;
-                    break if !(_e686);
+                    phi_1179_ = type_9(select(_e638.member, (_e638.member + 1u), _e643), select(_e638.member_1, _e638.member_1, _e643));
+                    phi_1182_ = _e1612;
+                    break if !(_e656);
                 }
             }
         }
         continue;
         continuing {
-            phi_306_ = _e151;
-            break if !(_e157);
+            phi_306_ = type_9(select(_e132.member, (_e132.member + 1u), _e135), select(_e132.member_1, _e132.member_1, _e135));
+            break if !(_e148);
         }
     }
-    if (_e57 == 0u) {
-        let _e1703 = atomicLoad((&counters[7u]));
-        if (_e1703 > 0u) {
-            let _e1706 = atomicAdd((&output.member[1u]), _e1703);
-            if ((_e1706 + _e1703) < _e1706) {
-                let _e1710 = atomicAdd((&output.member[3u]), 1u);
+    if (_e55 == 0u) {
+        let _e1617 = atomicLoad((&counters[7u]));
+        if (_e1617 > 0u) {
+            let _e1620 = atomicAdd((&output.member[1u]), _e1617);
+            if ((_e1620 + _e1617) < _e1620) {
+                let _e1624 = atomicAdd((&output.member[3u]), 1u);
             }
         }
     }

@@ -87,26 +87,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_2: type_18;
     var local_3: type_22;
     var local_4: type_18;
-    var phi_137_: u32;
     var phi_138_: u32;
     var phi_141_: type_9;
-    var phi_142_: type_9;
-    var phi_165_: type_9;
-    var phi_191_: u32;
-    var phi_217_: u32;
     var phi_251_: type_9;
     var phi_254_: f32;
-    var phi_252_: type_9;
-    var phi_277_: type_9;
-    var phi_307_: f32;
     var phi_255_: f32;
     var local_5: f32;
     var local_6: f32;
     var phi_317_: f32;
     var phi_367_: type_9;
-    var phi_368_: type_9;
-    var phi_391_: type_9;
-    var phi_454_: u32;
     var phi_455_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -126,163 +115,112 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             phi_138_ = 2u;
         } else {
             let _e70 = params.member.member.member_2[1u];
-            if (_e58 >= _e70) {
-                phi_137_ = 1u;
-            } else {
-                phi_137_ = 0u;
-            }
-            let _e73 = phi_137_;
-            phi_138_ = _e73;
+            phi_138_ = select(0u, 1u, (_e58 >= _e70));
         }
-        let _e75 = phi_138_;
+        let _e74 = phi_138_;
         local_2 = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         phi_141_ = type_9(0u, 3u);
         loop {
-            let _e77 = phi_141_;
-            if (_e77.member < _e77.member_1) {
-                phi_142_ = type_9((_e77.member + 1u), _e77.member_1);
-                phi_165_ = type_9(1u, _e77.member);
-            } else {
-                phi_142_ = _e77;
-                phi_165_ = type_9(0u, type_9().member_1);
-            }
-            let _e89 = phi_142_;
-            let _e91 = phi_165_;
-            let _e95 = (bitcast<i32>(_e91.member) != 0i);
-            if _e95 {
-                let _e97 = words.member[_e91.member_1];
-                let _e98 = ~(_e97);
-                if ((_e98 >> bitcast<u32>(31i)) == 1u) {
-                    phi_191_ = (_e98 & 2147483647u);
-                } else {
-                    phi_191_ = ~(_e98);
-                }
-                let _e105 = phi_191_;
-                local_2.member[_e91.member_1] = bitcast<f32>(_e105);
-                let _e111 = words.member[(3u + _e91.member_1)];
-                if ((_e111 >> bitcast<u32>(31i)) == 1u) {
-                    phi_217_ = (_e111 & 2147483647u);
-                } else {
-                    phi_217_ = ~(_e111);
-                }
-                let _e118 = phi_217_;
-                local_2.member_1[_e91.member_1] = bitcast<f32>(_e118);
+            let _e76 = phi_141_;
+            let _e79 = (_e76.member < _e76.member_1);
+            let _e90 = select(type_9().member_1, _e76.member, _e79);
+            let _e92 = (bitcast<i32>(select(0u, 1u, _e79)) != 0i);
+            if _e92 {
+                let _e94 = words.member[_e90];
+                let _e95 = ~(_e94);
+                local_2.member[_e90] = bitcast<f32>(select(~(_e95), (_e95 & 2147483647u), ((_e95 >> bitcast<u32>(31i)) == 1u)));
+                let _e107 = words.member[(3u + _e90)];
+                local_2.member_1[_e90] = bitcast<f32>(select(~(_e107), (_e107 & 2147483647u), ((_e107 >> bitcast<u32>(31i)) == 1u)));
             }
             continue;
             continuing {
-                phi_141_ = _e89;
-                break if !(_e95);
+                phi_141_ = type_9(select(_e76.member, (_e76.member + 1u), _e79), select(_e76.member_1, _e76.member_1, _e79));
+                break if !(_e92);
             }
         }
-        let _e123 = local_2;
-        local_4 = _e123;
+        let _e118 = local_2;
+        local_4 = _e118;
         phi_251_ = type_9(0u, 3u);
         phi_254_ = 0f;
         loop {
-            let _e125 = phi_251_;
-            let _e127 = phi_254_;
-            local_5 = _e127;
-            local_6 = _e127;
-            if (_e125.member < _e125.member_1) {
-                phi_252_ = type_9((_e125.member + 1u), _e125.member_1);
-                phi_277_ = type_9(1u, _e125.member);
-            } else {
-                phi_252_ = _e125;
-                phi_277_ = type_9(0u, type_9().member_1);
-            }
-            let _e139 = phi_252_;
-            let _e141 = phi_277_;
-            let _e145 = (bitcast<i32>(_e141.member) != 0i);
-            if _e145 {
-                let _e148 = local_4.member_1[_e141.member_1];
-                let _e152 = local_4.member[_e141.member_1];
-                let _e154 = ((_e148 * 0.5f) - (_e152 * 0.5f));
-                if (_e154 > _e127) {
-                    phi_307_ = _e154;
-                } else {
-                    phi_307_ = _e127;
-                }
-                let _e157 = phi_307_;
-                phi_255_ = _e157;
+            let _e120 = phi_251_;
+            let _e122 = phi_254_;
+            local_5 = _e122;
+            local_6 = _e122;
+            let _e125 = (_e120.member < _e120.member_1);
+            let _e136 = select(type_9().member_1, _e120.member, _e125);
+            let _e138 = (bitcast<i32>(select(0u, 1u, _e125)) != 0i);
+            if _e138 {
+                let _e141 = local_4.member_1[_e136];
+                let _e145 = local_4.member[_e136];
+                let _e147 = ((_e141 * 0.5f) - (_e145 * 0.5f));
+                phi_255_ = select(_e122, _e147, (_e147 > _e122));
             } else {
                 phi_255_ = f32();
             }
-            let _e159 = phi_255_;
+            let _e151 = phi_255_;
             continue;
             continuing {
-                phi_251_ = _e139;
-                phi_254_ = _e159;
-                break if !(_e145);
+                phi_251_ = type_9(select(_e120.member, (_e120.member + 1u), _e125), select(_e120.member_1, _e120.member_1, _e125));
+                phi_254_ = _e151;
+                break if !(_e138);
             }
         }
-        let _e162 = local_5;
-        if (_e162 > 0.000000000000000000000000000001f) {
-            let _e166 = local_6;
-            phi_317_ = ((0.5f * 1024f) / _e166);
+        let _e154 = local_5;
+        if (_e154 > 0.000000000000000000000000000001f) {
+            let _e158 = local_6;
+            phi_317_ = ((0.5f * 1024f) / _e158);
         } else {
             phi_317_ = 0f;
         }
-        let _e169 = phi_317_;
-        let _e171 = local_4.member;
-        local_3 = type_22(_e171, _e169, (1024f - 1f));
-        let _e177 = boxes.member[_e58];
-        local_1 = type_18(array<f32, 3>(_e177.member.x, _e177.member.y, _e177.member_1.x), array<f32, 3>(_e177.member_1.y, _e177.member_2.x, _e177.member_2.y));
+        let _e161 = phi_317_;
+        let _e163 = local_4.member;
+        local_3 = type_22(_e163, _e161, (1024f - 1f));
+        let _e169 = boxes.member[_e58];
+        local_1 = type_18(array<f32, 3>(_e169.member.x, _e169.member.y, _e169.member_1.x), array<f32, 3>(_e169.member_1.y, _e169.member_2.x, _e169.member_2.y));
         local = array<u32, 3>(0u, 0u, 0u);
         phi_367_ = type_9(0u, 3u);
         loop {
-            let _e194 = phi_367_;
-            if (_e194.member < _e194.member_1) {
-                phi_368_ = type_9((_e194.member + 1u), _e194.member_1);
-                phi_391_ = type_9(1u, _e194.member);
-            } else {
-                phi_368_ = _e194;
-                phi_391_ = type_9(0u, type_9().member_1);
-            }
-            let _e206 = phi_368_;
-            let _e208 = phi_391_;
-            let _e212 = (bitcast<i32>(_e208.member) != 0i);
-            if _e212 {
-                let _e215 = local_1.member[_e208.member_1];
-                let _e219 = local_1.member_1[_e208.member_1];
-                let _e224 = local_3.member[_e208.member_1];
-                let _e227 = local_3.member_1;
-                let _e228 = ((((_e215 * 0.5f) + (_e219 * 0.5f)) - _e224) * _e227);
-                let _e230 = local_3.member_2;
-                if (_e228 >= _e230) {
-                    let _e241 = local_3.member_2;
-                    phi_455_ = select(select(u32(_e241), 0u, (_e241 < 0f)), 4294967295u, (_e241 > 4294967000f));
+            let _e186 = phi_367_;
+            let _e189 = (_e186.member < _e186.member_1);
+            let _e200 = select(type_9().member_1, _e186.member, _e189);
+            let _e202 = (bitcast<i32>(select(0u, 1u, _e189)) != 0i);
+            if _e202 {
+                let _e205 = local_1.member[_e200];
+                let _e209 = local_1.member_1[_e200];
+                let _e214 = local_3.member[_e200];
+                let _e217 = local_3.member_1;
+                let _e218 = ((((_e205 * 0.5f) + (_e209 * 0.5f)) - _e214) * _e217);
+                let _e220 = local_3.member_2;
+                if (_e218 >= _e220) {
+                    let _e230 = local_3.member_2;
+                    phi_455_ = select(select(u32(_e230), 0u, (_e230 < 0f)), 4294967295u, (_e230 > 4294967000f));
                 } else {
-                    if (_e228 > 0f) {
-                        phi_454_ = select(select(u32(_e228), 0u, (_e228 < 0f)), 4294967295u, (_e228 > 4294967000f));
-                    } else {
-                        phi_454_ = 0u;
-                    }
-                    let _e239 = phi_454_;
-                    phi_455_ = _e239;
+                    phi_455_ = select(0u, select(select(u32(_e218), 0u, (_e218 < 0f)), 4294967295u, (_e218 > 4294967000f)), (_e218 > 0f));
                 }
-                let _e248 = phi_455_;
-                local[_e208.member_1] = _e248;
+                let _e237 = phi_455_;
+                local[_e200] = _e237;
             }
             continue;
             continuing {
-                phi_367_ = _e206;
-                break if !(_e212);
+                phi_367_ = type_9(select(_e186.member, (_e186.member + 1u), _e189), select(_e186.member_1, _e186.member_1, _e189));
+                break if !(_e202);
             }
         }
-        let _e251 = local;
-        let _e255 = (_e251[0] & 1023u);
-        let _e259 = ((_e255 | (_e255 << bitcast<u32>(16i))) & 50331903u);
-        let _e263 = ((_e259 | (_e259 << bitcast<u32>(8i))) & 50393103u);
-        let _e267 = ((_e263 | (_e263 << bitcast<u32>(4i))) & 51130563u);
-        let _e274 = (_e251[1] & 1023u);
-        let _e278 = ((_e274 | (_e274 << bitcast<u32>(16i))) & 50331903u);
-        let _e282 = ((_e278 | (_e278 << bitcast<u32>(8i))) & 50393103u);
-        let _e286 = ((_e282 | (_e282 << bitcast<u32>(4i))) & 51130563u);
-        let _e294 = (_e251[2] & 1023u);
-        let _e298 = ((_e294 | (_e294 << bitcast<u32>(16i))) & 50331903u);
-        let _e302 = ((_e298 | (_e298 << bitcast<u32>(8i))) & 50393103u);
-        let _e306 = ((_e302 | (_e302 << bitcast<u32>(4i))) & 51130563u);
-        keys.member[_e58] = ((_e75 << bitcast<u32>(30i)) | (((((_e267 | (_e267 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(2i)) | (((_e286 | (_e286 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(1i))) | ((_e306 | (_e306 << bitcast<u32>(2i))) & 153391689u)));
+        let _e240 = local;
+        let _e244 = (_e240[0] & 1023u);
+        let _e248 = ((_e244 | (_e244 << bitcast<u32>(16i))) & 50331903u);
+        let _e252 = ((_e248 | (_e248 << bitcast<u32>(8i))) & 50393103u);
+        let _e256 = ((_e252 | (_e252 << bitcast<u32>(4i))) & 51130563u);
+        let _e263 = (_e240[1] & 1023u);
+        let _e267 = ((_e263 | (_e263 << bitcast<u32>(16i))) & 50331903u);
+        let _e271 = ((_e267 | (_e267 << bitcast<u32>(8i))) & 50393103u);
+        let _e275 = ((_e271 | (_e271 << bitcast<u32>(4i))) & 51130563u);
+        let _e283 = (_e240[2] & 1023u);
+        let _e287 = ((_e283 | (_e283 << bitcast<u32>(16i))) & 50331903u);
+        let _e291 = ((_e287 | (_e287 << bitcast<u32>(8i))) & 50393103u);
+        let _e295 = ((_e291 | (_e291 << bitcast<u32>(4i))) & 51130563u);
+        keys.member[_e58] = ((_e74 << bitcast<u32>(30i)) | (((((_e256 | (_e256 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(2i)) | (((_e275 | (_e275 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(1i))) | ((_e295 | (_e295 << bitcast<u32>(2i))) & 153391689u)));
         order.member[_e58] = _e58;
     }
     return;

@@ -99,13 +99,8 @@ var<storage, read_write> counts: type_28;
 var<workgroup> shared_: array<atomic<u32>, 12>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_130_: u32;
-    var phi_151_: u32;
     var phi_152_: u32;
     var phi_155_: type_9;
-    var phi_156_: type_9;
-    var phi_179_: type_9;
-    var phi_260_: bool;
     var phi_261_: bool;
     var phi_329_: u32;
     var phi_330_: u32;
@@ -115,7 +110,6 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_393_: type_25;
     var phi_394_: bool;
     var phi_398_: type_25;
-    var phi_446_: u32;
     var phi_449_: u32;
     var phi_450_: u32;
     var phi_451_: u32;
@@ -139,228 +133,197 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     workgroupBarrier();
     let _e53 = params.member.member_1.member;
     let _e54 = (_e53 / 128u);
-    if ((_e53 % 128u) > 0u) {
-        phi_130_ = (_e54 + 1u);
-    } else {
-        phi_130_ = _e54;
-    }
-    let _e59 = phi_130_;
-    if (_e59 > _e45) {
-        let _e61 = (_e59 - _e45);
+    let _e58 = select(_e54, (_e54 + 1u), ((_e53 % 128u) > 0u));
+    if (_e58 > _e45) {
+        let _e60 = (_e58 - _e45);
         if (_e48 == 0u) {
             return;
         }
-        let _e63 = (_e61 / _e48);
+        let _e62 = (_e60 / _e48);
         if (_e48 == 0u) {
             return;
         }
-        if ((_e61 % _e48) > 0u) {
-            phi_151_ = (_e63 + 1u);
-        } else {
-            phi_151_ = _e63;
-        }
-        let _e69 = phi_151_;
-        phi_152_ = _e69;
+        phi_152_ = select(_e62, (_e62 + 1u), ((_e60 % _e48) > 0u));
     } else {
         phi_152_ = 0u;
     }
-    let _e71 = phi_152_;
-    phi_155_ = type_9(0u, _e71);
+    let _e69 = phi_152_;
+    phi_155_ = type_9(0u, _e69);
     loop {
-        let _e74 = phi_155_;
-        if (_e74.member < _e74.member_1) {
-            phi_156_ = type_9((_e74.member + 1u), _e74.member_1);
-            phi_179_ = type_9(1u, _e74.member);
-        } else {
-            phi_156_ = _e74;
-            phi_179_ = type_9(0u, type_9().member_1);
-        }
-        let _e86 = phi_156_;
-        let _e88 = phi_179_;
-        let _e92 = (bitcast<i32>(_e88.member) != 0i);
-        if _e92 {
-            let _e96 = (((_e45 + (_e88.member_1 * _e48)) * 128u) + _e32);
+        let _e72 = phi_155_;
+        let _e75 = (_e72.member < _e72.member_1);
+        let _e88 = (bitcast<i32>(select(0u, 1u, _e75)) != 0i);
+        if _e88 {
+            let _e92 = (((_e45 + (select(type_9().member_1, _e72.member, _e75) * _e48)) * 128u) + _e32);
             if (_e32 == 0u) {
                 atomicStore((&shared_[5u]), 0u);
                 atomicStore((&shared_[6u]), 0u);
             }
             workgroupBarrier();
-            let _e102 = params.member.member_1.member;
-            if (_e96 < _e102) {
-                let _e106 = params.member.member_1.member_1;
-                let _e107 = (_e106 + _e96);
-                let _e109 = tests.member[_e107];
-                let _e122 = params.member.member_2.member;
-                if ((_e122 & 2u) != 0u) {
-                    let _e126 = regions.member[_e109.member_1.member];
-                    let _e128 = regions.member[_e109.member_1.member_1];
-                    if (_e126 == _e128) {
-                        phi_260_ = (_e126 != 4294967295u);
-                    } else {
-                        phi_260_ = false;
-                    }
-                    let _e132 = phi_260_;
-                    phi_261_ = _e132;
+            let _e98 = params.member.member_1.member;
+            if (_e92 < _e98) {
+                let _e102 = params.member.member_1.member_1;
+                let _e103 = (_e102 + _e92);
+                let _e105 = tests.member[_e103];
+                let _e118 = params.member.member_2.member;
+                if ((_e118 & 2u) != 0u) {
+                    let _e122 = regions.member[_e105.member_1.member];
+                    let _e124 = regions.member[_e105.member_1.member_1];
+                    phi_261_ = select(false, (_e122 != 4294967295u), (_e122 == _e124));
                 } else {
                     phi_261_ = false;
                 }
-                let _e134 = phi_261_;
-                if _e134 {
+                let _e129 = phi_261_;
+                if _e129 {
                     phi_393_ = type_25();
                     phi_394_ = true;
                 } else {
-                    let _e136 = swept.member[_e109.member_1.member];
-                    let _e138 = swept.member[_e109.member_1.member_1];
-                    if ((((((_e136.member[0] <= _e138.member_1[0]) && (_e138.member[0] <= _e136.member_1[0])) && (_e136.member[1] <= _e138.member_1[1])) && (_e138.member[1] <= _e136.member_1[1])) && (_e136.member[2] <= _e138.member_1[2])) && (_e138.member[2] <= _e136.member_1[2])) {
-                        let _e176 = params.member.member.member_2[2u];
-                        let _e179 = params.member.member_2.member_2;
-                        if (_e107 >= _e179) {
-                            let _e183 = params.member.member.member_2[1u];
-                            let _e187 = params.member.member.member_2[1u];
-                            phi_329_ = (_e109.member.member + _e183);
-                            phi_330_ = (_e187 + _e109.member.member_1);
+                    let _e131 = swept.member[_e105.member_1.member];
+                    let _e133 = swept.member[_e105.member_1.member_1];
+                    if ((((((_e131.member[0] <= _e133.member_1[0]) && (_e133.member[0] <= _e131.member_1[0])) && (_e131.member[1] <= _e133.member_1[1])) && (_e133.member[1] <= _e131.member_1[1])) && (_e131.member[2] <= _e133.member_1[2])) && (_e133.member[2] <= _e131.member_1[2])) {
+                        let _e171 = params.member.member.member_2[2u];
+                        let _e174 = params.member.member_2.member_2;
+                        if (_e103 >= _e174) {
+                            let _e178 = params.member.member.member_2[1u];
+                            let _e182 = params.member.member.member_2[1u];
+                            phi_329_ = (_e105.member.member + _e178);
+                            phi_330_ = (_e182 + _e105.member.member_1);
                         } else {
-                            phi_329_ = _e109.member.member;
-                            phi_330_ = (_e176 + _e109.member.member_1);
+                            phi_329_ = _e105.member.member;
+                            phi_330_ = (_e171 + _e105.member.member_1);
                         }
-                        let _e190 = phi_329_;
-                        let _e192 = phi_330_;
-                        let _e194 = boxes.member[_e190];
-                        let _e196 = boxes.member[_e192];
-                        let _e235 = params.member.member_2.member_3[0u];
-                        if (_e107 >= _e235) {
-                            let _e239 = params.member.member_2.member_3[1u];
-                            phi_386_ = (_e107 < _e239);
+                        let _e185 = phi_329_;
+                        let _e187 = phi_330_;
+                        let _e189 = boxes.member[_e185];
+                        let _e191 = boxes.member[_e187];
+                        let _e230 = params.member.member_2.member_3[0u];
+                        if (_e103 >= _e230) {
+                            let _e234 = params.member.member_2.member_3[1u];
+                            phi_386_ = (_e103 < _e234);
                         } else {
                             phi_386_ = false;
                         }
-                        let _e242 = phi_386_;
-                        let _e243 = select(0u, 1u, _e242);
-                        phi_391_ = type_25(array<u32, 5>(0u, 0u, 0u, (1u - _e243), _e243), select(0u, 1u, ((((((_e194.member[0] <= _e196.member_1[0]) && (_e196.member[0] <= _e194.member_1[0])) && (_e194.member[1] <= _e196.member_1[1])) && (_e196.member[1] <= _e194.member_1[1])) && (_e194.member[2] <= _e196.member_1[2])) && (_e196.member[2] <= _e194.member_1[2]))));
+                        let _e237 = phi_386_;
+                        let _e238 = select(0u, 1u, _e237);
+                        phi_391_ = type_25(array<u32, 5>(0u, 0u, 0u, (1u - _e238), _e238), select(0u, 1u, ((((((_e189.member[0] <= _e191.member_1[0]) && (_e191.member[0] <= _e189.member_1[0])) && (_e189.member[1] <= _e191.member_1[1])) && (_e191.member[1] <= _e189.member_1[1])) && (_e189.member[2] <= _e191.member_1[2])) && (_e191.member[2] <= _e189.member_1[2]))));
                         phi_392_ = false;
                     } else {
                         phi_391_ = type_25();
                         phi_392_ = true;
                     }
-                    let _e248 = phi_391_;
-                    let _e250 = phi_392_;
-                    phi_393_ = _e248;
-                    phi_394_ = _e250;
+                    let _e243 = phi_391_;
+                    let _e245 = phi_392_;
+                    phi_393_ = _e243;
+                    phi_394_ = _e245;
                 }
-                let _e252 = phi_393_;
-                let _e254 = phi_394_;
-                if _e254 {
+                let _e247 = phi_393_;
+                let _e249 = phi_394_;
+                if _e249 {
                     phi_398_ = type_25(array<u32, 5>(0u, 0u, 0u, 0u, 0u), 0u);
                 } else {
-                    phi_398_ = _e252;
+                    phi_398_ = _e247;
                 }
-                let _e256 = phi_398_;
-                if (_e256.member[0] == 0u) {
+                let _e251 = phi_398_;
+                if (_e251.member[0] == 0u) {
                 } else {
-                    let _e269 = atomicAdd((&shared_[0u]), _e256.member[0]);
+                    let _e264 = atomicAdd((&shared_[0u]), _e251.member[0]);
                 }
-                if (_e256.member[1] == 0u) {
+                if (_e251.member[1] == 0u) {
                 } else {
-                    let _e272 = atomicAdd((&shared_[1u]), _e256.member[1]);
+                    let _e267 = atomicAdd((&shared_[1u]), _e251.member[1]);
                 }
-                if (_e256.member[2] == 0u) {
+                if (_e251.member[2] == 0u) {
                 } else {
-                    let _e275 = atomicAdd((&shared_[2u]), _e256.member[2]);
+                    let _e270 = atomicAdd((&shared_[2u]), _e251.member[2]);
                 }
-                if (_e256.member[3] == 0u) {
+                if (_e251.member[3] == 0u) {
                 } else {
-                    let _e278 = atomicAdd((&shared_[3u]), _e256.member[3]);
+                    let _e273 = atomicAdd((&shared_[3u]), _e251.member[3]);
                 }
-                if (_e256.member[4] == 0u) {
+                if (_e251.member[4] == 0u) {
                 } else {
-                    let _e281 = atomicAdd((&shared_[4u]), _e256.member[4]);
+                    let _e276 = atomicAdd((&shared_[4u]), _e251.member[4]);
                 }
-                let _e285 = params.member.member_2.member_2;
-                let _e286 = (_e107 < _e285);
-                if (_e256.member_1 == 0u) {
+                let _e280 = params.member.member_2.member_2;
+                let _e281 = (_e103 < _e280);
+                if (_e251.member_1 == 0u) {
                     phi_449_ = 0u;
                 } else {
-                    if _e286 {
-                        phi_446_ = 5u;
-                    } else {
-                        phi_446_ = 6u;
-                    }
-                    let _e289 = phi_446_;
-                    let _e291 = atomicAdd((&shared_[_e289]), 1u);
-                    phi_449_ = _e291;
+                    let _e285 = atomicAdd((&shared_[select(6u, 5u, _e281)]), 1u);
+                    phi_449_ = _e285;
                 }
-                let _e293 = phi_449_;
-                phi_450_ = _e293;
-                phi_451_ = _e256.member_1;
-                phi_452_ = _e109.member;
-                phi_453_ = _e286;
+                let _e287 = phi_449_;
+                phi_450_ = _e287;
+                phi_451_ = _e251.member_1;
+                phi_452_ = _e105.member;
+                phi_453_ = _e281;
             } else {
                 phi_450_ = 0u;
                 phi_451_ = 0u;
                 phi_452_ = type_9(0u, 0u);
                 phi_453_ = false;
             }
-            let _e295 = phi_450_;
-            let _e297 = phi_451_;
-            let _e299 = phi_452_;
-            let _e301 = phi_453_;
+            let _e289 = phi_450_;
+            let _e291 = phi_451_;
+            let _e293 = phi_452_;
+            let _e295 = phi_453_;
             workgroupBarrier();
             if (_e32 == 0u) {
-                let _e304 = atomicLoad((&shared_[5u]));
-                let _e306 = atomicLoad((&shared_[6u]));
-                if (_e304 > 0u) {
-                    let _e309 = atomicAdd((&vf.member[0u]), _e304);
-                    if ((_e309 + _e304) < _e309) {
-                        let _e313 = atomicAdd((&vf.member[2u]), 1u);
+                let _e298 = atomicLoad((&shared_[5u]));
+                let _e300 = atomicLoad((&shared_[6u]));
+                if (_e298 > 0u) {
+                    let _e303 = atomicAdd((&vf.member[0u]), _e298);
+                    if ((_e303 + _e298) < _e303) {
+                        let _e307 = atomicAdd((&vf.member[2u]), 1u);
                     }
-                    atomicStore((&shared_[7u]), _e309);
+                    atomicStore((&shared_[7u]), _e303);
                 }
-                if (_e306 > 0u) {
-                    let _e317 = atomicAdd((&ee.member[0u]), _e306);
-                    if ((_e317 + _e306) < _e317) {
-                        let _e321 = atomicAdd((&ee.member[2u]), 1u);
+                if (_e300 > 0u) {
+                    let _e311 = atomicAdd((&ee.member[0u]), _e300);
+                    if ((_e311 + _e300) < _e311) {
+                        let _e315 = atomicAdd((&ee.member[2u]), 1u);
                     }
-                    atomicStore((&shared_[8u]), _e317);
+                    atomicStore((&shared_[8u]), _e311);
                 }
             }
             workgroupBarrier();
-            if (_e297 == 0u) {
+            if (_e291 == 0u) {
             } else {
-                if _e301 {
-                    let _e340 = params.member.member_1.member_3;
-                    let _e342 = atomicLoad((&shared_[7u]));
-                    let _e343 = (_e342 + _e295);
-                    if (_e343 < _e340) {
-                        let _e347 = (2u * _e343);
-                        atomicStore((&vf.member[(4u + _e347)]), _e299.member);
-                        atomicStore((&vf.member[(_e347 + 5u)]), _e299.member_1);
+                if _e295 {
+                    let _e334 = params.member.member_1.member_3;
+                    let _e336 = atomicLoad((&shared_[7u]));
+                    let _e337 = (_e336 + _e289);
+                    if (_e337 < _e334) {
+                        let _e341 = (2u * _e337);
+                        atomicStore((&vf.member[(4u + _e341)]), _e293.member);
+                        atomicStore((&vf.member[(_e341 + 5u)]), _e293.member_1);
                     }
                 } else {
-                    let _e326 = params.member.member_2.member_1;
-                    let _e328 = atomicLoad((&shared_[8u]));
-                    let _e329 = (_e328 + _e295);
-                    if (_e329 < _e326) {
-                        let _e333 = (2u * _e329);
-                        atomicStore((&ee.member[(4u + _e333)]), _e299.member);
-                        atomicStore((&ee.member[(_e333 + 5u)]), _e299.member_1);
+                    let _e320 = params.member.member_2.member_1;
+                    let _e322 = atomicLoad((&shared_[8u]));
+                    let _e323 = (_e322 + _e289);
+                    if (_e323 < _e320) {
+                        let _e327 = (2u * _e323);
+                        atomicStore((&ee.member[(4u + _e327)]), _e293.member);
+                        atomicStore((&ee.member[(_e327 + 5u)]), _e293.member_1);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_155_ = _e86;
-            break if !(_e92);
+            phi_155_ = type_9(select(_e72.member, (_e72.member + 1u), _e75), select(_e72.member_1, _e72.member_1, _e75));
+            break if !(_e88);
         }
     }
     workgroupBarrier();
     if (_e32 < 5u) {
-        let _e355 = atomicLoad((&shared_[_e32]));
-        if (_e355 > 0u) {
-            let _e357 = (_e32 * 4u);
-            let _e359 = atomicAdd((&counts.member[_e357]), _e355);
-            if ((_e359 + _e355) < _e359) {
-                let _e364 = atomicAdd((&counts.member[(_e357 + 2u)]), 1u);
+        let _e349 = atomicLoad((&shared_[_e32]));
+        if (_e349 > 0u) {
+            let _e351 = (_e32 * 4u);
+            let _e353 = atomicAdd((&counts.member[_e351]), _e349);
+            if ((_e353 + _e349) < _e353) {
+                let _e358 = atomicAdd((&counts.member[(_e351 + 2u)]), 1u);
             }
         }
     }

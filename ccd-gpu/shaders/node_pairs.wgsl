@@ -88,79 +88,40 @@ var<workgroup> hits: array<u32, 512>;
 var<workgroup> firsts: array<u32, 8>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_156_: u32;
-    var phi_193_: u32;
     var phi_194_: u32;
-    var phi_202_: u32;
-    var phi_218_: u32;
-    var phi_241_: u32;
     var phi_242_: u32;
     var phi_245_: type_9;
-    var phi_246_: type_9;
-    var phi_269_: type_9;
-    var phi_316_: u32;
     var phi_317_: u32;
-    var phi_325_: u32;
-    var phi_339_: u32;
-    var phi_399_: array<u32, 2>;
     var phi_560_: bool;
     var phi_598_: type_24;
-    var phi_607_: bool;
-    var phi_630_: u32;
     var phi_633_: type_9;
     var phi_636_: u32;
-    var phi_634_: type_9;
-    var phi_659_: type_9;
     var phi_637_: u32;
     var local: u32;
-    var phi_848_: u32;
-    var phi_872_: bool;
+    var local_1: u32;
     var phi_878_: type_9;
     var phi_881_: u32;
-    var phi_879_: type_9;
-    var phi_904_: type_9;
-    var phi_937_: bool;
-    var phi_945_: u32;
     var phi_882_: u32;
     var phi_946_: u32;
     var phi_947_: u32;
     var phi_954_: type_9;
     var phi_957_: u32;
-    var phi_955_: type_9;
-    var phi_980_: type_9;
-    var phi_1003_: bool;
-    var phi_1004_: bool;
-    var phi_1005_: bool;
-    var phi_1006_: bool;
-    var phi_1010_: bool;
-    var phi_1018_: bool;
-    var phi_1026_: u32;
     var phi_958_: u32;
     var phi_1027_: u32;
     var phi_1037_: type_9;
-    var phi_1063_: u32;
     var phi_1066_: type_9;
     var phi_1069_: type_9;
-    var phi_1067_: type_9;
-    var phi_1092_: type_9;
     var phi_1109_: type_9;
     var phi_1112_: type_9;
-    var phi_1113_: type_9;
-    var phi_1135_: type_9;
     var phi_1169_: type_9;
     var phi_1170_: bool;
     var phi_1110_: type_9;
     var phi_1171_: bool;
-    var phi_1179_: u32;
-    var phi_1213_: u32;
     var phi_1236_: u32;
     var phi_1243_: type_9;
-    var phi_1244_: type_9;
-    var phi_1267_: type_9;
     var phi_1312_: bool;
     var phi_1313_: bool;
     var phi_1070_: type_9;
-    var local_1: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: type_9;
@@ -171,572 +132,381 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e39 = id_2;
-    let _e40 = n_2;
-    let _e41 = lane_2;
-    let _e50 = ((_e39.y * _e40.x) + _e39.x);
-    let _e53 = (_e40.x * _e40.y);
-    let _e56 = params.member.member_1.member_2;
-    let _e58 = input.member[0u];
-    if (_e56 < _e58) {
-        phi_156_ = _e56;
-    } else {
-        phi_156_ = _e58;
-    }
-    let _e61 = phi_156_;
-    let _e62 = (_e41 / 32u);
-    let _e66 = params.member.member_1.member_1;
-    if (_e61 > _e66) {
-        let _e70 = params.member.member_1.member_1;
-        let _e71 = (_e61 - _e70);
-        let _e74 = params.member.member_2.member_3;
-        if (_e74 == 0u) {
+    let _e37 = id_2;
+    let _e38 = n_2;
+    let _e39 = lane_2;
+    let _e48 = ((_e37.y * _e38.x) + _e37.x);
+    let _e51 = (_e38.x * _e38.y);
+    let _e54 = params.member.member_1.member_2;
+    let _e56 = input.member[0u];
+    let _e58 = select(_e56, _e54, (_e54 < _e56));
+    let _e59 = (_e39 / 32u);
+    let _e63 = params.member.member_1.member_1;
+    if (_e58 > _e63) {
+        let _e67 = params.member.member_1.member_1;
+        let _e68 = (_e58 - _e67);
+        let _e71 = params.member.member_2.member_3;
+        if (_e71 == 0u) {
             return;
         }
-        let _e76 = (_e71 / _e74);
-        if (_e74 == 0u) {
+        let _e73 = (_e68 / _e71);
+        if (_e71 == 0u) {
             return;
         }
-        if ((_e71 % _e74) > 0u) {
-            phi_193_ = (_e76 + 1u);
-        } else {
-            phi_193_ = _e76;
-        }
-        let _e82 = phi_193_;
-        phi_194_ = _e82;
+        phi_194_ = select(_e73, (_e73 + 1u), ((_e68 % _e71) > 0u));
     } else {
         phi_194_ = 0u;
     }
-    let _e84 = phi_194_;
-    let _e87 = params.member.member_2.member_4;
-    if (_e87 < _e84) {
-        phi_202_ = _e87;
-    } else {
-        phi_202_ = _e84;
-    }
-    let _e90 = phi_202_;
-    let _e91 = (_e90 / 4u);
-    if ((_e90 % 4u) > 0u) {
-        phi_218_ = (_e91 + 1u);
-    } else {
-        phi_218_ = _e91;
-    }
-    let _e96 = phi_218_;
-    if (_e96 > _e50) {
-        let _e98 = (_e96 - _e50);
-        if (_e53 == 0u) {
+    let _e80 = phi_194_;
+    let _e83 = params.member.member_2.member_4;
+    let _e85 = select(_e80, _e83, (_e83 < _e80));
+    let _e86 = (_e85 / 4u);
+    let _e90 = select(_e86, (_e86 + 1u), ((_e85 % 4u) > 0u));
+    if (_e90 > _e48) {
+        let _e92 = (_e90 - _e48);
+        if (_e51 == 0u) {
             return;
         }
-        let _e100 = (_e98 / _e53);
-        if (_e53 == 0u) {
+        let _e94 = (_e92 / _e51);
+        if (_e51 == 0u) {
             return;
         }
-        if ((_e98 % _e53) > 0u) {
-            phi_241_ = (_e100 + 1u);
-        } else {
-            phi_241_ = _e100;
-        }
-        let _e106 = phi_241_;
-        phi_242_ = _e106;
+        phi_242_ = select(_e94, (_e94 + 1u), ((_e92 % _e51) > 0u));
     } else {
         phi_242_ = 0u;
     }
-    let _e108 = phi_242_;
-    phi_245_ = type_9(0u, _e108);
+    let _e101 = phi_242_;
+    phi_245_ = type_9(0u, _e101);
     loop {
-        let _e111 = phi_245_;
-        if (_e111.member < _e111.member_1) {
-            phi_246_ = type_9((_e111.member + 1u), _e111.member_1);
-            phi_269_ = type_9(1u, _e111.member);
-        } else {
-            phi_246_ = _e111;
-            phi_269_ = type_9(0u, type_9().member_1);
-        }
-        let _e123 = phi_246_;
-        let _e125 = phi_269_;
-        let _e129 = (bitcast<i32>(_e125.member) != 0i);
-        if _e129 {
-            let _e134 = (((_e50 + (_e125.member_1 * _e53)) * 4u) + (_e41 / 32u));
-            let _e137 = params.member.member_1.member_1;
-            if (_e61 > _e137) {
-                let _e141 = params.member.member_1.member_1;
-                let _e142 = (_e61 - _e141);
-                let _e145 = params.member.member_2.member_3;
-                if (_e145 == 0u) {
+        let _e104 = phi_245_;
+        let _e107 = (_e104.member < _e104.member_1);
+        let _e120 = (bitcast<i32>(select(0u, 1u, _e107)) != 0i);
+        if _e120 {
+            let _e125 = (((_e48 + (select(type_9().member_1, _e104.member, _e107) * _e51)) * 4u) + (_e39 / 32u));
+            let _e128 = params.member.member_1.member_1;
+            if (_e58 > _e128) {
+                let _e132 = params.member.member_1.member_1;
+                let _e133 = (_e58 - _e132);
+                let _e136 = params.member.member_2.member_3;
+                if (_e136 == 0u) {
                     return;
                 }
-                let _e147 = (_e142 / _e145);
-                if (_e145 == 0u) {
+                let _e138 = (_e133 / _e136);
+                if (_e136 == 0u) {
                     return;
                 }
-                if ((_e142 % _e145) > 0u) {
-                    phi_316_ = (_e147 + 1u);
-                } else {
-                    phi_316_ = _e147;
-                }
-                let _e153 = phi_316_;
-                phi_317_ = _e153;
+                phi_317_ = select(_e138, (_e138 + 1u), ((_e133 % _e136) > 0u));
             } else {
                 phi_317_ = 0u;
             }
-            let _e155 = phi_317_;
-            let _e158 = params.member.member_2.member_4;
-            if (_e158 < _e155) {
-                phi_325_ = _e158;
-            } else {
-                phi_325_ = _e155;
-            }
-            let _e161 = phi_325_;
-            let _e162 = (_e134 < _e161);
-            let _e165 = params.member.member_1.member_1;
-            let _e168 = params.member.member_2.member_3;
-            if _e162 {
-                phi_339_ = (_e134 * _e168);
-            } else {
-                phi_339_ = 0u;
-            }
-            let _e171 = phi_339_;
-            let _e173 = (2u * (_e165 + _e171));
-            let _e176 = input.member[(4u + _e173)];
-            let _e179 = input.member[(_e173 + 5u)];
-            if (_e41 <= 5u) {
-                atomicStore((&counters[_e41]), 0u);
+            let _e145 = phi_317_;
+            let _e148 = params.member.member_2.member_4;
+            let _e151 = (_e125 < select(_e145, _e148, (_e148 < _e145)));
+            let _e154 = params.member.member_1.member_1;
+            let _e157 = params.member.member_2.member_3;
+            let _e161 = (2u * (_e154 + select(0u, (_e125 * _e157), _e151)));
+            let _e164 = input.member[(4u + _e161)];
+            let _e167 = input.member[(_e161 + 5u)];
+            if (_e39 <= 5u) {
+                atomicStore((&counters[_e39]), 0u);
             }
             workgroupBarrier();
-            if ((_e41 % 32u) == 0u) {
-                firsts[(2u * _e62)] = (_e176 * 32u);
-                firsts[((2u * _e62) + 1u)] = (_e179 * 32u);
+            if ((_e39 % 32u) == 0u) {
+                firsts[(2u * _e59)] = (_e164 * 32u);
+                firsts[((2u * _e59) + 1u)] = (_e167 * 32u);
             }
-            let _e192 = params.member.member_2.member_1;
-            if (_e192 == 0u) {
-                phi_399_ = array<u32, 2>(0u, 2u);
-            } else {
-                phi_399_ = array<u32, 2>(1u, 1u);
-            }
-            let _e195 = phi_399_;
-            let _e198 = (_e41 / 32u);
-            let _e199 = (_e41 % 32u);
-            let _e201 = params.member.member_2.member_2;
-            let _e205 = params.member.member_2.member[_e201][_e195[0]];
-            let _e208 = nodes.member[(_e205 + _e176)];
-            let _e222 = params.member.member_2.member_2;
-            let _e226 = params.member.member_2.member[_e222][_e195[1]];
-            let _e229 = nodes.member[(_e226 + _e179)];
-            let _e243 = params.member.member_2.member_2;
-            let _e250 = params.member.member_2.member[(_e243 - 1u)][_e195[0]];
-            let _e253 = nodes.member[(_e250 + ((_e176 * 32u) + _e199))];
-            let _e270 = params.member.member_2.member_2;
-            let _e277 = params.member.member_2.member[(_e270 - 1u)][_e195[1]];
-            let _e280 = nodes.member[(_e277 + ((_e179 * 32u) + _e199))];
-            if _e162 {
-                phi_560_ = ((((((_e253.member.x <= _e229.member_1.y) && (_e229.member.x <= _e253.member_1.y)) && (_e253.member.y <= _e229.member_2.x)) && (_e229.member.y <= _e253.member_2.x)) && (_e253.member_1.x <= _e229.member_2.y)) && (_e229.member_1.x <= _e253.member_2.y));
+            let _e180 = params.member.member_2.member_1;
+            let _e181 = (_e180 == 0u);
+            let _e182 = select(1u, 0u, _e181);
+            let _e183 = select(1u, 2u, _e181);
+            let _e184 = (_e39 / 32u);
+            let _e185 = (_e39 % 32u);
+            let _e187 = params.member.member_2.member_2;
+            let _e191 = params.member.member_2.member[_e187][_e182];
+            let _e194 = nodes.member[(_e191 + _e164)];
+            let _e208 = params.member.member_2.member_2;
+            let _e212 = params.member.member_2.member[_e208][_e183];
+            let _e215 = nodes.member[(_e212 + _e167)];
+            let _e229 = params.member.member_2.member_2;
+            let _e236 = params.member.member_2.member[(_e229 - 1u)][_e182];
+            let _e239 = nodes.member[(_e236 + ((_e164 * 32u) + _e185))];
+            let _e256 = params.member.member_2.member_2;
+            let _e263 = params.member.member_2.member[(_e256 - 1u)][_e183];
+            let _e266 = nodes.member[(_e263 + ((_e167 * 32u) + _e185))];
+            if _e151 {
+                phi_560_ = ((((((_e239.member.x <= _e215.member_1.y) && (_e215.member.x <= _e239.member_1.y)) && (_e239.member.y <= _e215.member_2.x)) && (_e215.member.y <= _e239.member_2.x)) && (_e239.member_1.x <= _e215.member_2.y)) && (_e215.member_1.x <= _e239.member_2.y));
             } else {
                 phi_560_ = false;
             }
-            let _e305 = phi_560_;
-            if _e162 {
-                if ((((((_e280.member.x <= _e208.member_1.y) && (_e208.member.x <= _e280.member_1.y)) && (_e280.member.y <= _e208.member_2.x)) && (_e208.member.y <= _e280.member_2.x)) && (_e280.member_1.x <= _e208.member_2.y)) && (_e208.member_1.x <= _e280.member_2.y)) {
-                    let _e319 = atomicAdd((&counters[_e198]), 1u);
-                    let _e320 = ((_e198 * 32u) + _e319);
-                    columns[_e320] = type_24(array<f32, 3>(_e280.member.x, _e280.member.y, _e280.member_1.x), array<f32, 3>(_e280.member_1.y, _e280.member_2.x, _e280.member_2.y));
-                    names[_e320] = _e199;
+            let _e291 = phi_560_;
+            if _e151 {
+                if ((((((_e266.member.x <= _e194.member_1.y) && (_e194.member.x <= _e266.member_1.y)) && (_e266.member.y <= _e194.member_2.x)) && (_e194.member.y <= _e266.member_2.x)) && (_e266.member_1.x <= _e194.member_2.y)) && (_e194.member_1.x <= _e266.member_2.y)) {
+                    let _e305 = atomicAdd((&counters[_e184]), 1u);
+                    let _e306 = ((_e184 * 32u) + _e305);
+                    columns[_e306] = type_24(array<f32, 3>(_e266.member.x, _e266.member.y, _e266.member_1.x), array<f32, 3>(_e266.member_1.y, _e266.member_2.x, _e266.member_2.y));
+                    names[_e306] = _e185;
                 }
             }
-            if _e305 {
-                phi_598_ = type_24(array<f32, 3>(_e253.member.x, _e253.member.y, _e253.member_1.x), array<f32, 3>(_e253.member_1.y, _e253.member_2.x, _e253.member_2.y));
+            if _e291 {
+                phi_598_ = type_24(array<f32, 3>(_e239.member.x, _e239.member.y, _e239.member_1.x), array<f32, 3>(_e239.member_1.y, _e239.member_2.x, _e239.member_2.y));
             } else {
                 phi_598_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e327 = phi_598_;
+            let _e313 = phi_598_;
             workgroupBarrier();
-            let _e330 = params.member.member_2.member_1;
-            if (_e330 == 1u) {
-                phi_607_ = (_e176 == _e179);
-            } else {
-                phi_607_ = false;
-            }
-            let _e334 = phi_607_;
-            let _e335 = (_e41 / 32u);
-            let _e336 = (_e41 % 32u);
-            let _e337 = (_e335 * 32u);
-            let _e339 = atomicLoad((&counters[_e335]));
-            let _e340 = (_e339 / 4u);
-            if ((_e339 % 4u) > 0u) {
-                phi_630_ = (_e340 + 1u);
-            } else {
-                phi_630_ = _e340;
-            }
-            let _e345 = phi_630_;
-            phi_633_ = type_9(0u, _e345);
+            let _e316 = params.member.member_2.member_1;
+            let _e319 = select(false, (_e164 == _e167), (_e316 == 1u));
+            let _e320 = (_e39 / 32u);
+            let _e321 = (_e39 % 32u);
+            let _e322 = (_e320 * 32u);
+            let _e324 = atomicLoad((&counters[_e320]));
+            let _e325 = (_e324 / 4u);
+            phi_633_ = type_9(0u, select(_e325, (_e325 + 1u), ((_e324 % 4u) > 0u)));
             phi_636_ = 0u;
             loop {
-                let _e348 = phi_633_;
-                let _e350 = phi_636_;
-                local = _e350;
-                local_1 = _e350;
-                if (_e348.member < _e348.member_1) {
-                    phi_634_ = type_9((_e348.member + 1u), _e348.member_1);
-                    phi_659_ = type_9(1u, _e348.member);
-                } else {
-                    phi_634_ = _e348;
-                    phi_659_ = type_9(0u, type_9().member_1);
-                }
-                let _e362 = phi_634_;
-                let _e364 = phi_659_;
-                let _e368 = (bitcast<i32>(_e364.member) != 0i);
-                if _e368 {
-                    let _e369 = (4u * _e364.member_1);
-                    let _e372 = columns[(_e337 + _e369)];
-                    let _e411 = columns[((_e337 + _e369) + 1u)];
-                    let _e452 = columns[((_e337 + _e369) + 2u)];
-                    let _e493 = columns[((_e337 + _e369) + 3u)];
-                    phi_637_ = (_e350 | ((((select(0u, 1u, ((((((_e327.member[0] <= _e372.member_1[0]) && (_e372.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e372.member_1[1])) && (_e372.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e372.member_1[2])) && (_e372.member[2] <= _e327.member_1[2]))) << bitcast<u32>((_e369 & 31u))) | (select(0u, 1u, ((((((_e327.member[0] <= _e411.member_1[0]) && (_e411.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e411.member_1[1])) && (_e411.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e411.member_1[2])) && (_e411.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e327.member[0] <= _e452.member_1[0]) && (_e452.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e452.member_1[1])) && (_e452.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e452.member_1[2])) && (_e452.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e327.member[0] <= _e493.member_1[0]) && (_e493.member[0] <= _e327.member_1[0])) && (_e327.member[1] <= _e493.member_1[1])) && (_e493.member[1] <= _e327.member_1[1])) && (_e327.member[2] <= _e493.member_1[2])) && (_e493.member[2] <= _e327.member_1[2]))) << bitcast<u32>(((_e369 + 3u) & 31u)))));
+                let _e332 = phi_633_;
+                let _e334 = phi_636_;
+                local = _e334;
+                local_1 = _e334;
+                let _e337 = (_e332.member < _e332.member_1);
+                let _e350 = (bitcast<i32>(select(0u, 1u, _e337)) != 0i);
+                if _e350 {
+                    let _e351 = (4u * select(type_9().member_1, _e332.member, _e337));
+                    let _e354 = columns[(_e322 + _e351)];
+                    let _e393 = columns[((_e322 + _e351) + 1u)];
+                    let _e434 = columns[((_e322 + _e351) + 2u)];
+                    let _e475 = columns[((_e322 + _e351) + 3u)];
+                    phi_637_ = (_e334 | ((((select(0u, 1u, ((((((_e313.member[0] <= _e354.member_1[0]) && (_e354.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e354.member_1[1])) && (_e354.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e354.member_1[2])) && (_e354.member[2] <= _e313.member_1[2]))) << bitcast<u32>((_e351 & 31u))) | (select(0u, 1u, ((((((_e313.member[0] <= _e393.member_1[0]) && (_e393.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e393.member_1[1])) && (_e393.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e393.member_1[2])) && (_e393.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e313.member[0] <= _e434.member_1[0]) && (_e434.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e434.member_1[1])) && (_e434.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e434.member_1[2])) && (_e434.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e313.member[0] <= _e475.member_1[0]) && (_e475.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e475.member_1[1])) && (_e475.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e475.member_1[2])) && (_e475.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 3u) & 31u)))));
                 } else {
                     phi_637_ = u32();
                 }
-                let _e533 = phi_637_;
+                let _e515 = phi_637_;
                 continue;
                 continuing {
-                    phi_633_ = _e362;
-                    phi_636_ = _e533;
-                    break if !(_e368);
+                    phi_633_ = type_9(select(_e332.member, (_e332.member + 1u), _e337), select(_e332.member_1, _e332.member_1, _e337));
+                    phi_636_ = _e515;
+                    break if !(_e350);
                 }
             }
-            if (_e339 < 32u) {
-                let _e541 = local;
-                phi_848_ = (_e541 & ((1u << bitcast<u32>((_e339 & 31u))) - 1u));
-            } else {
-                let _e898 = local_1;
-                phi_848_ = _e898;
-            }
-            let _e544 = phi_848_;
-            let _e547 = params.member.member.member_1;
-            if ((_e547 & 256u) != 0u) {
-                if ((bitcast<u32>(_e327.member_1[0]) & 1u) == 1u) {
-                    phi_872_ = true;
-                } else {
-                    phi_872_ = !((_e327.member[0] <= _e327.member_1[0]));
-                }
-                let _e562 = phi_872_;
-                if _e562 {
-                    phi_878_ = type_9(0u, _e339);
-                    phi_881_ = _e544;
+            let _e523 = local;
+            let _e526 = local_1;
+            let _e527 = select(_e526, (_e523 & ((1u << bitcast<u32>((_e324 & 31u))) - 1u)), (_e324 < 32u));
+            let _e530 = params.member.member.member_1;
+            if ((_e530 & 256u) != 0u) {
+                if select(!((_e313.member[0] <= _e313.member_1[0])), true, ((bitcast<u32>(_e313.member_1[0]) & 1u) == 1u)) {
+                    phi_878_ = type_9(0u, _e324);
+                    phi_881_ = _e527;
                     loop {
-                        let _e565 = phi_878_;
-                        let _e567 = phi_881_;
-                        local_2 = _e567;
-                        if (_e565.member < _e565.member_1) {
-                            phi_879_ = type_9((_e565.member + 1u), _e565.member_1);
-                            phi_904_ = type_9(1u, _e565.member);
-                        } else {
-                            phi_879_ = _e565;
-                            phi_904_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e579 = phi_879_;
-                        let _e581 = phi_904_;
-                        let _e585 = (bitcast<i32>(_e581.member) != 0i);
-                        if _e585 {
-                            let _e588 = columns[(_e337 + _e581.member_1)];
-                            if ((bitcast<u32>(_e588.member_1[0]) & 1u) == 1u) {
-                                phi_937_ = true;
-                            } else {
-                                phi_937_ = !((_e588.member[0] <= _e588.member_1[0]));
-                            }
-                            let _e599 = phi_937_;
-                            if _e599 {
-                                phi_945_ = (_e567 & ~((1u << bitcast<u32>((_e581.member_1 & 31u)))));
-                            } else {
-                                phi_945_ = _e567;
-                            }
-                            let _e606 = phi_945_;
-                            phi_882_ = _e606;
+                        let _e547 = phi_878_;
+                        let _e549 = phi_881_;
+                        local_2 = _e549;
+                        let _e552 = (_e547.member < _e547.member_1);
+                        let _e563 = select(type_9().member_1, _e547.member, _e552);
+                        let _e565 = (bitcast<i32>(select(0u, 1u, _e552)) != 0i);
+                        if _e565 {
+                            let _e568 = columns[(_e322 + _e563)];
+                            phi_882_ = select(_e549, (_e549 & ~((1u << bitcast<u32>((_e563 & 31u))))), select(!((_e568.member[0] <= _e568.member_1[0])), true, ((bitcast<u32>(_e568.member_1[0]) & 1u) == 1u)));
                         } else {
                             phi_882_ = u32();
                         }
-                        let _e608 = phi_882_;
+                        let _e586 = phi_882_;
                         continue;
                         continuing {
-                            phi_878_ = _e579;
-                            phi_881_ = _e608;
-                            break if !(_e585);
+                            phi_878_ = type_9(select(_e547.member, (_e547.member + 1u), _e552), select(_e547.member_1, _e547.member_1, _e552));
+                            phi_881_ = _e586;
+                            break if !(_e565);
                         }
                     }
-                    let _e909 = local_2;
-                    phi_946_ = _e909;
+                    let _e846 = local_2;
+                    phi_946_ = _e846;
                 } else {
-                    phi_946_ = _e544;
+                    phi_946_ = _e527;
                 }
-                let _e611 = phi_946_;
-                phi_947_ = _e611;
+                let _e589 = phi_946_;
+                phi_947_ = _e589;
             } else {
-                phi_947_ = _e544;
+                phi_947_ = _e527;
             }
-            let _e613 = phi_947_;
-            if _e334 {
-                phi_954_ = type_9(0u, _e339);
-                phi_957_ = _e613;
+            let _e591 = phi_947_;
+            if _e319 {
+                phi_954_ = type_9(0u, _e324);
+                phi_957_ = _e591;
                 loop {
-                    let _e616 = phi_954_;
-                    let _e618 = phi_957_;
-                    local_3 = _e618;
-                    if (_e616.member < _e616.member_1) {
-                        phi_955_ = type_9((_e616.member + 1u), _e616.member_1);
-                        phi_980_ = type_9(1u, _e616.member);
-                    } else {
-                        phi_955_ = _e616;
-                        phi_980_ = type_9(0u, type_9().member_1);
-                    }
-                    let _e630 = phi_955_;
-                    let _e632 = phi_980_;
-                    let _e636 = (bitcast<i32>(_e632.member) != 0i);
-                    if _e636 {
-                        let _e639 = names[(_e337 + _e632.member_1)];
-                        if _e334 {
-                            let _e640 = (_e336 < _e639);
-                            if _e640 {
-                                phi_1004_ = bool();
-                            } else {
-                                if (_e336 == _e639) {
-                                    phi_1003_ = true;
-                                } else {
-                                    phi_1003_ = false;
-                                }
-                                let _e643 = phi_1003_;
-                                phi_1004_ = _e643;
-                            }
-                            let _e645 = phi_1004_;
-                            phi_1005_ = _e645;
-                            phi_1006_ = _e640;
-                        } else {
-                            phi_1005_ = bool();
-                            phi_1006_ = true;
-                        }
-                        let _e647 = phi_1005_;
-                        let _e649 = phi_1006_;
-                        if _e649 {
-                            phi_1010_ = true;
-                        } else {
-                            phi_1010_ = _e647;
-                        }
-                        let _e651 = phi_1010_;
-                        if _e651 {
-                            phi_1018_ = false;
-                        } else {
-                            phi_1018_ = true;
-                        }
-                        let _e653 = phi_1018_;
-                        if _e653 {
-                            phi_1026_ = (_e618 & ~((1u << bitcast<u32>((_e632.member_1 & 31u)))));
-                        } else {
-                            phi_1026_ = _e618;
-                        }
-                        let _e660 = phi_1026_;
-                        phi_958_ = _e660;
+                    let _e594 = phi_954_;
+                    let _e596 = phi_957_;
+                    local_3 = _e596;
+                    let _e599 = (_e594.member < _e594.member_1);
+                    let _e610 = select(type_9().member_1, _e594.member, _e599);
+                    let _e612 = (bitcast<i32>(select(0u, 1u, _e599)) != 0i);
+                    if _e612 {
+                        let _e615 = names[(_e322 + _e610)];
+                        let _e616 = (_e321 < _e615);
+                        phi_958_ = select(_e596, (_e596 & ~((1u << bitcast<u32>((_e610 & 31u))))), select(true, false, select(select(bool(), select(select(false, true, (_e321 == _e615)), bool(), _e616), _e319), true, select(true, _e616, _e319))));
                     } else {
                         phi_958_ = u32();
                     }
-                    let _e662 = phi_958_;
+                    let _e631 = phi_958_;
                     continue;
                     continuing {
-                        phi_954_ = _e630;
-                        phi_957_ = _e662;
-                        break if !(_e636);
+                        phi_954_ = type_9(select(_e594.member, (_e594.member + 1u), _e599), select(_e594.member_1, _e594.member_1, _e599));
+                        phi_957_ = _e631;
+                        break if !(_e612);
                     }
                 }
-                let _e925 = local_3;
-                phi_1027_ = _e925;
+                let _e853 = local_3;
+                phi_1027_ = _e853;
             } else {
-                phi_1027_ = _e613;
+                phi_1027_ = _e591;
             }
-            let _e665 = phi_1027_;
-            let _e667 = countOneBits(_e665);
-            if (_e667 > 0u) {
-                let _e670 = atomicAdd((&counters[4u]), _e667);
-                phi_1037_ = type_9(_e665, _e670);
+            let _e634 = phi_1027_;
+            let _e636 = countOneBits(_e634);
+            if (_e636 > 0u) {
+                let _e639 = atomicAdd((&counters[4u]), _e636);
+                phi_1037_ = type_9(_e634, _e639);
             } else {
-                phi_1037_ = type_9(_e665, 0u);
+                phi_1037_ = type_9(_e634, 0u);
             }
-            let _e673 = phi_1037_;
+            let _e642 = phi_1037_;
             workgroupBarrier();
-            if (_e41 == 0u) {
-                let _e676 = atomicLoad((&counters[4u]));
-                n_hits[0u] = _e676;
+            if (_e39 == 0u) {
+                let _e645 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e645;
             }
-            let _e679 = workgroupUniformLoad((&n_hits[0u]));
-            let _e680 = (_e679 / 512u);
-            if ((_e679 % 512u) > 0u) {
-                phi_1063_ = (_e680 + 1u);
-            } else {
-                phi_1063_ = _e680;
-            }
-            let _e685 = phi_1063_;
-            phi_1066_ = type_9(0u, _e685);
-            phi_1069_ = _e673;
+            let _e648 = workgroupUniformLoad((&n_hits[0u]));
+            let _e649 = (_e648 / 512u);
+            phi_1066_ = type_9(0u, select(_e649, (_e649 + 1u), ((_e648 % 512u) > 0u)));
+            phi_1069_ = _e642;
             loop {
-                let _e688 = phi_1066_;
-                let _e690 = phi_1069_;
-                if (_e688.member < _e688.member_1) {
-                    phi_1067_ = type_9((_e688.member + 1u), _e688.member_1);
-                    phi_1092_ = type_9(1u, _e688.member);
-                } else {
-                    phi_1067_ = _e688;
-                    phi_1092_ = type_9(0u, type_9().member_1);
-                }
-                let _e702 = phi_1067_;
-                let _e704 = phi_1092_;
-                let _e708 = (bitcast<i32>(_e704.member) != 0i);
-                if _e708 {
-                    let _e709 = (_e41 / 32u);
-                    let _e711 = (_e704.member_1 * 512u);
-                    phi_1109_ = _e690;
-                    phi_1112_ = type_9(0u, countOneBits(_e690.member));
+                let _e656 = phi_1066_;
+                let _e658 = phi_1069_;
+                let _e661 = (_e656.member < _e656.member_1);
+                let _e674 = (bitcast<i32>(select(0u, 1u, _e661)) != 0i);
+                if _e674 {
+                    let _e675 = (_e39 / 32u);
+                    let _e677 = (select(type_9().member_1, _e656.member, _e661) * 512u);
+                    phi_1109_ = _e658;
+                    phi_1112_ = type_9(0u, countOneBits(_e658.member));
                     loop {
-                        let _e716 = phi_1109_;
-                        let _e718 = phi_1112_;
-                        local_4 = _e716;
-                        if (_e718.member < _e718.member_1) {
-                            phi_1113_ = type_9((_e718.member + 1u), _e718.member_1);
-                            phi_1135_ = type_9(1u, _e718.member);
-                        } else {
-                            phi_1113_ = _e718;
-                            phi_1135_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e730 = phi_1113_;
-                        let _e732 = phi_1135_;
-                        if (bitcast<i32>(_e732.member) != 0i) {
-                            let _e737 = (_e716.member_1 - _e711);
-                            if (_e737 >= 512u) {
+                        let _e682 = phi_1109_;
+                        let _e684 = phi_1112_;
+                        local_4 = _e682;
+                        let _e687 = (_e684.member < _e684.member_1);
+                        if (bitcast<i32>(select(0u, 1u, _e687)) != 0i) {
+                            let _e700 = (_e682.member_1 - _e677);
+                            if (_e700 >= 512u) {
                                 phi_1169_ = type_9();
                                 phi_1170_ = false;
                             } else {
-                                let _e746 = names[((_e709 * 32u) + select(firstTrailingBit(_e716.member), 32u, (_e716.member == 0u)))];
-                                hits[_e737] = (((_e709 << bitcast<u32>(10i)) | ((_e41 % 32u) << bitcast<u32>(5i))) | _e746);
-                                phi_1169_ = type_9((_e716.member & (_e716.member - 1u)), (_e716.member_1 + 1u));
+                                let _e709 = names[((_e675 * 32u) + select(firstTrailingBit(_e682.member), 32u, (_e682.member == 0u)))];
+                                hits[_e700] = (((_e675 << bitcast<u32>(10i)) | ((_e39 % 32u) << bitcast<u32>(5i))) | _e709);
+                                phi_1169_ = type_9((_e682.member & (_e682.member - 1u)), (_e682.member_1 + 1u));
                                 phi_1170_ = true;
                             }
-                            let _e762 = phi_1169_;
-                            let _e764 = phi_1170_;
-                            phi_1110_ = _e762;
-                            phi_1171_ = _e764;
+                            let _e725 = phi_1169_;
+                            let _e727 = phi_1170_;
+                            phi_1110_ = _e725;
+                            phi_1171_ = _e727;
                         } else {
                             phi_1110_ = type_9();
                             phi_1171_ = false;
                         }
-                        let _e766 = phi_1110_;
-                        let _e768 = phi_1171_;
+                        let _e729 = phi_1110_;
+                        let _e731 = phi_1171_;
                         continue;
                         continuing {
-                            phi_1109_ = _e766;
-                            phi_1112_ = _e730;
-                            break if !(_e768);
+                            phi_1109_ = _e729;
+                            phi_1112_ = type_9(select(_e684.member, (_e684.member + 1u), _e687), select(_e684.member_1, _e684.member_1, _e687));
+                            break if !(_e731);
                         }
                     }
                     workgroupBarrier();
-                    let _e771 = n_hits[0u];
-                    let _e772 = (_e771 - _e711);
-                    if (512u < _e772) {
-                        phi_1179_ = 512u;
-                    } else {
-                        phi_1179_ = _e772;
-                    }
-                    let _e775 = phi_1179_;
-                    if (_e41 == 0u) {
-                        atomicStore((&counters[5u]), _e775);
+                    let _e734 = n_hits[0u];
+                    let _e735 = (_e734 - _e677);
+                    let _e737 = select(_e735, 512u, (512u < _e735));
+                    if (_e39 == 0u) {
+                        atomicStore((&counters[5u]), _e737);
                     }
                     workgroupBarrier();
-                    if (_e41 == 0u) {
-                        let _e780 = atomicLoad((&counters[5u]));
-                        if (_e780 > 0u) {
-                            let _e784 = params.member.member.member_1;
-                            if ((_e784 & 1024u) != 0u) {
-                                let _e794 = atomicAdd((&output.member[0u]), _e780);
-                                let _e795 = (_e794 + _e780);
-                                if (_e795 < _e794) {
-                                    phi_1213_ = 4294967295u;
-                                } else {
-                                    phi_1213_ = _e795;
+                    if (_e39 == 0u) {
+                        let _e742 = atomicLoad((&counters[5u]));
+                        if (_e742 > 0u) {
+                            let _e746 = params.member.member.member_1;
+                            if ((_e746 & 1024u) != 0u) {
+                                let _e756 = atomicAdd((&output.member[0u]), _e742);
+                                let _e757 = (_e756 + _e742);
+                                let _e759 = select(_e757, 4294967295u, (_e757 < _e756));
+                                let _e762 = params.member.member_1.member_3;
+                                if (_e759 > _e762) {
+                                    let _e765 = atomicMax((&output.member[2u]), _e759);
                                 }
-                                let _e798 = phi_1213_;
-                                let _e801 = params.member.member_1.member_3;
-                                if (_e798 > _e801) {
-                                    let _e804 = atomicMax((&output.member[2u]), _e798);
-                                }
-                                phi_1236_ = _e794;
+                                phi_1236_ = _e756;
                             } else {
-                                let _e788 = atomicAdd((&output.member[0u]), _e780);
-                                if ((_e788 + _e780) < _e788) {
-                                    let _e792 = atomicAdd((&output.member[2u]), 1u);
+                                let _e750 = atomicAdd((&output.member[0u]), _e742);
+                                if ((_e750 + _e742) < _e750) {
+                                    let _e754 = atomicAdd((&output.member[2u]), 1u);
                                 }
-                                phi_1236_ = _e788;
+                                phi_1236_ = _e750;
                             }
-                            let _e806 = phi_1236_;
-                            atomicStore((&counters[6u]), _e806);
+                            let _e767 = phi_1236_;
+                            atomicStore((&counters[6u]), _e767);
                         }
                         atomicStore((&counters[5u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e810 = atomicLoad((&counters[6u]));
+                    let _e771 = atomicLoad((&counters[6u]));
                     phi_1243_ = type_9(0u, 4u);
                     loop {
-                        let _e812 = phi_1243_;
-                        if (_e812.member < _e812.member_1) {
-                            phi_1244_ = type_9((_e812.member + 1u), _e812.member_1);
-                            phi_1267_ = type_9(1u, _e812.member);
-                        } else {
-                            phi_1244_ = _e812;
-                            phi_1267_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e824 = phi_1244_;
-                        let _e826 = phi_1267_;
-                        if (bitcast<i32>(_e826.member) != 0i) {
-                            let _e832 = (_e41 + (_e826.member_1 * 128u));
-                            if (_e832 >= _e775) {
+                        let _e773 = phi_1243_;
+                        let _e776 = (_e773.member < _e773.member_1);
+                        if (bitcast<i32>(select(0u, 1u, _e776)) != 0i) {
+                            let _e791 = (_e39 + (select(type_9().member_1, _e773.member, _e776) * 128u));
+                            if (_e791 >= _e737) {
                                 phi_1312_ = false;
                             } else {
-                                let _e835 = hits[_e832];
-                                let _e838 = ((_e835 >> bitcast<u32>(10i)) & 3u);
-                                let _e845 = firsts[(2u * _e838)];
-                                let _e850 = firsts[((2u * _e838) + 1u)];
-                                let _e854 = params.member.member_1.member_3;
-                                let _e855 = (_e810 + _e832);
-                                if (_e855 < _e854) {
-                                    let _e857 = (2u * _e855);
-                                    atomicStore((&output.member[(4u + _e857)]), (_e845 + ((_e835 >> bitcast<u32>(5i)) & 31u)));
-                                    atomicStore((&output.member[(_e857 + 5u)]), (_e850 + (_e835 & 31u)));
+                                let _e794 = hits[_e791];
+                                let _e797 = ((_e794 >> bitcast<u32>(10i)) & 3u);
+                                let _e804 = firsts[(2u * _e797)];
+                                let _e809 = firsts[((2u * _e797) + 1u)];
+                                let _e813 = params.member.member_1.member_3;
+                                let _e814 = (_e771 + _e791);
+                                if (_e814 < _e813) {
+                                    let _e816 = (2u * _e814);
+                                    atomicStore((&output.member[(4u + _e816)]), (_e804 + ((_e794 >> bitcast<u32>(5i)) & 31u)));
+                                    atomicStore((&output.member[(_e816 + 5u)]), (_e809 + (_e794 & 31u)));
                                 }
                                 phi_1312_ = true;
                             }
-                            let _e863 = phi_1312_;
-                            phi_1313_ = _e863;
+                            let _e822 = phi_1312_;
+                            phi_1313_ = _e822;
                         } else {
                             phi_1313_ = false;
                         }
-                        let _e865 = phi_1313_;
+                        let _e824 = phi_1313_;
                         continue;
                         continuing {
-                            phi_1243_ = _e824;
-                            break if !(_e865);
+                            phi_1243_ = type_9(select(_e773.member, (_e773.member + 1u), _e776), select(_e773.member_1, _e773.member_1, _e776));
+                            break if !(_e824);
                         }
                     }
                     workgroupBarrier();
-                    let _e950 = local_4;
-                    phi_1070_ = _e950;
+                    let _e869 = local_4;
+                    phi_1070_ = _e869;
                 } else {
                     phi_1070_ = type_9();
                 }
-                let _e868 = phi_1070_;
+                let _e827 = phi_1070_;
                 continue;
                 continuing {
-                    phi_1066_ = _e702;
-                    phi_1069_ = _e868;
-                    break if !(_e708);
+                    phi_1066_ = type_9(select(_e656.member, (_e656.member + 1u), _e661), select(_e656.member_1, _e656.member_1, _e661));
+                    phi_1069_ = _e827;
+                    break if !(_e674);
                 }
             }
         }
         continue;
         continuing {
-            phi_245_ = _e123;
-            break if !(_e129);
+            phi_245_ = type_9(select(_e104.member, (_e104.member + 1u), _e107), select(_e104.member_1, _e104.member_1, _e107));
+            break if !(_e120);
         }
     }
     return;

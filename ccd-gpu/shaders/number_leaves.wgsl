@@ -72,8 +72,6 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_100_: type_9;
     var phi_103_: u32;
     var phi_105_: u32;
-    var phi_101_: type_9;
-    var phi_128_: type_9;
     var phi_163_: u32;
     var phi_164_: bool;
     var phi_104_: u32;
@@ -83,24 +81,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: u32;
     var phi_192_: type_9;
     var phi_195_: u32;
-    var phi_193_: type_9;
-    var phi_218_: type_9;
     var phi_252_: bool;
-    var phi_256_: u32;
     var local_1: u32;
-    var phi_311_: u32;
-    var phi_312_: u32;
-    var phi_316_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_326_: u32;
-    var phi_332_: u32;
     var local_6: u32;
+    var local_7: u32;
     var phi_196_: u32;
     var phi_339_: bool;
-    var local_7: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -108,171 +98,120 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e20 = id_2;
-    let _e21 = n_2;
-    let _e22 = lane_2;
-    let _e34 = ((((_e20.y * _e21.x) + _e20.x) * 256u) + _e22);
-    let _e37 = params.member.member_2.member;
-    let _e41 = params.member.member.member_2[_e37];
-    let _e45 = params.member.member.member[_e37];
-    if (_e34 < _e45) {
-        let _e47 = (_e45 - 1u);
-        phi_100_ = type_9(0u, _e47);
-        phi_103_ = (_e47 + _e34);
+    let _e19 = id_2;
+    let _e20 = n_2;
+    let _e21 = lane_2;
+    let _e33 = ((((_e19.y * _e20.x) + _e19.x) * 256u) + _e21);
+    let _e36 = params.member.member_2.member;
+    let _e40 = params.member.member.member_2[_e36];
+    let _e44 = params.member.member.member[_e36];
+    if (_e33 < _e44) {
+        let _e46 = (_e44 - 1u);
+        phi_100_ = type_9(0u, _e46);
+        phi_103_ = (_e46 + _e33);
         phi_105_ = 0u;
         loop {
-            let _e51 = phi_100_;
-            let _e53 = phi_103_;
-            let _e55 = phi_105_;
-            local = _e55;
-            local_1 = _e55;
-            local_7 = _e55;
-            local_2 = _e55;
-            local_3 = _e55;
-            local_4 = _e55;
-            local_5 = _e55;
-            local_6 = _e55;
-            if (_e51.member < _e51.member_1) {
-                phi_101_ = type_9((_e51.member + 1u), _e51.member_1);
-                phi_128_ = type_9(1u, _e51.member);
-            } else {
-                phi_101_ = _e51;
-                phi_128_ = type_9(0u, type_9().member_1);
-            }
-            let _e67 = phi_101_;
-            let _e69 = phi_128_;
-            if (bitcast<i32>(_e69.member) != 0i) {
-                let _e75 = joins.member[(_e53 * 4u)];
-                if (_e75 == 4294967295u) {
+            let _e50 = phi_100_;
+            let _e52 = phi_103_;
+            let _e54 = phi_105_;
+            local = _e54;
+            local_1 = _e54;
+            local_2 = _e54;
+            local_3 = _e54;
+            local_4 = _e54;
+            local_5 = _e54;
+            local_6 = _e54;
+            local_7 = _e54;
+            let _e57 = (_e50.member < _e50.member_1);
+            if (bitcast<i32>(select(0u, 1u, _e57)) != 0i) {
+                let _e71 = joins.member[(_e52 * 4u)];
+                if (_e71 == 4294967295u) {
                     phi_163_ = u32();
                     phi_164_ = false;
                 } else {
-                    let _e80 = joins.member[((_e53 * 4u) + 1u)];
-                    phi_163_ = (_e55 + _e80);
+                    let _e76 = joins.member[((_e52 * 4u) + 1u)];
+                    phi_163_ = (_e54 + _e76);
                     phi_164_ = true;
                 }
-                let _e83 = phi_163_;
-                let _e85 = phi_164_;
-                phi_104_ = _e75;
-                phi_106_ = _e83;
-                phi_165_ = _e85;
+                let _e79 = phi_163_;
+                let _e81 = phi_164_;
+                phi_104_ = _e71;
+                phi_106_ = _e79;
+                phi_165_ = _e81;
             } else {
                 phi_104_ = u32();
                 phi_106_ = u32();
                 phi_165_ = false;
             }
-            let _e87 = phi_104_;
-            let _e89 = phi_106_;
-            let _e91 = phi_165_;
+            let _e83 = phi_104_;
+            let _e85 = phi_106_;
+            let _e87 = phi_165_;
             continue;
             continuing {
-                phi_100_ = _e67;
-                phi_103_ = _e87;
-                phi_105_ = _e89;
-                break if !(_e91);
+                phi_100_ = type_9(select(_e50.member, (_e50.member + 1u), _e57), select(_e50.member_1, _e50.member_1, _e57));
+                phi_103_ = _e83;
+                phi_105_ = _e85;
+                break if !(_e87);
             }
         }
-        let _e96 = params.member.member_2.member_3;
-        if (_e96 == 0u) {
-            phi_185_ = (_e41 + _e34);
+        let _e92 = params.member.member_2.member_3;
+        if (_e92 == 0u) {
+            phi_185_ = (_e40 + _e33);
         } else {
-            let _e100 = order.member[(_e41 + _e34)];
-            phi_185_ = _e100;
+            let _e96 = order.member[(_e40 + _e33)];
+            phi_185_ = _e96;
         }
-        let _e102 = phi_185_;
-        let _e104 = local;
-        ordered.member[(_e41 + _e104)] = _e102;
-        phi_192_ = type_9(0u, _e47);
-        phi_195_ = (_e47 + _e34);
+        let _e98 = phi_185_;
+        let _e100 = local;
+        ordered.member[(_e40 + _e100)] = _e98;
+        phi_192_ = type_9(0u, _e46);
+        phi_195_ = (_e46 + _e33);
         loop {
-            let _e110 = phi_192_;
-            let _e112 = phi_195_;
-            if (_e110.member < _e110.member_1) {
-                phi_193_ = type_9((_e110.member + 1u), _e110.member_1);
-                phi_218_ = type_9(1u, _e110.member);
-            } else {
-                phi_193_ = _e110;
-                phi_218_ = type_9(0u, type_9().member_1);
-            }
-            let _e124 = phi_193_;
-            let _e126 = phi_218_;
-            if (bitcast<i32>(_e126.member) != 0i) {
-                let _e130 = (_e112 * 4u);
-                let _e132 = joins.member[_e130];
-                if (_e132 != 4294967295u) {
-                    let _e136 = joins.member[(_e130 + 1u)];
-                    phi_252_ = (_e136 == 0u);
+            let _e106 = phi_192_;
+            let _e108 = phi_195_;
+            let _e111 = (_e106.member < _e106.member_1);
+            if (bitcast<i32>(select(0u, 1u, _e111)) != 0i) {
+                let _e123 = (_e108 * 4u);
+                let _e125 = joins.member[_e123];
+                if (_e125 != 4294967295u) {
+                    let _e129 = joins.member[(_e123 + 1u)];
+                    phi_252_ = (_e129 == 0u);
                 } else {
                     phi_252_ = false;
                 }
-                let _e139 = phi_252_;
-                if _e139 {
-                    phi_256_ = _e132;
-                } else {
-                    phi_256_ = _e112;
+                let _e132 = phi_252_;
+                let _e133 = select(_e108, _e125, _e132);
+                let _e134 = (_e133 * 4u);
+                let _e136 = joins.member[_e134];
+                let _e140 = joins.member[(_e134 + 1u)];
+                let _e144 = joins.member[(_e134 + 2u)];
+                let _e147 = joins.member[(_e134 + 3u)];
+                let _e149 = local_1;
+                let _e153 = local_2;
+                let _e158 = local_3;
+                let _e159 = (_e158 + _e144);
+                let _e161 = local_4;
+                let _e163 = (_e159 - 1u);
+                let _e164 = ((_e161 + _e147) - 1u);
+                let _e166 = local_5;
+                let _e169 = local_6;
+                if _e132 {
+                    let _e176 = local_7;
+                    branches.member[select(0u, select(select(_e153, ((_e149 + _e147) - 1u), (_e140 == 0u)), 0u, (_e136 == 4294967295u)), _e132)] = vec4<u32>(select(_e163, (_e46 + _e169), (_e166 == _e163)), select(_e159, (_e46 + _e159), (_e159 == _e164)), _e176, _e164);
                 }
-                let _e141 = phi_256_;
-                let _e142 = (_e141 * 4u);
-                let _e144 = joins.member[_e142];
-                let _e148 = joins.member[(_e142 + 1u)];
-                let _e152 = joins.member[(_e142 + 2u)];
-                let _e155 = joins.member[(_e142 + 3u)];
-                if (_e144 == 4294967295u) {
-                    phi_312_ = 0u;
-                } else {
-                    if (_e148 == 0u) {
-                        let _e157 = local_1;
-                        phi_311_ = ((_e157 + _e155) - 1u);
-                    } else {
-                        let _e216 = local_7;
-                        phi_311_ = _e216;
-                    }
-                    let _e161 = phi_311_;
-                    phi_312_ = _e161;
-                }
-                let _e163 = phi_312_;
-                if _e139 {
-                    phi_316_ = _e163;
-                } else {
-                    phi_316_ = 0u;
-                }
-                let _e165 = phi_316_;
-                let _e167 = local_2;
-                let _e168 = (_e167 + _e152);
-                let _e170 = local_3;
-                let _e172 = (_e168 - 1u);
-                let _e173 = ((_e170 + _e155) - 1u);
-                let _e175 = local_4;
-                if (_e175 == _e172) {
-                    let _e178 = local_5;
-                    phi_326_ = (_e47 + _e178);
-                } else {
-                    phi_326_ = _e172;
-                }
-                let _e181 = phi_326_;
-                if (_e168 == _e173) {
-                    phi_332_ = (_e47 + _e168);
-                } else {
-                    phi_332_ = _e168;
-                }
-                let _e185 = phi_332_;
-                if _e139 {
-                    let _e187 = local_6;
-                    branches.member[_e165] = vec4<u32>(_e181, _e185, _e187, _e173);
-                }
-                phi_196_ = _e141;
-                phi_339_ = _e139;
+                phi_196_ = _e133;
+                phi_339_ = _e132;
             } else {
                 phi_196_ = u32();
                 phi_339_ = false;
             }
-            let _e191 = phi_196_;
-            let _e193 = phi_339_;
+            let _e180 = phi_196_;
+            let _e182 = phi_339_;
             continue;
             continuing {
-                phi_192_ = _e124;
-                phi_195_ = _e191;
-                break if !(_e193);
+                phi_192_ = type_9(select(_e106.member, (_e106.member + 1u), _e111), select(_e106.member_1, _e106.member_1, _e111));
+                phi_195_ = _e180;
+                break if !(_e182);
             }
         }
     }

@@ -128,117 +128,44 @@ var<storage, read_write> oriented: type_32;
 var<storage, read_write> stamps: type_40;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_174_: u32;
     var phi_177_: type_9;
-    var phi_178_: type_9;
-    var phi_201_: type_9;
-    var phi_295_: bool;
     var phi_296_: bool;
-    var phi_342_: bool;
     var phi_343_: bool;
-    var phi_418_: f32;
-    var phi_423_: f32;
-    var phi_428_: f32;
-    var phi_433_: f32;
-    var phi_438_: f32;
-    var phi_443_: f32;
-    var phi_455_: f32;
-    var phi_460_: f32;
-    var phi_465_: f32;
     var phi_522_: type_34;
-    var phi_594_: f32;
-    var phi_599_: f32;
-    var phi_604_: f32;
-    var phi_609_: f32;
-    var phi_614_: f32;
-    var phi_619_: f32;
-    var phi_631_: f32;
-    var phi_636_: f32;
-    var phi_641_: f32;
     var phi_698_: type_34;
-    var phi_715_: f32;
-    var phi_721_: f32;
-    var phi_726_: f32;
-    var phi_732_: f32;
-    var phi_737_: f32;
-    var phi_745_: f32;
-    var phi_752_: f32;
-    var phi_757_: f32;
-    var phi_764_: f32;
-    var phi_769_: f32;
-    var phi_774_: f32;
-    var phi_782_: f32;
-    var phi_789_: f32;
-    var phi_794_: f32;
-    var phi_801_: f32;
-    var phi_806_: f32;
-    var phi_811_: f32;
-    var phi_832_: u32;
-    var phi_834_: f32;
-    var phi_835_: bool;
     var phi_836_: f32;
     var phi_837_: bool;
-    var phi_841_: f32;
-    var phi_1108_: f32;
-    var phi_1115_: f32;
-    var phi_1120_: f32;
-    var phi_1127_: f32;
-    var phi_1132_: f32;
-    var phi_1141_: f32;
-    var phi_1147_: f32;
-    var phi_1152_: f32;
-    var phi_1158_: f32;
-    var phi_1163_: f32;
-    var phi_1168_: f32;
-    var phi_1189_: u32;
     var phi_1234_: type_14;
     var phi_1237_: f32;
-    var phi_1258_: bool;
-    var phi_1264_: type_15;
     var phi_1235_: type_14;
     var phi_1278_: type_15;
     var phi_1238_: f32;
     var local: f32;
-    var phi_1227_: f32;
     var phi_1291_: f32;
     var phi_1303_: type_16;
     var phi_1342_: type_9;
     var phi_1345_: type_36;
-    var phi_1343_: type_9;
-    var phi_1368_: type_9;
-    var phi_1388_: f32;
-    var phi_1395_: f32;
     var phi_1428_: type_14;
     var phi_1431_: f32;
-    var phi_1452_: bool;
-    var phi_1458_: type_15;
     var phi_1429_: type_14;
     var phi_1472_: type_15;
     var phi_1432_: f32;
     var local_1: f32;
-    var phi_1421_: f32;
     var phi_1485_: f32;
-    var phi_1492_: f32;
     var phi_1526_: type_14;
     var phi_1529_: f32;
-    var phi_1550_: bool;
-    var phi_1556_: type_15;
     var phi_1527_: type_14;
     var phi_1570_: type_15;
     var phi_1530_: f32;
     var local_2: f32;
-    var phi_1519_: f32;
     var phi_1583_: f32;
     var phi_1595_: type_16;
     var phi_1691_: type_14;
     var phi_1694_: f32;
-    var phi_1715_: bool;
-    var phi_1721_: type_15;
     var phi_1692_: type_14;
     var phi_1735_: type_15;
     var phi_1695_: f32;
     var local_3: f32;
-    var phi_1684_: f32;
     var phi_1748_: f32;
     var phi_1760_: type_16;
     var phi_1827_: type_36;
@@ -247,212 +174,53 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1830_: bool;
     var phi_2119_: type_14;
     var phi_2122_: f32;
-    var phi_2143_: bool;
-    var phi_2149_: type_15;
     var phi_2120_: type_14;
     var phi_2163_: type_15;
     var phi_2123_: f32;
     var local_4: f32;
-    var phi_2112_: f32;
     var phi_2176_: f32;
-    var phi_2183_: f32;
     var phi_2217_: type_14;
     var phi_2220_: f32;
-    var phi_2241_: bool;
-    var phi_2247_: type_15;
     var phi_2218_: type_14;
     var phi_2261_: type_15;
     var phi_2221_: f32;
     var local_5: f32;
-    var phi_2210_: f32;
     var phi_2274_: f32;
     var phi_2286_: type_16;
     var phi_2348_: type_36;
     var phi_1862_: type_14;
     var phi_1865_: f32;
-    var phi_1886_: bool;
-    var phi_1892_: type_15;
     var phi_1863_: type_14;
     var phi_1906_: type_15;
     var phi_1866_: f32;
     var local_6: f32;
-    var phi_1855_: f32;
     var phi_1919_: f32;
-    var phi_1926_: f32;
     var phi_1960_: type_14;
     var phi_1963_: f32;
-    var phi_1984_: bool;
-    var phi_1990_: type_15;
     var phi_1961_: type_14;
     var phi_2004_: type_15;
     var phi_1964_: f32;
     var local_7: f32;
-    var phi_1953_: f32;
     var phi_2017_: f32;
     var phi_2029_: type_16;
     var phi_2349_: type_36;
     var phi_2350_: type_36;
-    var phi_2354_: bool;
-    var phi_2358_: bool;
     var phi_1346_: type_36;
     var phi_2359_: type_36;
     var phi_2360_: bool;
     var phi_2361_: bool;
     var local_8: bool;
     var phi_2365_: type_36;
-    var phi_2377_: u32;
-    var phi_2510_: f32;
-    var phi_2516_: f32;
-    var phi_2522_: f32;
-    var phi_2528_: f32;
-    var phi_2534_: f32;
-    var phi_2540_: f32;
-    var phi_2584_: f32;
-    var phi_2590_: f32;
-    var phi_2596_: f32;
-    var phi_2602_: f32;
-    var phi_2608_: f32;
-    var phi_2614_: f32;
-    var phi_2658_: f32;
-    var phi_2664_: f32;
-    var phi_2670_: f32;
-    var phi_2676_: f32;
-    var phi_2682_: f32;
-    var phi_2688_: f32;
-    var phi_2729_: f32;
-    var phi_2735_: f32;
-    var phi_2740_: f32;
-    var phi_2746_: f32;
-    var phi_2751_: f32;
-    var phi_2757_: f32;
-    var phi_2763_: f32;
-    var phi_2768_: f32;
-    var phi_2774_: f32;
-    var phi_2779_: f32;
-    var phi_2784_: f32;
     var phi_2795_: array<array<f32, 3>, 3>;
     var phi_2797_: type_37;
     var phi_2798_: bool;
     var phi_2799_: type_37;
     var phi_2800_: bool;
     var phi_2813_: type_37;
-    var phi_2858_: f32;
-    var phi_2864_: f32;
-    var phi_2870_: f32;
-    var phi_2922_: f32;
-    var phi_2928_: f32;
-    var phi_2934_: f32;
-    var phi_2986_: f32;
-    var phi_2992_: f32;
-    var phi_2998_: f32;
-    var phi_3050_: f32;
-    var phi_3056_: f32;
-    var phi_3062_: f32;
-    var phi_3114_: f32;
-    var phi_3120_: f32;
-    var phi_3126_: f32;
-    var phi_3178_: f32;
-    var phi_3184_: f32;
-    var phi_3190_: f32;
-    var phi_3236_: f32;
-    var phi_3241_: f32;
-    var phi_3246_: f32;
-    var phi_3254_: f32;
-    var phi_3259_: f32;
-    var phi_3264_: f32;
-    var phi_3313_: f32;
-    var phi_3320_: f32;
-    var phi_3327_: f32;
-    var phi_3335_: f32;
-    var phi_3342_: f32;
-    var phi_3349_: f32;
-    var phi_3354_: f32;
-    var phi_3359_: f32;
-    var phi_3364_: f32;
-    var phi_3377_: f32;
-    var phi_3383_: f32;
-    var phi_3390_: f32;
-    var phi_3401_: f32;
-    var phi_3408_: f32;
-    var phi_3415_: f32;
-    var phi_3428_: f32;
-    var phi_3435_: f32;
-    var phi_3442_: f32;
-    var phi_3455_: f32;
-    var phi_3462_: f32;
-    var phi_3469_: f32;
-    var phi_3496_: f32;
-    var phi_3503_: f32;
-    var phi_3511_: f32;
-    var phi_3520_: f32;
-    var phi_3526_: f32;
-    var phi_3532_: f32;
-    var phi_3540_: f32;
-    var phi_3547_: f32;
-    var phi_3554_: f32;
-    var phi_3567_: f32;
-    var phi_3574_: f32;
-    var phi_3581_: f32;
-    var phi_3594_: f32;
-    var phi_3601_: f32;
-    var phi_3608_: f32;
-    var phi_3655_: f32;
-    var phi_3661_: f32;
-    var phi_3667_: f32;
-    var phi_3711_: f32;
-    var phi_3717_: f32;
-    var phi_3723_: f32;
-    var phi_3775_: f32;
-    var phi_3781_: f32;
-    var phi_3787_: f32;
-    var phi_3839_: f32;
-    var phi_3845_: f32;
-    var phi_3851_: f32;
-    var phi_3880_: f32;
-    var phi_3887_: f32;
-    var phi_3895_: f32;
-    var phi_3904_: f32;
-    var phi_3910_: f32;
-    var phi_3916_: f32;
-    var phi_3924_: f32;
-    var phi_3931_: f32;
-    var phi_3938_: f32;
-    var phi_3951_: f32;
-    var phi_3958_: f32;
-    var phi_3965_: f32;
-    var phi_3978_: f32;
-    var phi_3985_: f32;
-    var phi_3992_: f32;
-    var phi_4039_: f32;
-    var phi_4045_: f32;
-    var phi_4051_: f32;
-    var phi_4095_: f32;
-    var phi_4101_: f32;
-    var phi_4107_: f32;
-    var phi_4159_: f32;
-    var phi_4165_: f32;
-    var phi_4171_: f32;
-    var phi_4223_: f32;
-    var phi_4229_: f32;
-    var phi_4235_: f32;
-    var phi_4271_: bool;
-    var phi_4272_: bool;
-    var phi_4273_: bool;
-    var phi_4274_: bool;
-    var phi_4278_: bool;
-    var phi_4297_: bool;
-    var phi_4298_: bool;
-    var phi_4299_: bool;
-    var phi_4300_: bool;
-    var phi_4304_: bool;
-    var phi_4312_: f32;
-    var phi_4317_: f32;
-    var phi_4322_: f32;
     var phi_4325_: type_34;
     var phi_4326_: bool;
     var phi_4327_: type_34;
     var phi_4328_: bool;
-    var phi_4342_: u32;
     var phi_4352_: type_34;
     var phi_4384_: bool;
     var phi_4385_: bool;
@@ -480,2165 +248,877 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     if (_e82 == 0u) {
         return;
     }
-    if ((_e71 % _e82) > 0u) {
-        phi_174_ = (_e84 + 1u);
-    } else {
-        phi_174_ = _e84;
-    }
-    let _e90 = phi_174_;
-    phi_177_ = type_9(0u, _e90);
+    phi_177_ = type_9(0u, select(_e84, (_e84 + 1u), ((_e71 % _e82) > 0u)));
     loop {
-        let _e93 = phi_177_;
-        if (_e93.member < _e93.member_1) {
-            phi_178_ = type_9((_e93.member + 1u), _e93.member_1);
-            phi_201_ = type_9(1u, _e93.member);
-        } else {
-            phi_178_ = _e93;
-            phi_201_ = type_9(0u, type_9().member_1);
-        }
-        let _e105 = phi_178_;
-        let _e107 = phi_201_;
-        if (bitcast<i32>(_e107.member) != 0i) {
-            let _e113 = ((_e107.member_1 * _e82) + ((((_e51.y * _e52.x) + _e51.x) * 128u) + _e53));
-            if (_e113 >= _e71) {
+        let _e92 = phi_177_;
+        let _e95 = (_e92.member < _e92.member_1);
+        if (bitcast<i32>(select(0u, 1u, _e95)) != 0i) {
+            let _e110 = ((select(type_9().member_1, _e92.member, _e95) * _e82) + ((((_e51.y * _e52.x) + _e51.x) * 128u) + _e53));
+            if (_e110 >= _e71) {
                 phi_4384_ = false;
             } else {
-                let _e117 = far.member[(4u + _e113)];
-                let _e118 = (_e78 + _e117);
-                let _e120 = atomicLoad((&stamps.member[_e118]));
-                if (_e120 == 0u) {
-                    let _e123 = branches.member[_e117];
-                    let _e128 = params.member.member_2.member_1;
-                    let _e133 = params.member.member.member[_e128];
-                    if ((_e123.x + 1u) >= _e133) {
+                let _e114 = far.member[(4u + _e110)];
+                let _e115 = (_e78 + _e114);
+                let _e117 = atomicLoad((&stamps.member[_e115]));
+                if (_e117 == 0u) {
+                    let _e120 = branches.member[_e114];
+                    let _e125 = params.member.member_2.member_1;
+                    let _e130 = params.member.member.member[_e125];
+                    if ((_e120.x + 1u) >= _e130) {
                         phi_296_ = true;
                     } else {
-                        let _e138 = params.member.member.member_2[_e128];
-                        let _e141 = atomicLoad((&stamps.member[(_e138 + _e123.x)]));
-                        let _e144 = params.member.member_1.member_1;
-                        if (_e141 == 0u) {
-                            phi_295_ = false;
-                        } else {
-                            phi_295_ = (_e141 < _e144);
-                        }
-                        let _e148 = phi_295_;
-                        phi_296_ = _e148;
+                        let _e135 = params.member.member.member_2[_e125];
+                        let _e138 = atomicLoad((&stamps.member[(_e135 + _e120.x)]));
+                        let _e141 = params.member.member_1.member_1;
+                        phi_296_ = select((_e138 < _e141), false, (_e138 == 0u));
                     }
-                    let _e150 = phi_296_;
-                    if _e150 {
-                        let _e153 = params.member.member_2.member_1;
-                        let _e158 = params.member.member.member[_e153];
-                        if ((_e123.y + 1u) >= _e158) {
+                    let _e146 = phi_296_;
+                    if _e146 {
+                        let _e149 = params.member.member_2.member_1;
+                        let _e154 = params.member.member.member[_e149];
+                        if ((_e120.y + 1u) >= _e154) {
                             phi_343_ = true;
                         } else {
-                            let _e163 = params.member.member.member_2[_e153];
-                            let _e166 = atomicLoad((&stamps.member[(_e163 + _e123.y)]));
-                            let _e169 = params.member.member_1.member_1;
-                            if (_e166 == 0u) {
-                                phi_342_ = false;
-                            } else {
-                                phi_342_ = (_e166 < _e169);
-                            }
-                            let _e173 = phi_342_;
-                            phi_343_ = _e173;
+                            let _e159 = params.member.member.member_2[_e149];
+                            let _e162 = atomicLoad((&stamps.member[(_e159 + _e120.y)]));
+                            let _e165 = params.member.member_1.member_1;
+                            phi_343_ = select((_e162 < _e165), false, (_e162 == 0u));
                         }
-                        let _e175 = phi_343_;
-                        if _e175 {
-                            let _e178 = params.member.member_2.member_1;
-                            let _e183 = params.member.member.member[_e178];
-                            if ((_e123.x + 1u) >= _e183) {
-                                let _e231 = params.member.member_2.member_1;
-                                let _e235 = params.member.member.member[_e231];
-                                let _e242 = params.member.member_2.member[0u][_e231];
-                                let _e245 = block_nodes.member[(_e242 + (_e123.x - (_e235 - 1u)))];
-                                let _e264 = ((_e245.member.x * 0.5f) + (_e245.member_1.y * 0.5f));
-                                let _e265 = ((_e245.member.y * 0.5f) + (_e245.member_2.x * 0.5f));
-                                let _e266 = ((_e245.member_1.x * 0.5f) + (_e245.member_2.y * 0.5f));
-                                if (_e264 < _e245.member_1.y) {
-                                    phi_418_ = _e264;
-                                } else {
-                                    phi_418_ = _e245.member_1.y;
-                                }
-                                let _e269 = phi_418_;
-                                if (_e265 < _e245.member_2.x) {
-                                    phi_423_ = _e265;
-                                } else {
-                                    phi_423_ = _e245.member_2.x;
-                                }
-                                let _e272 = phi_423_;
-                                if (_e266 < _e245.member_2.y) {
-                                    phi_428_ = _e266;
-                                } else {
-                                    phi_428_ = _e245.member_2.y;
-                                }
-                                let _e275 = phi_428_;
-                                if (_e269 > _e245.member.x) {
-                                    phi_433_ = _e269;
-                                } else {
-                                    phi_433_ = _e245.member.x;
-                                }
-                                let _e278 = phi_433_;
-                                if (_e272 > _e245.member.y) {
-                                    phi_438_ = _e272;
-                                } else {
-                                    phi_438_ = _e245.member.y;
-                                }
-                                let _e281 = phi_438_;
-                                if (_e275 > _e245.member_1.x) {
-                                    phi_443_ = _e275;
-                                } else {
-                                    phi_443_ = _e245.member_1.x;
-                                }
-                                let _e284 = phi_443_;
-                                let _e286 = (_e245.member_1.y - _e278);
-                                let _e287 = (_e245.member_2.x - _e281);
-                                let _e288 = (_e245.member_2.y - _e284);
-                                let _e289 = (_e278 - _e245.member.x);
-                                let _e290 = (_e281 - _e245.member.y);
-                                let _e291 = (_e284 - _e245.member_1.x);
-                                if (_e286 > _e289) {
-                                    phi_455_ = _e286;
-                                } else {
-                                    phi_455_ = _e289;
-                                }
-                                let _e294 = phi_455_;
-                                if (_e287 > _e290) {
-                                    phi_460_ = _e287;
-                                } else {
-                                    phi_460_ = _e290;
-                                }
-                                let _e297 = phi_460_;
-                                if (_e288 > _e291) {
-                                    phi_465_ = _e288;
-                                } else {
-                                    phi_465_ = _e291;
-                                }
-                                let _e300 = phi_465_;
-                                let _e302 = (1f + (0.000000059604645f * 4f));
-                                let _e306 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                phi_522_ = type_34(array<f32, 3>(_e278, _e281, _e284), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e294 * _e302) + _e306), ((_e297 * _e302) + _e306), ((_e300 * _e302) + _e306)));
+                        let _e170 = phi_343_;
+                        if _e170 {
+                            let _e173 = params.member.member_2.member_1;
+                            let _e178 = params.member.member.member[_e173];
+                            if ((_e120.x + 1u) >= _e178) {
+                                let _e226 = params.member.member_2.member_1;
+                                let _e230 = params.member.member.member[_e226];
+                                let _e237 = params.member.member_2.member[0u][_e226];
+                                let _e240 = block_nodes.member[(_e237 + (_e120.x - (_e230 - 1u)))];
+                                let _e259 = ((_e240.member.x * 0.5f) + (_e240.member_1.y * 0.5f));
+                                let _e260 = ((_e240.member.y * 0.5f) + (_e240.member_2.x * 0.5f));
+                                let _e261 = ((_e240.member_1.x * 0.5f) + (_e240.member_2.y * 0.5f));
+                                let _e263 = select(_e240.member_1.y, _e259, (_e259 < _e240.member_1.y));
+                                let _e265 = select(_e240.member_2.x, _e260, (_e260 < _e240.member_2.x));
+                                let _e267 = select(_e240.member_2.y, _e261, (_e261 < _e240.member_2.y));
+                                let _e269 = select(_e240.member.x, _e263, (_e263 > _e240.member.x));
+                                let _e271 = select(_e240.member.y, _e265, (_e265 > _e240.member.y));
+                                let _e273 = select(_e240.member_1.x, _e267, (_e267 > _e240.member_1.x));
+                                let _e275 = (_e240.member_1.y - _e269);
+                                let _e276 = (_e240.member_2.x - _e271);
+                                let _e277 = (_e240.member_2.y - _e273);
+                                let _e278 = (_e269 - _e240.member.x);
+                                let _e279 = (_e271 - _e240.member.y);
+                                let _e280 = (_e273 - _e240.member_1.x);
+                                let _e288 = (1f + (0.000000059604645f * 4f));
+                                let _e292 = (0.000000000000000000000000000000000000011754944f * 8f);
+                                phi_522_ = type_34(array<f32, 3>(_e269, _e271, _e273), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((select(_e278, _e275, (_e275 > _e278)) * _e288) + _e292), ((select(_e279, _e276, (_e276 > _e279)) * _e288) + _e292), ((select(_e280, _e277, (_e277 > _e280)) * _e288) + _e292)));
                             } else {
-                                let _e188 = params.member.member.member_2[_e178];
-                                let _e191 = oriented.member[(_e188 + _e123.x)];
-                                phi_522_ = type_34(array<f32, 3>(_e191.member.x, _e191.member.y, _e191.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e191.member.w, _e191.member_1.x, _e191.member_1.y), array<f32, 3>(_e191.member_1.z, _e191.member_1.w, _e191.member_2.x), array<f32, 3>(_e191.member_2.y, _e191.member_2.z, _e191.member_2.w)), array<f32, 3>(_e191.member_3.x, _e191.member_3.y, _e191.member_3.z));
+                                let _e183 = params.member.member.member_2[_e173];
+                                let _e186 = oriented.member[(_e183 + _e120.x)];
+                                phi_522_ = type_34(array<f32, 3>(_e186.member.x, _e186.member.y, _e186.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e186.member.w, _e186.member_1.x, _e186.member_1.y), array<f32, 3>(_e186.member_1.z, _e186.member_1.w, _e186.member_2.x), array<f32, 3>(_e186.member_2.y, _e186.member_2.z, _e186.member_2.w)), array<f32, 3>(_e186.member_3.x, _e186.member_3.y, _e186.member_3.z));
                             }
-                            let _e313 = phi_522_;
-                            let _e316 = params.member.member_2.member_1;
-                            let _e321 = params.member.member.member[_e316];
-                            if ((_e123.y + 1u) >= _e321) {
-                                let _e369 = params.member.member_2.member_1;
-                                let _e373 = params.member.member.member[_e369];
-                                let _e380 = params.member.member_2.member[0u][_e369];
-                                let _e383 = block_nodes.member[(_e380 + (_e123.y - (_e373 - 1u)))];
-                                let _e402 = ((_e383.member.x * 0.5f) + (_e383.member_1.y * 0.5f));
-                                let _e403 = ((_e383.member.y * 0.5f) + (_e383.member_2.x * 0.5f));
-                                let _e404 = ((_e383.member_1.x * 0.5f) + (_e383.member_2.y * 0.5f));
-                                if (_e402 < _e383.member_1.y) {
-                                    phi_594_ = _e402;
-                                } else {
-                                    phi_594_ = _e383.member_1.y;
-                                }
-                                let _e407 = phi_594_;
-                                if (_e403 < _e383.member_2.x) {
-                                    phi_599_ = _e403;
-                                } else {
-                                    phi_599_ = _e383.member_2.x;
-                                }
-                                let _e410 = phi_599_;
-                                if (_e404 < _e383.member_2.y) {
-                                    phi_604_ = _e404;
-                                } else {
-                                    phi_604_ = _e383.member_2.y;
-                                }
-                                let _e413 = phi_604_;
-                                if (_e407 > _e383.member.x) {
-                                    phi_609_ = _e407;
-                                } else {
-                                    phi_609_ = _e383.member.x;
-                                }
-                                let _e416 = phi_609_;
-                                if (_e410 > _e383.member.y) {
-                                    phi_614_ = _e410;
-                                } else {
-                                    phi_614_ = _e383.member.y;
-                                }
-                                let _e419 = phi_614_;
-                                if (_e413 > _e383.member_1.x) {
-                                    phi_619_ = _e413;
-                                } else {
-                                    phi_619_ = _e383.member_1.x;
-                                }
-                                let _e422 = phi_619_;
-                                let _e424 = (_e383.member_1.y - _e416);
-                                let _e425 = (_e383.member_2.x - _e419);
-                                let _e426 = (_e383.member_2.y - _e422);
-                                let _e427 = (_e416 - _e383.member.x);
-                                let _e428 = (_e419 - _e383.member.y);
-                                let _e429 = (_e422 - _e383.member_1.x);
-                                if (_e424 > _e427) {
-                                    phi_631_ = _e424;
-                                } else {
-                                    phi_631_ = _e427;
-                                }
-                                let _e432 = phi_631_;
-                                if (_e425 > _e428) {
-                                    phi_636_ = _e425;
-                                } else {
-                                    phi_636_ = _e428;
-                                }
-                                let _e435 = phi_636_;
-                                if (_e426 > _e429) {
-                                    phi_641_ = _e426;
-                                } else {
-                                    phi_641_ = _e429;
-                                }
-                                let _e438 = phi_641_;
-                                let _e440 = (1f + (0.000000059604645f * 4f));
-                                let _e444 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                phi_698_ = type_34(array<f32, 3>(_e416, _e419, _e422), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e432 * _e440) + _e444), ((_e435 * _e440) + _e444), ((_e438 * _e440) + _e444)));
+                            let _e299 = phi_522_;
+                            let _e302 = params.member.member_2.member_1;
+                            let _e307 = params.member.member.member[_e302];
+                            if ((_e120.y + 1u) >= _e307) {
+                                let _e355 = params.member.member_2.member_1;
+                                let _e359 = params.member.member.member[_e355];
+                                let _e366 = params.member.member_2.member[0u][_e355];
+                                let _e369 = block_nodes.member[(_e366 + (_e120.y - (_e359 - 1u)))];
+                                let _e388 = ((_e369.member.x * 0.5f) + (_e369.member_1.y * 0.5f));
+                                let _e389 = ((_e369.member.y * 0.5f) + (_e369.member_2.x * 0.5f));
+                                let _e390 = ((_e369.member_1.x * 0.5f) + (_e369.member_2.y * 0.5f));
+                                let _e392 = select(_e369.member_1.y, _e388, (_e388 < _e369.member_1.y));
+                                let _e394 = select(_e369.member_2.x, _e389, (_e389 < _e369.member_2.x));
+                                let _e396 = select(_e369.member_2.y, _e390, (_e390 < _e369.member_2.y));
+                                let _e398 = select(_e369.member.x, _e392, (_e392 > _e369.member.x));
+                                let _e400 = select(_e369.member.y, _e394, (_e394 > _e369.member.y));
+                                let _e402 = select(_e369.member_1.x, _e396, (_e396 > _e369.member_1.x));
+                                let _e404 = (_e369.member_1.y - _e398);
+                                let _e405 = (_e369.member_2.x - _e400);
+                                let _e406 = (_e369.member_2.y - _e402);
+                                let _e407 = (_e398 - _e369.member.x);
+                                let _e408 = (_e400 - _e369.member.y);
+                                let _e409 = (_e402 - _e369.member_1.x);
+                                let _e417 = (1f + (0.000000059604645f * 4f));
+                                let _e421 = (0.000000000000000000000000000000000000011754944f * 8f);
+                                phi_698_ = type_34(array<f32, 3>(_e398, _e400, _e402), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((select(_e407, _e404, (_e404 > _e407)) * _e417) + _e421), ((select(_e408, _e405, (_e405 > _e408)) * _e417) + _e421), ((select(_e409, _e406, (_e406 > _e409)) * _e417) + _e421)));
                             } else {
-                                let _e326 = params.member.member.member_2[_e316];
-                                let _e329 = oriented.member[(_e326 + _e123.y)];
-                                phi_698_ = type_34(array<f32, 3>(_e329.member.x, _e329.member.y, _e329.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e329.member.w, _e329.member_1.x, _e329.member_1.y), array<f32, 3>(_e329.member_1.z, _e329.member_1.w, _e329.member_2.x), array<f32, 3>(_e329.member_2.y, _e329.member_2.z, _e329.member_2.w)), array<f32, 3>(_e329.member_3.x, _e329.member_3.y, _e329.member_3.z));
+                                let _e312 = params.member.member.member_2[_e302];
+                                let _e315 = oriented.member[(_e312 + _e120.y)];
+                                phi_698_ = type_34(array<f32, 3>(_e315.member.x, _e315.member.y, _e315.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e315.member.w, _e315.member_1.x, _e315.member_1.y), array<f32, 3>(_e315.member_1.z, _e315.member_1.w, _e315.member_2.x), array<f32, 3>(_e315.member_2.y, _e315.member_2.z, _e315.member_2.w)), array<f32, 3>(_e315.member_3.x, _e315.member_3.y, _e315.member_3.z));
                             }
-                            let _e451 = phi_698_;
-                            let _e456 = (_e451.member[0] - _e313.member[0]);
-                            let _e459 = (_e451.member[1] - _e313.member[1]);
-                            let _e462 = (_e451.member[2] - _e313.member[2]);
-                            if (_e456 < 0f) {
-                                phi_715_ = -(_e456);
-                            } else {
-                                phi_715_ = _e456;
-                            }
-                            let _e466 = phi_715_;
-                            if (_e459 < 0f) {
-                                phi_721_ = -(_e459);
-                            } else {
-                                phi_721_ = _e459;
-                            }
-                            let _e470 = phi_721_;
-                            if (_e466 > _e470) {
-                                phi_726_ = _e466;
-                            } else {
-                                phi_726_ = _e470;
-                            }
-                            let _e473 = phi_726_;
-                            if (_e462 < 0f) {
-                                phi_732_ = -(_e462);
-                            } else {
-                                phi_732_ = _e462;
-                            }
-                            let _e477 = phi_732_;
-                            if (_e473 > _e477) {
-                                phi_737_ = _e473;
-                            } else {
-                                phi_737_ = _e477;
-                            }
-                            let _e480 = phi_737_;
-                            if (_e313.member_2[0] < 0f) {
-                                phi_745_ = -(_e313.member_2[0]);
-                            } else {
-                                phi_745_ = _e313.member_2[0];
-                            }
-                            let _e486 = phi_745_;
-                            if (_e313.member_2[1] < 0f) {
-                                phi_752_ = -(_e313.member_2[1]);
-                            } else {
-                                phi_752_ = _e313.member_2[1];
-                            }
-                            let _e491 = phi_752_;
-                            if (_e486 > _e491) {
-                                phi_757_ = _e486;
-                            } else {
-                                phi_757_ = _e491;
-                            }
-                            let _e494 = phi_757_;
-                            if (_e313.member_2[2] < 0f) {
-                                phi_764_ = -(_e313.member_2[2]);
-                            } else {
-                                phi_764_ = _e313.member_2[2];
-                            }
-                            let _e499 = phi_764_;
-                            if (_e494 > _e499) {
-                                phi_769_ = _e494;
-                            } else {
-                                phi_769_ = _e499;
-                            }
-                            let _e502 = phi_769_;
-                            if (_e480 > _e502) {
-                                phi_774_ = _e480;
-                            } else {
-                                phi_774_ = _e502;
-                            }
-                            let _e505 = phi_774_;
-                            if (_e451.member_2[0] < 0f) {
-                                phi_782_ = -(_e451.member_2[0]);
-                            } else {
-                                phi_782_ = _e451.member_2[0];
-                            }
-                            let _e511 = phi_782_;
-                            if (_e451.member_2[1] < 0f) {
-                                phi_789_ = -(_e451.member_2[1]);
-                            } else {
-                                phi_789_ = _e451.member_2[1];
-                            }
-                            let _e516 = phi_789_;
-                            if (_e511 > _e516) {
-                                phi_794_ = _e511;
-                            } else {
-                                phi_794_ = _e516;
-                            }
-                            let _e519 = phi_794_;
-                            if (_e451.member_2[2] < 0f) {
-                                phi_801_ = -(_e451.member_2[2]);
-                            } else {
-                                phi_801_ = _e451.member_2[2];
-                            }
-                            let _e524 = phi_801_;
-                            if (_e519 > _e524) {
-                                phi_806_ = _e519;
-                            } else {
-                                phi_806_ = _e524;
-                            }
-                            let _e527 = phi_806_;
-                            if (_e505 > _e527) {
-                                phi_811_ = _e505;
-                            } else {
-                                phi_811_ = _e527;
-                            }
-                            let _e530 = phi_811_;
-                            if (_e530 > 0.000000000000000000000000000000000000011754944f) {
-                                if ((bitcast<u32>(_e530) & 2139095040u) != 2139095040u) {
-                                    let _e537 = (2130706432u - (bitcast<u32>(_e530) & 2139095040u));
-                                    if (_e537 > 8388608u) {
-                                        phi_832_ = _e537;
-                                    } else {
-                                        phi_832_ = 8388608u;
-                                    }
-                                    let _e540 = phi_832_;
-                                    phi_834_ = bitcast<f32>(_e540);
-                                    phi_835_ = false;
-                                } else {
-                                    phi_834_ = f32();
-                                    phi_835_ = true;
-                                }
-                                let _e543 = phi_834_;
-                                let _e545 = phi_835_;
-                                phi_836_ = _e543;
-                                phi_837_ = _e545;
+                            let _e428 = phi_698_;
+                            let _e433 = (_e428.member[0] - _e299.member[0]);
+                            let _e436 = (_e428.member[1] - _e299.member[1]);
+                            let _e439 = (_e428.member[2] - _e299.member[2]);
+                            let _e442 = select(_e433, -(_e433), (_e433 < 0f));
+                            let _e445 = select(_e436, -(_e436), (_e436 < 0f));
+                            let _e447 = select(_e445, _e442, (_e442 > _e445));
+                            let _e450 = select(_e439, -(_e439), (_e439 < 0f));
+                            let _e452 = select(_e450, _e447, (_e447 > _e450));
+                            let _e457 = select(_e299.member_2[0], -(_e299.member_2[0]), (_e299.member_2[0] < 0f));
+                            let _e461 = select(_e299.member_2[1], -(_e299.member_2[1]), (_e299.member_2[1] < 0f));
+                            let _e463 = select(_e461, _e457, (_e457 > _e461));
+                            let _e467 = select(_e299.member_2[2], -(_e299.member_2[2]), (_e299.member_2[2] < 0f));
+                            let _e469 = select(_e467, _e463, (_e463 > _e467));
+                            let _e471 = select(_e469, _e452, (_e452 > _e469));
+                            let _e476 = select(_e428.member_2[0], -(_e428.member_2[0]), (_e428.member_2[0] < 0f));
+                            let _e480 = select(_e428.member_2[1], -(_e428.member_2[1]), (_e428.member_2[1] < 0f));
+                            let _e482 = select(_e480, _e476, (_e476 > _e480));
+                            let _e486 = select(_e428.member_2[2], -(_e428.member_2[2]), (_e428.member_2[2] < 0f));
+                            let _e488 = select(_e486, _e482, (_e482 > _e486));
+                            let _e490 = select(_e488, _e471, (_e471 > _e488));
+                            if (_e490 > 0.000000000000000000000000000000000000011754944f) {
+                                let _e494 = ((bitcast<u32>(_e490) & 2139095040u) != 2139095040u);
+                                let _e497 = (2130706432u - (bitcast<u32>(_e490) & 2139095040u));
+                                phi_836_ = select(f32(), bitcast<f32>(select(8388608u, _e497, (_e497 > 8388608u))), _e494);
+                                phi_837_ = select(true, false, _e494);
                             } else {
                                 phi_836_ = f32();
                                 phi_837_ = true;
                             }
-                            let _e547 = phi_836_;
-                            let _e549 = phi_837_;
-                            if _e549 {
-                                phi_841_ = 0f;
-                            } else {
-                                phi_841_ = _e547;
-                            }
-                            let _e551 = phi_841_;
-                            let _e552 = (_e456 * _e551);
-                            let _e553 = (_e459 * _e551);
-                            let _e554 = (_e462 * _e551);
-                            let _e555 = (_e552 * 0.5f);
-                            let _e556 = (_e553 * 0.5f);
-                            let _e574 = (_e313.member_2[0] * _e551);
-                            let _e576 = (_e313.member_1[0][0] * _e574);
-                            let _e578 = (_e313.member_1[0][1] * _e574);
-                            let _e580 = (_e313.member_1[0][2] * _e574);
-                            let _e581 = (_e576 * 1f);
-                            let _e582 = (_e578 * 1f);
-                            let _e600 = (_e313.member_2[1] * _e551);
-                            let _e602 = (_e313.member_1[1][0] * _e600);
-                            let _e604 = (_e313.member_1[1][1] * _e600);
-                            let _e606 = (_e313.member_1[1][2] * _e600);
-                            let _e607 = (_e602 * 1f);
-                            let _e608 = (_e604 * 1f);
-                            let _e626 = (_e313.member_2[2] * _e551);
-                            let _e628 = (_e313.member_1[2][0] * _e626);
-                            let _e630 = (_e313.member_1[2][1] * _e626);
-                            let _e632 = (_e313.member_1[2][2] * _e626);
-                            let _e633 = (_e628 * 1f);
-                            let _e634 = (_e630 * 1f);
-                            let _e652 = (_e451.member_2[0] * _e551);
-                            let _e654 = (_e451.member_1[0][0] * _e652);
-                            let _e656 = (_e451.member_1[0][1] * _e652);
-                            let _e658 = (_e451.member_1[0][2] * _e652);
-                            let _e659 = (_e654 * 1f);
-                            let _e660 = (_e656 * 1f);
-                            let _e678 = (_e451.member_2[1] * _e551);
-                            let _e680 = (_e451.member_1[1][0] * _e678);
-                            let _e682 = (_e451.member_1[1][1] * _e678);
-                            let _e684 = (_e451.member_1[1][2] * _e678);
-                            let _e685 = (_e680 * 1f);
-                            let _e686 = (_e682 * 1f);
-                            let _e704 = (_e451.member_2[2] * _e551);
-                            let _e706 = (_e451.member_1[2][0] * _e704);
-                            let _e708 = (_e451.member_1[2][1] * _e704);
-                            let _e710 = (_e451.member_1[2][2] * _e704);
-                            let _e711 = (_e706 * 1f);
-                            let _e712 = (_e708 * 1f);
-                            let _e717 = (((((((0f + (_e552 * _e555)) + (_e576 * _e581)) + (_e602 * _e607)) + (_e628 * _e633)) + (_e654 * _e659)) + (_e680 * _e685)) + (_e706 * _e711));
-                            let _e718 = (((((((0f + (_e553 * _e555)) + (_e578 * _e581)) + (_e604 * _e607)) + (_e630 * _e633)) + (_e656 * _e659)) + (_e682 * _e685)) + (_e708 * _e711));
-                            let _e719 = (((((((0f + (_e554 * _e555)) + (_e580 * _e581)) + (_e606 * _e607)) + (_e632 * _e633)) + (_e658 * _e659)) + (_e684 * _e685)) + (_e710 * _e711));
-                            let _e721 = (((((((0f + (_e556 * _e553)) + (_e582 * _e578)) + (_e608 * _e604)) + (_e634 * _e630)) + (_e660 * _e656)) + (_e686 * _e682)) + (_e712 * _e708));
-                            let _e723 = (((((((0f + (_e556 * _e554)) + (_e582 * _e580)) + (_e608 * _e606)) + (_e634 * _e632)) + (_e660 * _e658)) + (_e686 * _e684)) + (_e712 * _e710));
-                            let _e725 = (((((((0f + ((_e554 * 0.5f) * _e554)) + ((_e580 * 1f) * _e580)) + ((_e606 * 1f) * _e606)) + ((_e632 * 1f) * _e632)) + ((_e658 * 1f) * _e658)) + ((_e684 * 1f) * _e684)) + ((_e710 * 1f) * _e710));
-                            if (_e717 < 0f) {
-                                phi_1108_ = -(_e717);
-                            } else {
-                                phi_1108_ = _e717;
-                            }
-                            let _e729 = phi_1108_;
-                            if (_e718 < 0f) {
-                                phi_1115_ = -(_e718);
-                            } else {
-                                phi_1115_ = _e718;
-                            }
-                            let _e733 = phi_1115_;
-                            if (_e729 > _e733) {
-                                phi_1120_ = _e729;
-                            } else {
-                                phi_1120_ = _e733;
-                            }
-                            let _e736 = phi_1120_;
-                            if (_e719 < 0f) {
-                                phi_1127_ = -(_e719);
-                            } else {
-                                phi_1127_ = _e719;
-                            }
-                            let _e740 = phi_1127_;
-                            if (_e736 > _e740) {
-                                phi_1132_ = _e736;
-                            } else {
-                                phi_1132_ = _e740;
-                            }
-                            let _e743 = phi_1132_;
-                            if (_e721 < 0f) {
-                                phi_1141_ = -(_e721);
-                            } else {
-                                phi_1141_ = _e721;
-                            }
-                            let _e747 = phi_1141_;
-                            if (_e723 < 0f) {
-                                phi_1147_ = -(_e723);
-                            } else {
-                                phi_1147_ = _e723;
-                            }
-                            let _e751 = phi_1147_;
-                            if (_e747 > _e751) {
-                                phi_1152_ = _e747;
-                            } else {
-                                phi_1152_ = _e751;
-                            }
-                            let _e754 = phi_1152_;
-                            if (_e725 < 0f) {
-                                phi_1158_ = -(_e725);
-                            } else {
-                                phi_1158_ = _e725;
-                            }
-                            let _e758 = phi_1158_;
-                            if (_e754 > _e758) {
-                                phi_1163_ = _e754;
-                            } else {
-                                phi_1163_ = _e758;
-                            }
-                            let _e761 = phi_1163_;
-                            if (_e743 > _e761) {
-                                phi_1168_ = _e743;
-                            } else {
-                                phi_1168_ = _e761;
-                            }
-                            let _e764 = phi_1168_;
-                            if (_e764 > 0.000000000000000000000000000000000000011754944f) {
-                                if ((bitcast<u32>(_e764) & 2139095040u) != 2139095040u) {
-                                    let _e771 = (2130706432u - (bitcast<u32>(_e764) & 2139095040u));
-                                    if (_e771 > 8388608u) {
-                                        phi_1189_ = _e771;
-                                    } else {
-                                        phi_1189_ = 8388608u;
-                                    }
-                                    let _e774 = phi_1189_;
-                                    let _e775 = bitcast<f32>(_e774);
-                                    let _e777 = (_e718 * _e775);
-                                    let _e778 = (_e719 * _e775);
-                                    let _e779 = (_e721 * _e775);
-                                    let _e780 = (_e723 * _e775);
-                                    let _e781 = (_e725 * _e775);
-                                    let _e784 = ((_e777 * _e777) + (_e778 * _e778));
-                                    if (_e784 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                                        if (_e784 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e784 > 0f) {
-                                                phi_1227_ = (0.000000000000000000106433627f * 2f);
-                                            } else {
-                                                phi_1227_ = 0f;
-                                            }
-                                            let _e841 = phi_1227_;
-                                            phi_1291_ = _e841;
+                            let _e504 = phi_836_;
+                            let _e506 = phi_837_;
+                            let _e507 = select(_e504, 0f, _e506);
+                            let _e508 = (_e433 * _e507);
+                            let _e509 = (_e436 * _e507);
+                            let _e510 = (_e439 * _e507);
+                            let _e511 = (_e508 * 0.5f);
+                            let _e512 = (_e509 * 0.5f);
+                            let _e530 = (_e299.member_2[0] * _e507);
+                            let _e532 = (_e299.member_1[0][0] * _e530);
+                            let _e534 = (_e299.member_1[0][1] * _e530);
+                            let _e536 = (_e299.member_1[0][2] * _e530);
+                            let _e537 = (_e532 * 1f);
+                            let _e538 = (_e534 * 1f);
+                            let _e556 = (_e299.member_2[1] * _e507);
+                            let _e558 = (_e299.member_1[1][0] * _e556);
+                            let _e560 = (_e299.member_1[1][1] * _e556);
+                            let _e562 = (_e299.member_1[1][2] * _e556);
+                            let _e563 = (_e558 * 1f);
+                            let _e564 = (_e560 * 1f);
+                            let _e582 = (_e299.member_2[2] * _e507);
+                            let _e584 = (_e299.member_1[2][0] * _e582);
+                            let _e586 = (_e299.member_1[2][1] * _e582);
+                            let _e588 = (_e299.member_1[2][2] * _e582);
+                            let _e589 = (_e584 * 1f);
+                            let _e590 = (_e586 * 1f);
+                            let _e608 = (_e428.member_2[0] * _e507);
+                            let _e610 = (_e428.member_1[0][0] * _e608);
+                            let _e612 = (_e428.member_1[0][1] * _e608);
+                            let _e614 = (_e428.member_1[0][2] * _e608);
+                            let _e615 = (_e610 * 1f);
+                            let _e616 = (_e612 * 1f);
+                            let _e634 = (_e428.member_2[1] * _e507);
+                            let _e636 = (_e428.member_1[1][0] * _e634);
+                            let _e638 = (_e428.member_1[1][1] * _e634);
+                            let _e640 = (_e428.member_1[1][2] * _e634);
+                            let _e641 = (_e636 * 1f);
+                            let _e642 = (_e638 * 1f);
+                            let _e660 = (_e428.member_2[2] * _e507);
+                            let _e662 = (_e428.member_1[2][0] * _e660);
+                            let _e664 = (_e428.member_1[2][1] * _e660);
+                            let _e666 = (_e428.member_1[2][2] * _e660);
+                            let _e667 = (_e662 * 1f);
+                            let _e668 = (_e664 * 1f);
+                            let _e673 = (((((((0f + (_e508 * _e511)) + (_e532 * _e537)) + (_e558 * _e563)) + (_e584 * _e589)) + (_e610 * _e615)) + (_e636 * _e641)) + (_e662 * _e667));
+                            let _e674 = (((((((0f + (_e509 * _e511)) + (_e534 * _e537)) + (_e560 * _e563)) + (_e586 * _e589)) + (_e612 * _e615)) + (_e638 * _e641)) + (_e664 * _e667));
+                            let _e675 = (((((((0f + (_e510 * _e511)) + (_e536 * _e537)) + (_e562 * _e563)) + (_e588 * _e589)) + (_e614 * _e615)) + (_e640 * _e641)) + (_e666 * _e667));
+                            let _e677 = (((((((0f + (_e512 * _e509)) + (_e538 * _e534)) + (_e564 * _e560)) + (_e590 * _e586)) + (_e616 * _e612)) + (_e642 * _e638)) + (_e668 * _e664));
+                            let _e679 = (((((((0f + (_e512 * _e510)) + (_e538 * _e536)) + (_e564 * _e562)) + (_e590 * _e588)) + (_e616 * _e614)) + (_e642 * _e640)) + (_e668 * _e666));
+                            let _e681 = (((((((0f + ((_e510 * 0.5f) * _e510)) + ((_e536 * 1f) * _e536)) + ((_e562 * 1f) * _e562)) + ((_e588 * 1f) * _e588)) + ((_e614 * 1f) * _e614)) + ((_e640 * 1f) * _e640)) + ((_e666 * 1f) * _e666));
+                            let _e684 = select(_e673, -(_e673), (_e673 < 0f));
+                            let _e687 = select(_e674, -(_e674), (_e674 < 0f));
+                            let _e689 = select(_e687, _e684, (_e684 > _e687));
+                            let _e692 = select(_e675, -(_e675), (_e675 < 0f));
+                            let _e694 = select(_e692, _e689, (_e689 > _e692));
+                            let _e697 = select(_e677, -(_e677), (_e677 < 0f));
+                            let _e700 = select(_e679, -(_e679), (_e679 < 0f));
+                            let _e702 = select(_e700, _e697, (_e697 > _e700));
+                            let _e705 = select(_e681, -(_e681), (_e681 < 0f));
+                            let _e707 = select(_e705, _e702, (_e702 > _e705));
+                            let _e709 = select(_e707, _e694, (_e694 > _e707));
+                            if (_e709 > 0.000000000000000000000000000000000000011754944f) {
+                                if ((bitcast<u32>(_e709) & 2139095040u) != 2139095040u) {
+                                    let _e716 = (2130706432u - (bitcast<u32>(_e709) & 2139095040u));
+                                    let _e719 = bitcast<f32>(select(8388608u, _e716, (_e716 > 8388608u)));
+                                    let _e721 = (_e674 * _e719);
+                                    let _e722 = (_e675 * _e719);
+                                    let _e723 = (_e677 * _e719);
+                                    let _e724 = (_e679 * _e719);
+                                    let _e725 = (_e681 * _e719);
+                                    let _e728 = ((_e721 * _e721) + (_e722 * _e722));
+                                    if (_e728 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                                        if (_e728 <= 0.000000000000000000000000000000000000011754944f) {
+                                            phi_1291_ = select(0f, (0.000000000000000000106433627f * 2f), (_e728 > 0f));
                                         } else {
                                             phi_1234_ = type_14(0i, 5i);
-                                            phi_1237_ = bitcast<f32>(((bitcast<u32>(_e784) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_1237_ = bitcast<f32>(((bitcast<u32>(_e728) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e796 = phi_1234_;
-                                                let _e798 = phi_1237_;
-                                                local = _e798;
-                                                if (_e796.member < _e796.member_1) {
-                                                    let _e805 = (_e796.member + 1i);
-                                                    if ((false == (_e805 > _e796.member)) != false) {
-                                                        phi_1258_ = true;
-                                                    } else {
-                                                        phi_1258_ = false;
-                                                    }
-                                                    let _e810 = phi_1258_;
-                                                    if _e810 {
-                                                        phi_1264_ = type_15(0u, type_15().member_1);
-                                                    } else {
-                                                        phi_1264_ = type_15(1u, _e805);
-                                                    }
-                                                    let _e815 = phi_1264_;
-                                                    phi_1235_ = type_14(_e815.member_1, _e796.member_1);
-                                                    phi_1278_ = type_15(1u, _e796.member);
+                                                let _e740 = phi_1234_;
+                                                let _e742 = phi_1237_;
+                                                local = _e742;
+                                                if (_e740.member < _e740.member_1) {
+                                                    let _e749 = (_e740.member + 1i);
+                                                    phi_1235_ = type_14(select(_e749, type_15().member_1, select(false, true, ((false == (_e749 > _e740.member)) != false))), _e740.member_1);
+                                                    phi_1278_ = type_15(1u, _e740.member);
                                                 } else {
-                                                    phi_1235_ = _e796;
+                                                    phi_1235_ = _e740;
                                                     phi_1278_ = type_15(0u, type_15().member_1);
                                                 }
-                                                let _e821 = phi_1235_;
-                                                let _e823 = phi_1278_;
-                                                let _e826 = (bitcast<i32>(_e823.member) != 0i);
-                                                if _e826 {
-                                                    phi_1238_ = (0.5f * (_e798 + (_e784 / _e798)));
+                                                let _e760 = phi_1235_;
+                                                let _e762 = phi_1278_;
+                                                let _e765 = (bitcast<i32>(_e762.member) != 0i);
+                                                if _e765 {
+                                                    phi_1238_ = (0.5f * (_e742 + (_e728 / _e742)));
                                                 } else {
                                                     phi_1238_ = f32();
                                                 }
-                                                let _e831 = phi_1238_;
+                                                let _e770 = phi_1238_;
                                                 continue;
                                                 continuing {
-                                                    phi_1234_ = _e821;
-                                                    phi_1237_ = _e831;
-                                                    break if !(_e826);
+                                                    phi_1234_ = _e760;
+                                                    phi_1237_ = _e770;
+                                                    break if !(_e765);
                                                 }
                                             }
-                                            let _e836 = local;
-                                            phi_1291_ = (_e836 * (1f + (8f * 0.000000059604645f)));
+                                            let _e775 = local;
+                                            phi_1291_ = (_e775 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e843 = phi_1291_;
-                                        let _e844 = (_e777 / _e843);
-                                        let _e845 = (_e778 / _e843);
-                                        let _e850 = (1.5f - (((_e844 * _e844) + (_e845 * _e845)) * 0.5f));
-                                        phi_1303_ = type_16((_e844 * _e850), (_e845 * _e850));
+                                        let _e781 = phi_1291_;
+                                        let _e782 = (_e721 / _e781);
+                                        let _e783 = (_e722 / _e781);
+                                        let _e788 = (1.5f - (((_e782 * _e782) + (_e783 * _e783)) * 0.5f));
+                                        phi_1303_ = type_16((_e782 * _e788), (_e783 * _e788));
                                     } else {
                                         phi_1303_ = type_16(1f, 0f);
                                     }
-                                    let _e855 = phi_1303_;
-                                    let _e860 = (((_e855.member * _e855.member_1) * _e780) * 2f);
+                                    let _e793 = phi_1303_;
+                                    let _e798 = (((_e793.member * _e793.member_1) * _e724) * 2f);
                                     phi_1342_ = type_9(0u, 16u);
-                                    phi_1345_ = type_36(array<f32, 2>(((_e855.member * _e777) + (_e855.member_1 * _e778)), (((_e855.member * _e855.member_1) * (_e779 - _e781)) + (((_e855.member_1 * _e855.member_1) - (_e855.member * _e855.member)) * _e780))), array<f32, 3>((_e717 * _e775), ((((_e855.member * _e855.member) * _e779) + _e860) + ((_e855.member_1 * _e855.member_1) * _e781)), ((((_e855.member_1 * _e855.member_1) * _e779) - _e860) + ((_e855.member * _e855.member) * _e781))), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, _e855.member, _e855.member_1), array<f32, 3>(0f, _e855.member_1, -(_e855.member))));
+                                    phi_1345_ = type_36(array<f32, 2>(((_e793.member * _e721) + (_e793.member_1 * _e722)), (((_e793.member * _e793.member_1) * (_e723 - _e725)) + (((_e793.member_1 * _e793.member_1) - (_e793.member * _e793.member)) * _e724))), array<f32, 3>((_e673 * _e719), ((((_e793.member * _e793.member) * _e723) + _e798) + ((_e793.member_1 * _e793.member_1) * _e725)), ((((_e793.member_1 * _e793.member_1) * _e723) - _e798) + ((_e793.member * _e793.member) * _e725))), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, _e793.member, _e793.member_1), array<f32, 3>(0f, _e793.member_1, -(_e793.member))));
                                     loop {
-                                        let _e892 = phi_1342_;
-                                        let _e894 = phi_1345_;
-                                        local_10 = _e894;
-                                        if (_e892.member < _e892.member_1) {
-                                            phi_1343_ = type_9((_e892.member + 1u), _e892.member_1);
-                                            phi_1368_ = type_9(1u, _e892.member);
-                                        } else {
-                                            phi_1343_ = _e892;
-                                            phi_1368_ = type_9(0u, type_9().member_1);
-                                        }
-                                        let _e906 = phi_1343_;
-                                        let _e908 = phi_1368_;
-                                        if (bitcast<i32>(_e908.member) != 0i) {
-                                            let _e912 = (0.000000059604645f * 0.5f);
-                                            if (_e894.member[0] < 0f) {
-                                                phi_1388_ = -(_e894.member[0]);
-                                            } else {
-                                                phi_1388_ = _e894.member[0];
-                                            }
-                                            let _e923 = phi_1388_;
-                                            let _e924 = (_e923 > _e912);
-                                            if (_e894.member[1] < 0f) {
-                                                phi_1395_ = -(_e894.member[1]);
-                                            } else {
-                                                phi_1395_ = _e894.member[1];
-                                            }
-                                            let _e928 = phi_1395_;
-                                            let _e929 = (_e928 > _e912);
-                                            if _e924 {
-                                                if _e929 {
-                                                    let _e932 = ((_e894.member_1[1] - _e894.member_1[0]) / (_e894.member[0] * 2f));
-                                                    let _e934 = ((_e932 * _e932) + 1f);
-                                                    if (_e934 <= 0.000000000000000000000000000000000000011754944f) {
-                                                        if (_e934 > 0f) {
-                                                            phi_1421_ = (0.000000000000000000106433627f * 2f);
-                                                        } else {
-                                                            phi_1421_ = 0f;
-                                                        }
-                                                        let _e987 = phi_1421_;
-                                                        phi_1485_ = _e987;
+                                        let _e830 = phi_1342_;
+                                        let _e832 = phi_1345_;
+                                        local_10 = _e832;
+                                        let _e835 = (_e830.member < _e830.member_1);
+                                        if (bitcast<i32>(select(0u, 1u, _e835)) != 0i) {
+                                            let _e847 = (0.000000059604645f * 0.5f);
+                                            let _e858 = (select(_e832.member[0], -(_e832.member[0]), (_e832.member[0] < 0f)) > _e847);
+                                            let _e862 = (select(_e832.member[1], -(_e832.member[1]), (_e832.member[1] < 0f)) > _e847);
+                                            if _e858 {
+                                                if _e862 {
+                                                    let _e865 = ((_e832.member_1[1] - _e832.member_1[0]) / (_e832.member[0] * 2f));
+                                                    let _e867 = ((_e865 * _e865) + 1f);
+                                                    if (_e867 <= 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1485_ = select(0f, (0.000000000000000000106433627f * 2f), (_e867 > 0f));
                                                     } else {
                                                         phi_1428_ = type_14(0i, 5i);
-                                                        phi_1431_ = bitcast<f32>(((bitcast<u32>(_e934) >> bitcast<u32>(1i)) + 532369198u));
+                                                        phi_1431_ = bitcast<f32>(((bitcast<u32>(_e867) >> bitcast<u32>(1i)) + 532369198u));
                                                         loop {
-                                                            let _e942 = phi_1428_;
-                                                            let _e944 = phi_1431_;
-                                                            local_1 = _e944;
-                                                            if (_e942.member < _e942.member_1) {
-                                                                let _e951 = (_e942.member + 1i);
-                                                                if ((false == (_e951 > _e942.member)) != false) {
-                                                                    phi_1452_ = true;
-                                                                } else {
-                                                                    phi_1452_ = false;
-                                                                }
-                                                                let _e956 = phi_1452_;
-                                                                if _e956 {
-                                                                    phi_1458_ = type_15(0u, type_15().member_1);
-                                                                } else {
-                                                                    phi_1458_ = type_15(1u, _e951);
-                                                                }
-                                                                let _e961 = phi_1458_;
-                                                                phi_1429_ = type_14(_e961.member_1, _e942.member_1);
-                                                                phi_1472_ = type_15(1u, _e942.member);
+                                                            let _e875 = phi_1428_;
+                                                            let _e877 = phi_1431_;
+                                                            local_1 = _e877;
+                                                            if (_e875.member < _e875.member_1) {
+                                                                let _e884 = (_e875.member + 1i);
+                                                                phi_1429_ = type_14(select(_e884, type_15().member_1, select(false, true, ((false == (_e884 > _e875.member)) != false))), _e875.member_1);
+                                                                phi_1472_ = type_15(1u, _e875.member);
                                                             } else {
-                                                                phi_1429_ = _e942;
+                                                                phi_1429_ = _e875;
                                                                 phi_1472_ = type_15(0u, type_15().member_1);
                                                             }
-                                                            let _e967 = phi_1429_;
-                                                            let _e969 = phi_1472_;
-                                                            let _e972 = (bitcast<i32>(_e969.member) != 0i);
-                                                            if _e972 {
-                                                                phi_1432_ = (0.5f * (_e944 + (_e934 / _e944)));
+                                                            let _e895 = phi_1429_;
+                                                            let _e897 = phi_1472_;
+                                                            let _e900 = (bitcast<i32>(_e897.member) != 0i);
+                                                            if _e900 {
+                                                                phi_1432_ = (0.5f * (_e877 + (_e867 / _e877)));
                                                             } else {
                                                                 phi_1432_ = f32();
                                                             }
-                                                            let _e977 = phi_1432_;
+                                                            let _e905 = phi_1432_;
                                                             continue;
                                                             continuing {
-                                                                phi_1428_ = _e967;
-                                                                phi_1431_ = _e977;
-                                                                break if !(_e972);
+                                                                phi_1428_ = _e895;
+                                                                phi_1431_ = _e905;
+                                                                break if !(_e900);
                                                             }
                                                         }
-                                                        let _e982 = local_1;
-                                                        phi_1485_ = (_e982 * (1f + (8f * 0.000000059604645f)));
+                                                        let _e910 = local_1;
+                                                        phi_1485_ = (_e910 * (1f + (8f * 0.000000059604645f)));
                                                     }
-                                                    let _e989 = phi_1485_;
-                                                    if (_e932 > 0f) {
-                                                        phi_1492_ = (_e932 + _e989);
-                                                    } else {
-                                                        phi_1492_ = (_e932 - _e989);
-                                                    }
-                                                    let _e994 = phi_1492_;
-                                                    let _e997 = (_e894.member_1[2] - (_e894.member_1[0] - (_e894.member[0] / _e994)));
-                                                    let _e1000 = ((_e997 * _e997) + (_e894.member[1] * _e894.member[1]));
-                                                    if (_e1000 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                                                        if (_e1000 <= 0.000000000000000000000000000000000000011754944f) {
-                                                            if (_e1000 > 0f) {
-                                                                phi_1519_ = (0.000000000000000000106433627f * 2f);
-                                                            } else {
-                                                                phi_1519_ = 0f;
-                                                            }
-                                                            let _e1057 = phi_1519_;
-                                                            phi_1583_ = _e1057;
+                                                    let _e916 = phi_1485_;
+                                                    let _e923 = (_e832.member_1[2] - (_e832.member_1[0] - (_e832.member[0] / select((_e865 - _e916), (_e865 + _e916), (_e865 > 0f)))));
+                                                    let _e926 = ((_e923 * _e923) + (_e832.member[1] * _e832.member[1]));
+                                                    if (_e926 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                                                        if (_e926 <= 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1583_ = select(0f, (0.000000000000000000106433627f * 2f), (_e926 > 0f));
                                                         } else {
                                                             phi_1526_ = type_14(0i, 5i);
-                                                            phi_1529_ = bitcast<f32>(((bitcast<u32>(_e1000) >> bitcast<u32>(1i)) + 532369198u));
+                                                            phi_1529_ = bitcast<f32>(((bitcast<u32>(_e926) >> bitcast<u32>(1i)) + 532369198u));
                                                             loop {
-                                                                let _e1012 = phi_1526_;
-                                                                let _e1014 = phi_1529_;
-                                                                local_2 = _e1014;
-                                                                if (_e1012.member < _e1012.member_1) {
-                                                                    let _e1021 = (_e1012.member + 1i);
-                                                                    if ((false == (_e1021 > _e1012.member)) != false) {
-                                                                        phi_1550_ = true;
-                                                                    } else {
-                                                                        phi_1550_ = false;
-                                                                    }
-                                                                    let _e1026 = phi_1550_;
-                                                                    if _e1026 {
-                                                                        phi_1556_ = type_15(0u, type_15().member_1);
-                                                                    } else {
-                                                                        phi_1556_ = type_15(1u, _e1021);
-                                                                    }
-                                                                    let _e1031 = phi_1556_;
-                                                                    phi_1527_ = type_14(_e1031.member_1, _e1012.member_1);
-                                                                    phi_1570_ = type_15(1u, _e1012.member);
+                                                                let _e938 = phi_1526_;
+                                                                let _e940 = phi_1529_;
+                                                                local_2 = _e940;
+                                                                if (_e938.member < _e938.member_1) {
+                                                                    let _e947 = (_e938.member + 1i);
+                                                                    phi_1527_ = type_14(select(_e947, type_15().member_1, select(false, true, ((false == (_e947 > _e938.member)) != false))), _e938.member_1);
+                                                                    phi_1570_ = type_15(1u, _e938.member);
                                                                 } else {
-                                                                    phi_1527_ = _e1012;
+                                                                    phi_1527_ = _e938;
                                                                     phi_1570_ = type_15(0u, type_15().member_1);
                                                                 }
-                                                                let _e1037 = phi_1527_;
-                                                                let _e1039 = phi_1570_;
-                                                                let _e1042 = (bitcast<i32>(_e1039.member) != 0i);
-                                                                if _e1042 {
-                                                                    phi_1530_ = (0.5f * (_e1014 + (_e1000 / _e1014)));
+                                                                let _e958 = phi_1527_;
+                                                                let _e960 = phi_1570_;
+                                                                let _e963 = (bitcast<i32>(_e960.member) != 0i);
+                                                                if _e963 {
+                                                                    phi_1530_ = (0.5f * (_e940 + (_e926 / _e940)));
                                                                 } else {
                                                                     phi_1530_ = f32();
                                                                 }
-                                                                let _e1047 = phi_1530_;
+                                                                let _e968 = phi_1530_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1526_ = _e1037;
-                                                                    phi_1529_ = _e1047;
-                                                                    break if !(_e1042);
+                                                                    phi_1526_ = _e958;
+                                                                    phi_1529_ = _e968;
+                                                                    break if !(_e963);
                                                                 }
                                                             }
-                                                            let _e1052 = local_2;
-                                                            phi_1583_ = (_e1052 * (1f + (8f * 0.000000059604645f)));
+                                                            let _e973 = local_2;
+                                                            phi_1583_ = (_e973 * (1f + (8f * 0.000000059604645f)));
                                                         }
-                                                        let _e1059 = phi_1583_;
-                                                        let _e1060 = (_e997 / _e1059);
-                                                        let _e1061 = (_e894.member[1] / _e1059);
-                                                        let _e1066 = (1.5f - (((_e1060 * _e1060) + (_e1061 * _e1061)) * 0.5f));
-                                                        phi_1595_ = type_16((_e1060 * _e1066), (_e1061 * _e1066));
+                                                        let _e979 = phi_1583_;
+                                                        let _e980 = (_e923 / _e979);
+                                                        let _e981 = (_e832.member[1] / _e979);
+                                                        let _e986 = (1.5f - (((_e980 * _e980) + (_e981 * _e981)) * 0.5f));
+                                                        phi_1595_ = type_16((_e980 * _e986), (_e981 * _e986));
                                                     } else {
                                                         phi_1595_ = type_16(1f, 0f);
                                                     }
-                                                    let _e1071 = phi_1595_;
-                                                    let _e1088 = (((_e894.member_1[1] - _e894.member_1[2]) * _e1071.member_1) + ((_e1071.member * _e894.member[1]) * 2f));
-                                                    let _e1090 = (_e894.member_1[1] - (_e1071.member_1 * _e1088));
-                                                    let _e1094 = ((_e1071.member * _e1088) - _e894.member[1]);
-                                                    let _e1107 = ((_e894.member_2[1][0] * _e1071.member) - (_e894.member_2[2][0] * _e1071.member_1));
-                                                    let _e1108 = ((_e894.member_2[1][1] * _e1071.member) - (_e894.member_2[2][1] * _e1071.member_1));
-                                                    let _e1109 = ((_e894.member_2[1][2] * _e1071.member) - (_e894.member_2[2][2] * _e1071.member_1));
-                                                    let _e1126 = (_e1071.member * _e894.member[0]);
-                                                    let _e1127 = (_e1071.member_1 * _e894.member[0]);
-                                                    let _e1130 = ((_e1094 * _e1094) + (_e1127 * _e1127));
-                                                    if (_e1130 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                                                        if (_e1130 <= 0.000000000000000000000000000000000000011754944f) {
-                                                            if (_e1130 > 0f) {
-                                                                phi_1684_ = (0.000000000000000000106433627f * 2f);
-                                                            } else {
-                                                                phi_1684_ = 0f;
-                                                            }
-                                                            let _e1187 = phi_1684_;
-                                                            phi_1748_ = _e1187;
+                                                    let _e991 = phi_1595_;
+                                                    let _e1008 = (((_e832.member_1[1] - _e832.member_1[2]) * _e991.member_1) + ((_e991.member * _e832.member[1]) * 2f));
+                                                    let _e1010 = (_e832.member_1[1] - (_e991.member_1 * _e1008));
+                                                    let _e1014 = ((_e991.member * _e1008) - _e832.member[1]);
+                                                    let _e1027 = ((_e832.member_2[1][0] * _e991.member) - (_e832.member_2[2][0] * _e991.member_1));
+                                                    let _e1028 = ((_e832.member_2[1][1] * _e991.member) - (_e832.member_2[2][1] * _e991.member_1));
+                                                    let _e1029 = ((_e832.member_2[1][2] * _e991.member) - (_e832.member_2[2][2] * _e991.member_1));
+                                                    let _e1046 = (_e991.member * _e832.member[0]);
+                                                    let _e1047 = (_e991.member_1 * _e832.member[0]);
+                                                    let _e1050 = ((_e1014 * _e1014) + (_e1047 * _e1047));
+                                                    if (_e1050 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                                                        if (_e1050 <= 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1748_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1050 > 0f));
                                                         } else {
                                                             phi_1691_ = type_14(0i, 5i);
-                                                            phi_1694_ = bitcast<f32>(((bitcast<u32>(_e1130) >> bitcast<u32>(1i)) + 532369198u));
+                                                            phi_1694_ = bitcast<f32>(((bitcast<u32>(_e1050) >> bitcast<u32>(1i)) + 532369198u));
                                                             loop {
-                                                                let _e1142 = phi_1691_;
-                                                                let _e1144 = phi_1694_;
-                                                                local_3 = _e1144;
-                                                                if (_e1142.member < _e1142.member_1) {
-                                                                    let _e1151 = (_e1142.member + 1i);
-                                                                    if ((false == (_e1151 > _e1142.member)) != false) {
-                                                                        phi_1715_ = true;
-                                                                    } else {
-                                                                        phi_1715_ = false;
-                                                                    }
-                                                                    let _e1156 = phi_1715_;
-                                                                    if _e1156 {
-                                                                        phi_1721_ = type_15(0u, type_15().member_1);
-                                                                    } else {
-                                                                        phi_1721_ = type_15(1u, _e1151);
-                                                                    }
-                                                                    let _e1161 = phi_1721_;
-                                                                    phi_1692_ = type_14(_e1161.member_1, _e1142.member_1);
-                                                                    phi_1735_ = type_15(1u, _e1142.member);
+                                                                let _e1062 = phi_1691_;
+                                                                let _e1064 = phi_1694_;
+                                                                local_3 = _e1064;
+                                                                if (_e1062.member < _e1062.member_1) {
+                                                                    let _e1071 = (_e1062.member + 1i);
+                                                                    phi_1692_ = type_14(select(_e1071, type_15().member_1, select(false, true, ((false == (_e1071 > _e1062.member)) != false))), _e1062.member_1);
+                                                                    phi_1735_ = type_15(1u, _e1062.member);
                                                                 } else {
-                                                                    phi_1692_ = _e1142;
+                                                                    phi_1692_ = _e1062;
                                                                     phi_1735_ = type_15(0u, type_15().member_1);
                                                                 }
-                                                                let _e1167 = phi_1692_;
-                                                                let _e1169 = phi_1735_;
-                                                                let _e1172 = (bitcast<i32>(_e1169.member) != 0i);
-                                                                if _e1172 {
-                                                                    phi_1695_ = (0.5f * (_e1144 + (_e1130 / _e1144)));
+                                                                let _e1082 = phi_1692_;
+                                                                let _e1084 = phi_1735_;
+                                                                let _e1087 = (bitcast<i32>(_e1084.member) != 0i);
+                                                                if _e1087 {
+                                                                    phi_1695_ = (0.5f * (_e1064 + (_e1050 / _e1064)));
                                                                 } else {
                                                                     phi_1695_ = f32();
                                                                 }
-                                                                let _e1177 = phi_1695_;
+                                                                let _e1092 = phi_1695_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1691_ = _e1167;
-                                                                    phi_1694_ = _e1177;
-                                                                    break if !(_e1172);
+                                                                    phi_1691_ = _e1082;
+                                                                    phi_1694_ = _e1092;
+                                                                    break if !(_e1087);
                                                                 }
                                                             }
-                                                            let _e1182 = local_3;
-                                                            phi_1748_ = (_e1182 * (1f + (8f * 0.000000059604645f)));
+                                                            let _e1097 = local_3;
+                                                            phi_1748_ = (_e1097 * (1f + (8f * 0.000000059604645f)));
                                                         }
-                                                        let _e1189 = phi_1748_;
-                                                        let _e1190 = (_e1094 / _e1189);
-                                                        let _e1191 = (_e1127 / _e1189);
-                                                        let _e1196 = (1.5f - (((_e1190 * _e1190) + (_e1191 * _e1191)) * 0.5f));
-                                                        phi_1760_ = type_16((_e1190 * _e1196), (_e1191 * _e1196));
+                                                        let _e1103 = phi_1748_;
+                                                        let _e1104 = (_e1014 / _e1103);
+                                                        let _e1105 = (_e1047 / _e1103);
+                                                        let _e1110 = (1.5f - (((_e1104 * _e1104) + (_e1105 * _e1105)) * 0.5f));
+                                                        phi_1760_ = type_16((_e1104 * _e1110), (_e1105 * _e1110));
                                                     } else {
                                                         phi_1760_ = type_16(1f, 0f);
                                                     }
-                                                    let _e1201 = phi_1760_;
-                                                    let _e1211 = (((_e894.member_1[0] - _e1090) * _e1201.member_1) + ((_e1201.member * _e1126) * 2f));
-                                                    phi_1827_ = type_36(array<f32, 2>(((_e1201.member * _e1211) - _e1126), ((_e1201.member_1 * _e1127) + (_e1201.member * _e1094))), array<f32, 3>((_e894.member_1[0] - (_e1201.member_1 * _e1211)), (_e1090 + (_e1201.member_1 * _e1211)), (_e894.member_1[2] + (_e1071.member_1 * _e1088))), array<array<f32, 3>, 3>(array<f32, 3>(((_e894.member_2[0][0] * _e1201.member) - (_e1107 * _e1201.member_1)), ((_e894.member_2[0][1] * _e1201.member) - (_e1108 * _e1201.member_1)), ((_e894.member_2[0][2] * _e1201.member) - (_e1109 * _e1201.member_1))), array<f32, 3>(((_e894.member_2[0][0] * _e1201.member_1) + (_e1107 * _e1201.member)), ((_e894.member_2[0][1] * _e1201.member_1) + (_e1108 * _e1201.member)), ((_e894.member_2[0][2] * _e1201.member_1) + (_e1109 * _e1201.member))), array<f32, 3>(((_e894.member_2[1][0] * _e1071.member_1) + (_e894.member_2[2][0] * _e1071.member)), ((_e894.member_2[1][1] * _e1071.member_1) + (_e894.member_2[2][1] * _e1071.member)), ((_e894.member_2[1][2] * _e1071.member_1) + (_e894.member_2[2][2] * _e1071.member)))));
+                                                    let _e1115 = phi_1760_;
+                                                    let _e1125 = (((_e832.member_1[0] - _e1010) * _e1115.member_1) + ((_e1115.member * _e1046) * 2f));
+                                                    phi_1827_ = type_36(array<f32, 2>(((_e1115.member * _e1125) - _e1046), ((_e1115.member_1 * _e1047) + (_e1115.member * _e1014))), array<f32, 3>((_e832.member_1[0] - (_e1115.member_1 * _e1125)), (_e1010 + (_e1115.member_1 * _e1125)), (_e832.member_1[2] + (_e991.member_1 * _e1008))), array<array<f32, 3>, 3>(array<f32, 3>(((_e832.member_2[0][0] * _e1115.member) - (_e1027 * _e1115.member_1)), ((_e832.member_2[0][1] * _e1115.member) - (_e1028 * _e1115.member_1)), ((_e832.member_2[0][2] * _e1115.member) - (_e1029 * _e1115.member_1))), array<f32, 3>(((_e832.member_2[0][0] * _e1115.member_1) + (_e1027 * _e1115.member)), ((_e832.member_2[0][1] * _e1115.member_1) + (_e1028 * _e1115.member)), ((_e832.member_2[0][2] * _e1115.member_1) + (_e1029 * _e1115.member))), array<f32, 3>(((_e832.member_2[1][0] * _e991.member_1) + (_e832.member_2[2][0] * _e991.member)), ((_e832.member_2[1][1] * _e991.member_1) + (_e832.member_2[2][1] * _e991.member)), ((_e832.member_2[1][2] * _e991.member_1) + (_e832.member_2[2][2] * _e991.member)))));
                                                     phi_1828_ = false;
                                                 } else {
                                                     phi_1827_ = type_36();
                                                     phi_1828_ = true;
                                                 }
-                                                let _e1249 = phi_1827_;
-                                                let _e1251 = phi_1828_;
-                                                phi_1829_ = _e1249;
-                                                phi_1830_ = _e1251;
+                                                let _e1163 = phi_1827_;
+                                                let _e1165 = phi_1828_;
+                                                phi_1829_ = _e1163;
+                                                phi_1830_ = _e1165;
                                             } else {
                                                 phi_1829_ = type_36();
                                                 phi_1830_ = true;
                                             }
-                                            let _e1253 = phi_1829_;
-                                            let _e1255 = phi_1830_;
-                                            if _e1255 {
-                                                if _e924 {
-                                                    let _e1471 = ((_e894.member_1[1] - _e894.member_1[0]) / (_e894.member[0] * 2f));
-                                                    let _e1473 = ((_e1471 * _e1471) + 1f);
-                                                    if (_e1473 <= 0.000000000000000000000000000000000000011754944f) {
-                                                        if (_e1473 > 0f) {
-                                                            phi_1855_ = (0.000000000000000000106433627f * 2f);
-                                                        } else {
-                                                            phi_1855_ = 0f;
-                                                        }
-                                                        let _e1526 = phi_1855_;
-                                                        phi_1919_ = _e1526;
+                                            let _e1167 = phi_1829_;
+                                            let _e1169 = phi_1830_;
+                                            if _e1169 {
+                                                if _e858 {
+                                                    let _e1372 = ((_e832.member_1[1] - _e832.member_1[0]) / (_e832.member[0] * 2f));
+                                                    let _e1374 = ((_e1372 * _e1372) + 1f);
+                                                    if (_e1374 <= 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1919_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1374 > 0f));
                                                     } else {
                                                         phi_1862_ = type_14(0i, 5i);
-                                                        phi_1865_ = bitcast<f32>(((bitcast<u32>(_e1473) >> bitcast<u32>(1i)) + 532369198u));
+                                                        phi_1865_ = bitcast<f32>(((bitcast<u32>(_e1374) >> bitcast<u32>(1i)) + 532369198u));
                                                         loop {
-                                                            let _e1481 = phi_1862_;
-                                                            let _e1483 = phi_1865_;
-                                                            local_6 = _e1483;
-                                                            if (_e1481.member < _e1481.member_1) {
-                                                                let _e1490 = (_e1481.member + 1i);
-                                                                if ((false == (_e1490 > _e1481.member)) != false) {
-                                                                    phi_1886_ = true;
-                                                                } else {
-                                                                    phi_1886_ = false;
-                                                                }
-                                                                let _e1495 = phi_1886_;
-                                                                if _e1495 {
-                                                                    phi_1892_ = type_15(0u, type_15().member_1);
-                                                                } else {
-                                                                    phi_1892_ = type_15(1u, _e1490);
-                                                                }
-                                                                let _e1500 = phi_1892_;
-                                                                phi_1863_ = type_14(_e1500.member_1, _e1481.member_1);
-                                                                phi_1906_ = type_15(1u, _e1481.member);
+                                                            let _e1382 = phi_1862_;
+                                                            let _e1384 = phi_1865_;
+                                                            local_6 = _e1384;
+                                                            if (_e1382.member < _e1382.member_1) {
+                                                                let _e1391 = (_e1382.member + 1i);
+                                                                phi_1863_ = type_14(select(_e1391, type_15().member_1, select(false, true, ((false == (_e1391 > _e1382.member)) != false))), _e1382.member_1);
+                                                                phi_1906_ = type_15(1u, _e1382.member);
                                                             } else {
-                                                                phi_1863_ = _e1481;
+                                                                phi_1863_ = _e1382;
                                                                 phi_1906_ = type_15(0u, type_15().member_1);
                                                             }
-                                                            let _e1506 = phi_1863_;
-                                                            let _e1508 = phi_1906_;
-                                                            let _e1511 = (bitcast<i32>(_e1508.member) != 0i);
-                                                            if _e1511 {
-                                                                phi_1866_ = (0.5f * (_e1483 + (_e1473 / _e1483)));
+                                                            let _e1402 = phi_1863_;
+                                                            let _e1404 = phi_1906_;
+                                                            let _e1407 = (bitcast<i32>(_e1404.member) != 0i);
+                                                            if _e1407 {
+                                                                phi_1866_ = (0.5f * (_e1384 + (_e1374 / _e1384)));
                                                             } else {
                                                                 phi_1866_ = f32();
                                                             }
-                                                            let _e1516 = phi_1866_;
+                                                            let _e1412 = phi_1866_;
                                                             continue;
                                                             continuing {
-                                                                phi_1862_ = _e1506;
-                                                                phi_1865_ = _e1516;
-                                                                break if !(_e1511);
+                                                                phi_1862_ = _e1402;
+                                                                phi_1865_ = _e1412;
+                                                                break if !(_e1407);
                                                             }
                                                         }
-                                                        let _e1521 = local_6;
-                                                        phi_1919_ = (_e1521 * (1f + (8f * 0.000000059604645f)));
+                                                        let _e1417 = local_6;
+                                                        phi_1919_ = (_e1417 * (1f + (8f * 0.000000059604645f)));
                                                     }
-                                                    let _e1528 = phi_1919_;
-                                                    if (_e1471 > 0f) {
-                                                        phi_1926_ = (_e1471 + _e1528);
-                                                    } else {
-                                                        phi_1926_ = (_e1471 - _e1528);
-                                                    }
-                                                    let _e1533 = phi_1926_;
-                                                    let _e1536 = (_e894.member_1[1] - (_e894.member_1[0] - (_e894.member[0] / _e1533)));
-                                                    let _e1539 = ((_e1536 * _e1536) + (_e894.member[0] * _e894.member[0]));
-                                                    if (_e1539 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                                                        if (_e1539 <= 0.000000000000000000000000000000000000011754944f) {
-                                                            if (_e1539 > 0f) {
-                                                                phi_1953_ = (0.000000000000000000106433627f * 2f);
-                                                            } else {
-                                                                phi_1953_ = 0f;
-                                                            }
-                                                            let _e1596 = phi_1953_;
-                                                            phi_2017_ = _e1596;
+                                                    let _e1423 = phi_1919_;
+                                                    let _e1430 = (_e832.member_1[1] - (_e832.member_1[0] - (_e832.member[0] / select((_e1372 - _e1423), (_e1372 + _e1423), (_e1372 > 0f)))));
+                                                    let _e1433 = ((_e1430 * _e1430) + (_e832.member[0] * _e832.member[0]));
+                                                    if (_e1433 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                                                        if (_e1433 <= 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2017_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1433 > 0f));
                                                         } else {
                                                             phi_1960_ = type_14(0i, 5i);
-                                                            phi_1963_ = bitcast<f32>(((bitcast<u32>(_e1539) >> bitcast<u32>(1i)) + 532369198u));
+                                                            phi_1963_ = bitcast<f32>(((bitcast<u32>(_e1433) >> bitcast<u32>(1i)) + 532369198u));
                                                             loop {
-                                                                let _e1551 = phi_1960_;
-                                                                let _e1553 = phi_1963_;
-                                                                local_7 = _e1553;
-                                                                if (_e1551.member < _e1551.member_1) {
-                                                                    let _e1560 = (_e1551.member + 1i);
-                                                                    if ((false == (_e1560 > _e1551.member)) != false) {
-                                                                        phi_1984_ = true;
-                                                                    } else {
-                                                                        phi_1984_ = false;
-                                                                    }
-                                                                    let _e1565 = phi_1984_;
-                                                                    if _e1565 {
-                                                                        phi_1990_ = type_15(0u, type_15().member_1);
-                                                                    } else {
-                                                                        phi_1990_ = type_15(1u, _e1560);
-                                                                    }
-                                                                    let _e1570 = phi_1990_;
-                                                                    phi_1961_ = type_14(_e1570.member_1, _e1551.member_1);
-                                                                    phi_2004_ = type_15(1u, _e1551.member);
+                                                                let _e1445 = phi_1960_;
+                                                                let _e1447 = phi_1963_;
+                                                                local_7 = _e1447;
+                                                                if (_e1445.member < _e1445.member_1) {
+                                                                    let _e1454 = (_e1445.member + 1i);
+                                                                    phi_1961_ = type_14(select(_e1454, type_15().member_1, select(false, true, ((false == (_e1454 > _e1445.member)) != false))), _e1445.member_1);
+                                                                    phi_2004_ = type_15(1u, _e1445.member);
                                                                 } else {
-                                                                    phi_1961_ = _e1551;
+                                                                    phi_1961_ = _e1445;
                                                                     phi_2004_ = type_15(0u, type_15().member_1);
                                                                 }
-                                                                let _e1576 = phi_1961_;
-                                                                let _e1578 = phi_2004_;
-                                                                let _e1581 = (bitcast<i32>(_e1578.member) != 0i);
-                                                                if _e1581 {
-                                                                    phi_1964_ = (0.5f * (_e1553 + (_e1539 / _e1553)));
+                                                                let _e1465 = phi_1961_;
+                                                                let _e1467 = phi_2004_;
+                                                                let _e1470 = (bitcast<i32>(_e1467.member) != 0i);
+                                                                if _e1470 {
+                                                                    phi_1964_ = (0.5f * (_e1447 + (_e1433 / _e1447)));
                                                                 } else {
                                                                     phi_1964_ = f32();
                                                                 }
-                                                                let _e1586 = phi_1964_;
+                                                                let _e1475 = phi_1964_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1960_ = _e1576;
-                                                                    phi_1963_ = _e1586;
-                                                                    break if !(_e1581);
+                                                                    phi_1960_ = _e1465;
+                                                                    phi_1963_ = _e1475;
+                                                                    break if !(_e1470);
                                                                 }
                                                             }
-                                                            let _e1591 = local_7;
-                                                            phi_2017_ = (_e1591 * (1f + (8f * 0.000000059604645f)));
+                                                            let _e1480 = local_7;
+                                                            phi_2017_ = (_e1480 * (1f + (8f * 0.000000059604645f)));
                                                         }
-                                                        let _e1598 = phi_2017_;
-                                                        let _e1599 = (_e1536 / _e1598);
-                                                        let _e1600 = (_e894.member[0] / _e1598);
-                                                        let _e1605 = (1.5f - (((_e1599 * _e1599) + (_e1600 * _e1600)) * 0.5f));
-                                                        phi_2029_ = type_16((_e1599 * _e1605), (_e1600 * _e1605));
+                                                        let _e1486 = phi_2017_;
+                                                        let _e1487 = (_e1430 / _e1486);
+                                                        let _e1488 = (_e832.member[0] / _e1486);
+                                                        let _e1493 = (1.5f - (((_e1487 * _e1487) + (_e1488 * _e1488)) * 0.5f));
+                                                        phi_2029_ = type_16((_e1487 * _e1493), (_e1488 * _e1493));
                                                     } else {
                                                         phi_2029_ = type_16(1f, 0f);
                                                     }
-                                                    let _e1610 = phi_2029_;
-                                                    let _e1627 = (((_e894.member_1[0] - _e894.member_1[1]) * _e1610.member_1) + ((_e1610.member * _e894.member[0]) * 2f));
-                                                    let _e1637 = type_36(_e894.member, array<f32, 3>((_e894.member_1[0] - (_e1610.member_1 * _e1627)), (_e894.member_1[1] + (_e1610.member_1 * _e1627)), _e894.member_1[2]), _e894.member_2);
-                                                    let _e1643 = type_36(array<f32, 2>(((_e1610.member * _e1627) - _e894.member[0]), _e1637.member[1]), _e1637.member_1, _e1637.member_2);
-                                                    phi_2349_ = type_36(_e1643.member, _e1643.member_1, array<array<f32, 3>, 3>(array<f32, 3>(((_e894.member_2[0][0] * _e1610.member) - (_e894.member_2[1][0] * _e1610.member_1)), ((_e894.member_2[0][1] * _e1610.member) - (_e894.member_2[1][1] * _e1610.member_1)), ((_e894.member_2[0][2] * _e1610.member) - (_e894.member_2[1][2] * _e1610.member_1))), array<f32, 3>(((_e894.member_2[0][0] * _e1610.member_1) + (_e894.member_2[1][0] * _e1610.member)), ((_e894.member_2[0][1] * _e1610.member_1) + (_e894.member_2[1][1] * _e1610.member)), ((_e894.member_2[0][2] * _e1610.member_1) + (_e894.member_2[1][2] * _e1610.member))), _e894.member_2[2]));
+                                                    let _e1498 = phi_2029_;
+                                                    let _e1515 = (((_e832.member_1[0] - _e832.member_1[1]) * _e1498.member_1) + ((_e1498.member * _e832.member[0]) * 2f));
+                                                    let _e1525 = type_36(_e832.member, array<f32, 3>((_e832.member_1[0] - (_e1498.member_1 * _e1515)), (_e832.member_1[1] + (_e1498.member_1 * _e1515)), _e832.member_1[2]), _e832.member_2);
+                                                    let _e1531 = type_36(array<f32, 2>(((_e1498.member * _e1515) - _e832.member[0]), _e1525.member[1]), _e1525.member_1, _e1525.member_2);
+                                                    phi_2349_ = type_36(_e1531.member, _e1531.member_1, array<array<f32, 3>, 3>(array<f32, 3>(((_e832.member_2[0][0] * _e1498.member) - (_e832.member_2[1][0] * _e1498.member_1)), ((_e832.member_2[0][1] * _e1498.member) - (_e832.member_2[1][1] * _e1498.member_1)), ((_e832.member_2[0][2] * _e1498.member) - (_e832.member_2[1][2] * _e1498.member_1))), array<f32, 3>(((_e832.member_2[0][0] * _e1498.member_1) + (_e832.member_2[1][0] * _e1498.member)), ((_e832.member_2[0][1] * _e1498.member_1) + (_e832.member_2[1][1] * _e1498.member)), ((_e832.member_2[0][2] * _e1498.member_1) + (_e832.member_2[1][2] * _e1498.member))), _e832.member_2[2]));
                                                 } else {
-                                                    if _e929 {
-                                                        let _e1258 = ((_e894.member_1[2] - _e894.member_1[1]) / (_e894.member[1] * 2f));
-                                                        let _e1260 = ((_e1258 * _e1258) + 1f);
-                                                        if (_e1260 <= 0.000000000000000000000000000000000000011754944f) {
-                                                            if (_e1260 > 0f) {
-                                                                phi_2112_ = (0.000000000000000000106433627f * 2f);
-                                                            } else {
-                                                                phi_2112_ = 0f;
-                                                            }
-                                                            let _e1313 = phi_2112_;
-                                                            phi_2176_ = _e1313;
+                                                    if _e862 {
+                                                        let _e1172 = ((_e832.member_1[2] - _e832.member_1[1]) / (_e832.member[1] * 2f));
+                                                        let _e1174 = ((_e1172 * _e1172) + 1f);
+                                                        if (_e1174 <= 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2176_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1174 > 0f));
                                                         } else {
                                                             phi_2119_ = type_14(0i, 5i);
-                                                            phi_2122_ = bitcast<f32>(((bitcast<u32>(_e1260) >> bitcast<u32>(1i)) + 532369198u));
+                                                            phi_2122_ = bitcast<f32>(((bitcast<u32>(_e1174) >> bitcast<u32>(1i)) + 532369198u));
                                                             loop {
-                                                                let _e1268 = phi_2119_;
-                                                                let _e1270 = phi_2122_;
-                                                                local_4 = _e1270;
-                                                                if (_e1268.member < _e1268.member_1) {
-                                                                    let _e1277 = (_e1268.member + 1i);
-                                                                    if ((false == (_e1277 > _e1268.member)) != false) {
-                                                                        phi_2143_ = true;
-                                                                    } else {
-                                                                        phi_2143_ = false;
-                                                                    }
-                                                                    let _e1282 = phi_2143_;
-                                                                    if _e1282 {
-                                                                        phi_2149_ = type_15(0u, type_15().member_1);
-                                                                    } else {
-                                                                        phi_2149_ = type_15(1u, _e1277);
-                                                                    }
-                                                                    let _e1287 = phi_2149_;
-                                                                    phi_2120_ = type_14(_e1287.member_1, _e1268.member_1);
-                                                                    phi_2163_ = type_15(1u, _e1268.member);
+                                                                let _e1182 = phi_2119_;
+                                                                let _e1184 = phi_2122_;
+                                                                local_4 = _e1184;
+                                                                if (_e1182.member < _e1182.member_1) {
+                                                                    let _e1191 = (_e1182.member + 1i);
+                                                                    phi_2120_ = type_14(select(_e1191, type_15().member_1, select(false, true, ((false == (_e1191 > _e1182.member)) != false))), _e1182.member_1);
+                                                                    phi_2163_ = type_15(1u, _e1182.member);
                                                                 } else {
-                                                                    phi_2120_ = _e1268;
+                                                                    phi_2120_ = _e1182;
                                                                     phi_2163_ = type_15(0u, type_15().member_1);
                                                                 }
-                                                                let _e1293 = phi_2120_;
-                                                                let _e1295 = phi_2163_;
-                                                                let _e1298 = (bitcast<i32>(_e1295.member) != 0i);
-                                                                if _e1298 {
-                                                                    phi_2123_ = (0.5f * (_e1270 + (_e1260 / _e1270)));
+                                                                let _e1202 = phi_2120_;
+                                                                let _e1204 = phi_2163_;
+                                                                let _e1207 = (bitcast<i32>(_e1204.member) != 0i);
+                                                                if _e1207 {
+                                                                    phi_2123_ = (0.5f * (_e1184 + (_e1174 / _e1184)));
                                                                 } else {
                                                                     phi_2123_ = f32();
                                                                 }
-                                                                let _e1303 = phi_2123_;
+                                                                let _e1212 = phi_2123_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2119_ = _e1293;
-                                                                    phi_2122_ = _e1303;
-                                                                    break if !(_e1298);
+                                                                    phi_2119_ = _e1202;
+                                                                    phi_2122_ = _e1212;
+                                                                    break if !(_e1207);
                                                                 }
                                                             }
-                                                            let _e1308 = local_4;
-                                                            phi_2176_ = (_e1308 * (1f + (8f * 0.000000059604645f)));
+                                                            let _e1217 = local_4;
+                                                            phi_2176_ = (_e1217 * (1f + (8f * 0.000000059604645f)));
                                                         }
-                                                        let _e1315 = phi_2176_;
-                                                        if (_e1258 > 0f) {
-                                                            phi_2183_ = (_e1258 + _e1315);
-                                                        } else {
-                                                            phi_2183_ = (_e1258 - _e1315);
-                                                        }
-                                                        let _e1320 = phi_2183_;
-                                                        let _e1323 = (_e894.member_1[2] - (_e894.member_1[1] - (_e894.member[1] / _e1320)));
-                                                        let _e1326 = ((_e1323 * _e1323) + (_e894.member[1] * _e894.member[1]));
-                                                        if (_e1326 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
-                                                            if (_e1326 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                if (_e1326 > 0f) {
-                                                                    phi_2210_ = (0.000000000000000000106433627f * 2f);
-                                                                } else {
-                                                                    phi_2210_ = 0f;
-                                                                }
-                                                                let _e1383 = phi_2210_;
-                                                                phi_2274_ = _e1383;
+                                                        let _e1223 = phi_2176_;
+                                                        let _e1230 = (_e832.member_1[2] - (_e832.member_1[1] - (_e832.member[1] / select((_e1172 - _e1223), (_e1172 + _e1223), (_e1172 > 0f)))));
+                                                        let _e1233 = ((_e1230 * _e1230) + (_e832.member[1] * _e832.member[1]));
+                                                        if (_e1233 > ((0.000000059604645f * 0.000000059604645f) * (0.000000059604645f * 0.000000059604645f))) {
+                                                            if (_e1233 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                phi_2274_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1233 > 0f));
                                                             } else {
                                                                 phi_2217_ = type_14(0i, 5i);
-                                                                phi_2220_ = bitcast<f32>(((bitcast<u32>(_e1326) >> bitcast<u32>(1i)) + 532369198u));
+                                                                phi_2220_ = bitcast<f32>(((bitcast<u32>(_e1233) >> bitcast<u32>(1i)) + 532369198u));
                                                                 loop {
-                                                                    let _e1338 = phi_2217_;
-                                                                    let _e1340 = phi_2220_;
-                                                                    local_5 = _e1340;
-                                                                    if (_e1338.member < _e1338.member_1) {
-                                                                        let _e1347 = (_e1338.member + 1i);
-                                                                        if ((false == (_e1347 > _e1338.member)) != false) {
-                                                                            phi_2241_ = true;
-                                                                        } else {
-                                                                            phi_2241_ = false;
-                                                                        }
-                                                                        let _e1352 = phi_2241_;
-                                                                        if _e1352 {
-                                                                            phi_2247_ = type_15(0u, type_15().member_1);
-                                                                        } else {
-                                                                            phi_2247_ = type_15(1u, _e1347);
-                                                                        }
-                                                                        let _e1357 = phi_2247_;
-                                                                        phi_2218_ = type_14(_e1357.member_1, _e1338.member_1);
-                                                                        phi_2261_ = type_15(1u, _e1338.member);
+                                                                    let _e1245 = phi_2217_;
+                                                                    let _e1247 = phi_2220_;
+                                                                    local_5 = _e1247;
+                                                                    if (_e1245.member < _e1245.member_1) {
+                                                                        let _e1254 = (_e1245.member + 1i);
+                                                                        phi_2218_ = type_14(select(_e1254, type_15().member_1, select(false, true, ((false == (_e1254 > _e1245.member)) != false))), _e1245.member_1);
+                                                                        phi_2261_ = type_15(1u, _e1245.member);
                                                                     } else {
-                                                                        phi_2218_ = _e1338;
+                                                                        phi_2218_ = _e1245;
                                                                         phi_2261_ = type_15(0u, type_15().member_1);
                                                                     }
-                                                                    let _e1363 = phi_2218_;
-                                                                    let _e1365 = phi_2261_;
-                                                                    let _e1368 = (bitcast<i32>(_e1365.member) != 0i);
-                                                                    if _e1368 {
-                                                                        phi_2221_ = (0.5f * (_e1340 + (_e1326 / _e1340)));
+                                                                    let _e1265 = phi_2218_;
+                                                                    let _e1267 = phi_2261_;
+                                                                    let _e1270 = (bitcast<i32>(_e1267.member) != 0i);
+                                                                    if _e1270 {
+                                                                        phi_2221_ = (0.5f * (_e1247 + (_e1233 / _e1247)));
                                                                     } else {
                                                                         phi_2221_ = f32();
                                                                     }
-                                                                    let _e1373 = phi_2221_;
+                                                                    let _e1275 = phi_2221_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2217_ = _e1363;
-                                                                        phi_2220_ = _e1373;
-                                                                        break if !(_e1368);
+                                                                        phi_2217_ = _e1265;
+                                                                        phi_2220_ = _e1275;
+                                                                        break if !(_e1270);
                                                                     }
                                                                 }
-                                                                let _e1378 = local_5;
-                                                                phi_2274_ = (_e1378 * (1f + (8f * 0.000000059604645f)));
+                                                                let _e1280 = local_5;
+                                                                phi_2274_ = (_e1280 * (1f + (8f * 0.000000059604645f)));
                                                             }
-                                                            let _e1385 = phi_2274_;
-                                                            let _e1386 = (_e1323 / _e1385);
-                                                            let _e1387 = (_e894.member[1] / _e1385);
-                                                            let _e1392 = (1.5f - (((_e1386 * _e1386) + (_e1387 * _e1387)) * 0.5f));
-                                                            phi_2286_ = type_16((_e1386 * _e1392), (_e1387 * _e1392));
+                                                            let _e1286 = phi_2274_;
+                                                            let _e1287 = (_e1230 / _e1286);
+                                                            let _e1288 = (_e832.member[1] / _e1286);
+                                                            let _e1293 = (1.5f - (((_e1287 * _e1287) + (_e1288 * _e1288)) * 0.5f));
+                                                            phi_2286_ = type_16((_e1287 * _e1293), (_e1288 * _e1293));
                                                         } else {
                                                             phi_2286_ = type_16(1f, 0f);
                                                         }
-                                                        let _e1397 = phi_2286_;
-                                                        let _e1414 = (((_e894.member_1[1] - _e894.member_1[2]) * _e1397.member_1) + ((_e1397.member * _e894.member[1]) * 2f));
-                                                        let _e1424 = type_36(_e894.member, array<f32, 3>(_e894.member_1[0], (_e894.member_1[1] - (_e1397.member_1 * _e1414)), (_e894.member_1[2] + (_e1397.member_1 * _e1414))), _e894.member_2);
-                                                        let _e1430 = type_36(array<f32, 2>(_e1424.member[0], ((_e1397.member * _e1414) - _e894.member[1])), _e1424.member_1, _e1424.member_2);
-                                                        phi_2348_ = type_36(_e1430.member, _e1430.member_1, array<array<f32, 3>, 3>(_e894.member_2[0], array<f32, 3>(((_e894.member_2[1][0] * _e1397.member) - (_e894.member_2[2][0] * _e1397.member_1)), ((_e894.member_2[1][1] * _e1397.member) - (_e894.member_2[2][1] * _e1397.member_1)), ((_e894.member_2[1][2] * _e1397.member) - (_e894.member_2[2][2] * _e1397.member_1))), array<f32, 3>(((_e894.member_2[1][0] * _e1397.member_1) + (_e894.member_2[2][0] * _e1397.member)), ((_e894.member_2[1][1] * _e1397.member_1) + (_e894.member_2[2][1] * _e1397.member)), ((_e894.member_2[1][2] * _e1397.member_1) + (_e894.member_2[2][2] * _e1397.member)))));
+                                                        let _e1298 = phi_2286_;
+                                                        let _e1315 = (((_e832.member_1[1] - _e832.member_1[2]) * _e1298.member_1) + ((_e1298.member * _e832.member[1]) * 2f));
+                                                        let _e1325 = type_36(_e832.member, array<f32, 3>(_e832.member_1[0], (_e832.member_1[1] - (_e1298.member_1 * _e1315)), (_e832.member_1[2] + (_e1298.member_1 * _e1315))), _e832.member_2);
+                                                        let _e1331 = type_36(array<f32, 2>(_e1325.member[0], ((_e1298.member * _e1315) - _e832.member[1])), _e1325.member_1, _e1325.member_2);
+                                                        phi_2348_ = type_36(_e1331.member, _e1331.member_1, array<array<f32, 3>, 3>(_e832.member_2[0], array<f32, 3>(((_e832.member_2[1][0] * _e1298.member) - (_e832.member_2[2][0] * _e1298.member_1)), ((_e832.member_2[1][1] * _e1298.member) - (_e832.member_2[2][1] * _e1298.member_1)), ((_e832.member_2[1][2] * _e1298.member) - (_e832.member_2[2][2] * _e1298.member_1))), array<f32, 3>(((_e832.member_2[1][0] * _e1298.member_1) + (_e832.member_2[2][0] * _e1298.member)), ((_e832.member_2[1][1] * _e1298.member_1) + (_e832.member_2[2][1] * _e1298.member)), ((_e832.member_2[1][2] * _e1298.member_1) + (_e832.member_2[2][2] * _e1298.member)))));
                                                     } else {
-                                                        phi_2348_ = _e894;
+                                                        phi_2348_ = _e832;
                                                     }
-                                                    let _e1468 = phi_2348_;
-                                                    phi_2349_ = _e1468;
+                                                    let _e1369 = phi_2348_;
+                                                    phi_2349_ = _e1369;
                                                 }
-                                                let _e1681 = phi_2349_;
-                                                phi_2350_ = _e1681;
+                                                let _e1569 = phi_2349_;
+                                                phi_2350_ = _e1569;
                                             } else {
-                                                phi_2350_ = _e1253;
+                                                phi_2350_ = _e1167;
                                             }
-                                            let _e1683 = phi_2350_;
-                                            if _e924 {
-                                                phi_2354_ = true;
-                                            } else {
-                                                phi_2354_ = _e929;
-                                            }
-                                            let _e1685 = phi_2354_;
-                                            if _e1685 {
-                                                phi_2358_ = false;
-                                            } else {
-                                                phi_2358_ = true;
-                                            }
-                                            let _e1687 = phi_2358_;
-                                            phi_1346_ = _e1683;
-                                            phi_2359_ = _e1683;
-                                            phi_2360_ = _e1685;
-                                            phi_2361_ = _e1687;
+                                            let _e1571 = phi_2350_;
+                                            let _e1572 = select(_e862, true, _e858);
+                                            phi_1346_ = _e1571;
+                                            phi_2359_ = _e1571;
+                                            phi_2360_ = _e1572;
+                                            phi_2361_ = select(true, false, _e1572);
                                         } else {
                                             phi_1346_ = type_36();
                                             phi_2359_ = type_36();
                                             phi_2360_ = false;
                                             phi_2361_ = false;
                                         }
-                                        let _e1689 = phi_1346_;
-                                        let _e1691 = phi_2359_;
-                                        let _e1693 = phi_2360_;
-                                        let _e1695 = phi_2361_;
-                                        local_8 = _e1695;
-                                        local_9 = _e1691;
+                                        let _e1575 = phi_1346_;
+                                        let _e1577 = phi_2359_;
+                                        let _e1579 = phi_2360_;
+                                        let _e1581 = phi_2361_;
+                                        local_8 = _e1581;
+                                        local_9 = _e1577;
                                         continue;
                                         continuing {
-                                            phi_1342_ = _e906;
-                                            phi_1345_ = _e1689;
-                                            break if !(_e1693);
+                                            phi_1342_ = type_9(select(_e830.member, (_e830.member + 1u), _e835), select(_e830.member_1, _e830.member_1, _e835));
+                                            phi_1345_ = _e1575;
+                                            break if !(_e1579);
                                         }
                                     }
-                                    let _e1698 = local_8;
-                                    if _e1698 {
-                                        let _e3627 = local_9;
-                                        phi_2365_ = _e3627;
+                                    let _e1584 = local_8;
+                                    if _e1584 {
+                                        let _e3279 = local_9;
+                                        phi_2365_ = _e3279;
                                     } else {
-                                        let _e3629 = local_10;
-                                        phi_2365_ = _e3629;
+                                        let _e3281 = local_10;
+                                        phi_2365_ = _e3281;
                                     }
-                                    let _e1700 = phi_2365_;
-                                    let _e1704 = (2130706432u - (bitcast<u32>(_e775) & 2139095040u));
-                                    if (_e1704 > 8388608u) {
-                                        phi_2377_ = _e1704;
-                                    } else {
-                                        phi_2377_ = 8388608u;
-                                    }
-                                    let _e1707 = phi_2377_;
-                                    let _e1708 = bitcast<f32>(_e1707);
-                                    let _e1730 = ((((_e1700.member_2[0][0] * _e1700.member_2[0][0]) + (_e1700.member_2[0][1] * _e1700.member_2[0][1])) + (_e1700.member_2[0][2] * _e1700.member_2[0][2])) - 1f);
-                                    let _e1744 = ((((_e1700.member_2[1][0] * _e1700.member_2[1][0]) + (_e1700.member_2[1][1] * _e1700.member_2[1][1])) + (_e1700.member_2[1][2] * _e1700.member_2[1][2])) - 1f);
-                                    let _e1758 = ((((_e1700.member_2[2][0] * _e1700.member_2[2][0]) + (_e1700.member_2[2][1] * _e1700.member_2[2][1])) + (_e1700.member_2[2][2] * _e1700.member_2[2][2])) - 1f);
-                                    let _e1771 = (((_e1700.member_2[0][0] * _e1700.member_2[1][0]) + (_e1700.member_2[0][1] * _e1700.member_2[1][1])) + (_e1700.member_2[0][2] * _e1700.member_2[1][2]));
-                                    let _e1784 = (((_e1700.member_2[0][0] * _e1700.member_2[2][0]) + (_e1700.member_2[0][1] * _e1700.member_2[2][1])) + (_e1700.member_2[0][2] * _e1700.member_2[2][2]));
-                                    let _e1797 = (((_e1700.member_2[1][0] * _e1700.member_2[2][0]) + (_e1700.member_2[1][1] * _e1700.member_2[2][1])) + (_e1700.member_2[1][2] * _e1700.member_2[2][2]));
-                                    let _e1830 = (_e1700.member_2[0][0] - ((((_e1700.member_2[0][0] * _e1730) + (_e1700.member_2[1][0] * _e1771)) + (_e1700.member_2[2][0] * _e1784)) * 0.5f));
-                                    let _e1832 = (_e1700.member_2[0][1] - ((((_e1700.member_2[0][1] * _e1730) + (_e1700.member_2[1][1] * _e1771)) + (_e1700.member_2[2][1] * _e1784)) * 0.5f));
-                                    let _e1834 = (_e1700.member_2[0][2] - ((((_e1700.member_2[0][2] * _e1730) + (_e1700.member_2[1][2] * _e1771)) + (_e1700.member_2[2][2] * _e1784)) * 0.5f));
-                                    if (_e1830 < 0f) {
-                                        phi_2510_ = -(_e1830);
-                                    } else {
-                                        phi_2510_ = _e1830;
-                                    }
-                                    let _e1838 = phi_2510_;
-                                    if (_e1838 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2516_ = _e1830;
-                                    } else {
-                                        phi_2516_ = 0f;
-                                    }
-                                    let _e1842 = phi_2516_;
-                                    if (_e1832 < 0f) {
-                                        phi_2522_ = -(_e1832);
-                                    } else {
-                                        phi_2522_ = _e1832;
-                                    }
-                                    let _e1846 = phi_2522_;
-                                    if (_e1846 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2528_ = _e1832;
-                                    } else {
-                                        phi_2528_ = 0f;
-                                    }
-                                    let _e1850 = phi_2528_;
-                                    if (_e1834 < 0f) {
-                                        phi_2534_ = -(_e1834);
-                                    } else {
-                                        phi_2534_ = _e1834;
-                                    }
-                                    let _e1854 = phi_2534_;
-                                    if (_e1854 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2540_ = _e1834;
-                                    } else {
-                                        phi_2540_ = 0f;
-                                    }
-                                    let _e1858 = phi_2540_;
-                                    let _e1892 = (_e1700.member_2[1][0] - ((((_e1700.member_2[0][0] * _e1771) + (_e1700.member_2[1][0] * _e1744)) + (_e1700.member_2[2][0] * _e1797)) * 0.5f));
-                                    let _e1894 = (_e1700.member_2[1][1] - ((((_e1700.member_2[0][1] * _e1771) + (_e1700.member_2[1][1] * _e1744)) + (_e1700.member_2[2][1] * _e1797)) * 0.5f));
-                                    let _e1896 = (_e1700.member_2[1][2] - ((((_e1700.member_2[0][2] * _e1771) + (_e1700.member_2[1][2] * _e1744)) + (_e1700.member_2[2][2] * _e1797)) * 0.5f));
-                                    if (_e1892 < 0f) {
-                                        phi_2584_ = -(_e1892);
-                                    } else {
-                                        phi_2584_ = _e1892;
-                                    }
-                                    let _e1900 = phi_2584_;
-                                    if (_e1900 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2590_ = _e1892;
-                                    } else {
-                                        phi_2590_ = 0f;
-                                    }
-                                    let _e1904 = phi_2590_;
-                                    if (_e1894 < 0f) {
-                                        phi_2596_ = -(_e1894);
-                                    } else {
-                                        phi_2596_ = _e1894;
-                                    }
-                                    let _e1908 = phi_2596_;
-                                    if (_e1908 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2602_ = _e1894;
-                                    } else {
-                                        phi_2602_ = 0f;
-                                    }
-                                    let _e1912 = phi_2602_;
-                                    if (_e1896 < 0f) {
-                                        phi_2608_ = -(_e1896);
-                                    } else {
-                                        phi_2608_ = _e1896;
-                                    }
-                                    let _e1916 = phi_2608_;
-                                    if (_e1916 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2614_ = _e1896;
-                                    } else {
-                                        phi_2614_ = 0f;
-                                    }
-                                    let _e1920 = phi_2614_;
-                                    let _e1954 = (_e1700.member_2[2][0] - ((((_e1700.member_2[0][0] * _e1784) + (_e1700.member_2[1][0] * _e1797)) + (_e1700.member_2[2][0] * _e1758)) * 0.5f));
-                                    let _e1956 = (_e1700.member_2[2][1] - ((((_e1700.member_2[0][1] * _e1784) + (_e1700.member_2[1][1] * _e1797)) + (_e1700.member_2[2][1] * _e1758)) * 0.5f));
-                                    let _e1958 = (_e1700.member_2[2][2] - ((((_e1700.member_2[0][2] * _e1784) + (_e1700.member_2[1][2] * _e1797)) + (_e1700.member_2[2][2] * _e1758)) * 0.5f));
-                                    if (_e1954 < 0f) {
-                                        phi_2658_ = -(_e1954);
-                                    } else {
-                                        phi_2658_ = _e1954;
-                                    }
-                                    let _e1962 = phi_2658_;
-                                    if (_e1962 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2664_ = _e1954;
-                                    } else {
-                                        phi_2664_ = 0f;
-                                    }
-                                    let _e1966 = phi_2664_;
-                                    if (_e1956 < 0f) {
-                                        phi_2670_ = -(_e1956);
-                                    } else {
-                                        phi_2670_ = _e1956;
-                                    }
-                                    let _e1970 = phi_2670_;
-                                    if (_e1970 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2676_ = _e1956;
-                                    } else {
-                                        phi_2676_ = 0f;
-                                    }
-                                    let _e1974 = phi_2676_;
-                                    if (_e1958 < 0f) {
-                                        phi_2682_ = -(_e1958);
-                                    } else {
-                                        phi_2682_ = _e1958;
-                                    }
-                                    let _e1978 = phi_2682_;
-                                    if (_e1978 > (0.000000059604645f * 0.000000059604645f)) {
-                                        phi_2688_ = _e1958;
-                                    } else {
-                                        phi_2688_ = 0f;
-                                    }
-                                    let _e1982 = phi_2688_;
-                                    let _e1990 = ((((_e1842 * _e1842) + (_e1850 * _e1850)) + (_e1858 * _e1858)) - 1f);
-                                    let _e1996 = ((((_e1904 * _e1904) + (_e1912 * _e1912)) + (_e1920 * _e1920)) - 1f);
-                                    let _e2002 = ((((_e1966 * _e1966) + (_e1974 * _e1974)) + (_e1982 * _e1982)) - 1f);
-                                    let _e2007 = (((_e1842 * _e1904) + (_e1850 * _e1912)) + (_e1858 * _e1920));
-                                    let _e2012 = (((_e1842 * _e1966) + (_e1850 * _e1974)) + (_e1858 * _e1982));
-                                    let _e2017 = (((_e1904 * _e1966) + (_e1912 * _e1974)) + (_e1920 * _e1982));
-                                    if (_e1990 < 0f) {
-                                        phi_2729_ = -(_e1990);
-                                    } else {
-                                        phi_2729_ = _e1990;
-                                    }
-                                    let _e2021 = phi_2729_;
-                                    if (_e1996 < 0f) {
-                                        phi_2735_ = -(_e1996);
-                                    } else {
-                                        phi_2735_ = _e1996;
-                                    }
-                                    let _e2025 = phi_2735_;
-                                    if (_e2021 > _e2025) {
-                                        phi_2740_ = _e2021;
-                                    } else {
-                                        phi_2740_ = _e2025;
-                                    }
-                                    let _e2028 = phi_2740_;
-                                    if (_e2002 < 0f) {
-                                        phi_2746_ = -(_e2002);
-                                    } else {
-                                        phi_2746_ = _e2002;
-                                    }
-                                    let _e2032 = phi_2746_;
-                                    if (_e2028 > _e2032) {
-                                        phi_2751_ = _e2028;
-                                    } else {
-                                        phi_2751_ = _e2032;
-                                    }
-                                    let _e2035 = phi_2751_;
-                                    if (_e2007 < 0f) {
-                                        phi_2757_ = -(_e2007);
-                                    } else {
-                                        phi_2757_ = _e2007;
-                                    }
-                                    let _e2039 = phi_2757_;
-                                    if (_e2012 < 0f) {
-                                        phi_2763_ = -(_e2012);
-                                    } else {
-                                        phi_2763_ = _e2012;
-                                    }
-                                    let _e2043 = phi_2763_;
-                                    if (_e2039 > _e2043) {
-                                        phi_2768_ = _e2039;
-                                    } else {
-                                        phi_2768_ = _e2043;
-                                    }
-                                    let _e2046 = phi_2768_;
-                                    if (_e2017 < 0f) {
-                                        phi_2774_ = -(_e2017);
-                                    } else {
-                                        phi_2774_ = _e2017;
-                                    }
-                                    let _e2050 = phi_2774_;
-                                    if (_e2046 > _e2050) {
-                                        phi_2779_ = _e2046;
-                                    } else {
-                                        phi_2779_ = _e2050;
-                                    }
-                                    let _e2053 = phi_2779_;
-                                    if (_e2035 > _e2053) {
-                                        phi_2784_ = _e2035;
-                                    } else {
-                                        phi_2784_ = _e2053;
-                                    }
-                                    let _e2056 = phi_2784_;
-                                    if (_e2056 <= (0.000000059604645f * (16f - 6f))) {
-                                        phi_2795_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1842, _e1850, _e1858), array<f32, 3>(_e1904, _e1912, _e1920), array<f32, 3>(_e1966, _e1974, _e1982));
+                                    let _e1586 = phi_2365_;
+                                    let _e1590 = (2130706432u - (bitcast<u32>(_e719) & 2139095040u));
+                                    let _e1593 = bitcast<f32>(select(8388608u, _e1590, (_e1590 > 8388608u)));
+                                    let _e1615 = ((((_e1586.member_2[0][0] * _e1586.member_2[0][0]) + (_e1586.member_2[0][1] * _e1586.member_2[0][1])) + (_e1586.member_2[0][2] * _e1586.member_2[0][2])) - 1f);
+                                    let _e1629 = ((((_e1586.member_2[1][0] * _e1586.member_2[1][0]) + (_e1586.member_2[1][1] * _e1586.member_2[1][1])) + (_e1586.member_2[1][2] * _e1586.member_2[1][2])) - 1f);
+                                    let _e1643 = ((((_e1586.member_2[2][0] * _e1586.member_2[2][0]) + (_e1586.member_2[2][1] * _e1586.member_2[2][1])) + (_e1586.member_2[2][2] * _e1586.member_2[2][2])) - 1f);
+                                    let _e1656 = (((_e1586.member_2[0][0] * _e1586.member_2[1][0]) + (_e1586.member_2[0][1] * _e1586.member_2[1][1])) + (_e1586.member_2[0][2] * _e1586.member_2[1][2]));
+                                    let _e1669 = (((_e1586.member_2[0][0] * _e1586.member_2[2][0]) + (_e1586.member_2[0][1] * _e1586.member_2[2][1])) + (_e1586.member_2[0][2] * _e1586.member_2[2][2]));
+                                    let _e1682 = (((_e1586.member_2[1][0] * _e1586.member_2[2][0]) + (_e1586.member_2[1][1] * _e1586.member_2[2][1])) + (_e1586.member_2[1][2] * _e1586.member_2[2][2]));
+                                    let _e1715 = (_e1586.member_2[0][0] - ((((_e1586.member_2[0][0] * _e1615) + (_e1586.member_2[1][0] * _e1656)) + (_e1586.member_2[2][0] * _e1669)) * 0.5f));
+                                    let _e1717 = (_e1586.member_2[0][1] - ((((_e1586.member_2[0][1] * _e1615) + (_e1586.member_2[1][1] * _e1656)) + (_e1586.member_2[2][1] * _e1669)) * 0.5f));
+                                    let _e1719 = (_e1586.member_2[0][2] - ((((_e1586.member_2[0][2] * _e1615) + (_e1586.member_2[1][2] * _e1656)) + (_e1586.member_2[2][2] * _e1669)) * 0.5f));
+                                    let _e1725 = select(0f, _e1715, (select(_e1715, -(_e1715), (_e1715 < 0f)) > (0.000000059604645f * 0.000000059604645f)));
+                                    let _e1731 = select(0f, _e1717, (select(_e1717, -(_e1717), (_e1717 < 0f)) > (0.000000059604645f * 0.000000059604645f)));
+                                    let _e1737 = select(0f, _e1719, (select(_e1719, -(_e1719), (_e1719 < 0f)) > (0.000000059604645f * 0.000000059604645f)));
+                                    let _e1771 = (_e1586.member_2[1][0] - ((((_e1586.member_2[0][0] * _e1656) + (_e1586.member_2[1][0] * _e1629)) + (_e1586.member_2[2][0] * _e1682)) * 0.5f));
+                                    let _e1773 = (_e1586.member_2[1][1] - ((((_e1586.member_2[0][1] * _e1656) + (_e1586.member_2[1][1] * _e1629)) + (_e1586.member_2[2][1] * _e1682)) * 0.5f));
+                                    let _e1775 = (_e1586.member_2[1][2] - ((((_e1586.member_2[0][2] * _e1656) + (_e1586.member_2[1][2] * _e1629)) + (_e1586.member_2[2][2] * _e1682)) * 0.5f));
+                                    let _e1781 = select(0f, _e1771, (select(_e1771, -(_e1771), (_e1771 < 0f)) > (0.000000059604645f * 0.000000059604645f)));
+                                    let _e1787 = select(0f, _e1773, (select(_e1773, -(_e1773), (_e1773 < 0f)) > (0.000000059604645f * 0.000000059604645f)));
+                                    let _e1793 = select(0f, _e1775, (select(_e1775, -(_e1775), (_e1775 < 0f)) > (0.000000059604645f * 0.000000059604645f)));
+                                    let _e1827 = (_e1586.member_2[2][0] - ((((_e1586.member_2[0][0] * _e1669) + (_e1586.member_2[1][0] * _e1682)) + (_e1586.member_2[2][0] * _e1643)) * 0.5f));
+                                    let _e1829 = (_e1586.member_2[2][1] - ((((_e1586.member_2[0][1] * _e1669) + (_e1586.member_2[1][1] * _e1682)) + (_e1586.member_2[2][1] * _e1643)) * 0.5f));
+                                    let _e1831 = (_e1586.member_2[2][2] - ((((_e1586.member_2[0][2] * _e1669) + (_e1586.member_2[1][2] * _e1682)) + (_e1586.member_2[2][2] * _e1643)) * 0.5f));
+                                    let _e1837 = select(0f, _e1827, (select(_e1827, -(_e1827), (_e1827 < 0f)) > (0.000000059604645f * 0.000000059604645f)));
+                                    let _e1843 = select(0f, _e1829, (select(_e1829, -(_e1829), (_e1829 < 0f)) > (0.000000059604645f * 0.000000059604645f)));
+                                    let _e1849 = select(0f, _e1831, (select(_e1831, -(_e1831), (_e1831 < 0f)) > (0.000000059604645f * 0.000000059604645f)));
+                                    let _e1857 = ((((_e1725 * _e1725) + (_e1731 * _e1731)) + (_e1737 * _e1737)) - 1f);
+                                    let _e1863 = ((((_e1781 * _e1781) + (_e1787 * _e1787)) + (_e1793 * _e1793)) - 1f);
+                                    let _e1869 = ((((_e1837 * _e1837) + (_e1843 * _e1843)) + (_e1849 * _e1849)) - 1f);
+                                    let _e1874 = (((_e1725 * _e1781) + (_e1731 * _e1787)) + (_e1737 * _e1793));
+                                    let _e1879 = (((_e1725 * _e1837) + (_e1731 * _e1843)) + (_e1737 * _e1849));
+                                    let _e1884 = (((_e1781 * _e1837) + (_e1787 * _e1843)) + (_e1793 * _e1849));
+                                    let _e1887 = select(_e1857, -(_e1857), (_e1857 < 0f));
+                                    let _e1890 = select(_e1863, -(_e1863), (_e1863 < 0f));
+                                    let _e1892 = select(_e1890, _e1887, (_e1887 > _e1890));
+                                    let _e1895 = select(_e1869, -(_e1869), (_e1869 < 0f));
+                                    let _e1897 = select(_e1895, _e1892, (_e1892 > _e1895));
+                                    let _e1900 = select(_e1874, -(_e1874), (_e1874 < 0f));
+                                    let _e1903 = select(_e1879, -(_e1879), (_e1879 < 0f));
+                                    let _e1905 = select(_e1903, _e1900, (_e1900 > _e1903));
+                                    let _e1908 = select(_e1884, -(_e1884), (_e1884 < 0f));
+                                    let _e1910 = select(_e1908, _e1905, (_e1905 > _e1908));
+                                    if (select(_e1910, _e1897, (_e1897 > _e1910)) <= (0.000000059604645f * (16f - 6f))) {
+                                        phi_2795_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1725, _e1731, _e1737), array<f32, 3>(_e1781, _e1787, _e1793), array<f32, 3>(_e1837, _e1843, _e1849));
                                     } else {
                                         phi_2795_ = array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f));
                                     }
-                                    let _e2061 = phi_2795_;
-                                    phi_2797_ = type_37(array<f32, 3>((_e1700.member_1[0] * _e1708), (_e1700.member_1[1] * _e1708), (_e1700.member_1[2] * _e1708)), _e2061);
+                                    let _e1917 = phi_2795_;
+                                    phi_2797_ = type_37(array<f32, 3>((_e1586.member_1[0] * _e1593), (_e1586.member_1[1] * _e1593), (_e1586.member_1[2] * _e1593)), _e1917);
                                     phi_2798_ = false;
                                 } else {
                                     phi_2797_ = type_37();
                                     phi_2798_ = true;
                                 }
-                                let _e2064 = phi_2797_;
-                                let _e2066 = phi_2798_;
-                                phi_2799_ = _e2064;
-                                phi_2800_ = _e2066;
+                                let _e1920 = phi_2797_;
+                                let _e1922 = phi_2798_;
+                                phi_2799_ = _e1920;
+                                phi_2800_ = _e1922;
                             } else {
                                 phi_2799_ = type_37();
                                 phi_2800_ = true;
                             }
-                            let _e2068 = phi_2799_;
-                            let _e2070 = phi_2800_;
-                            if _e2070 {
-                                phi_2813_ = type_37(array<f32, 3>(_e717, _e721, _e725), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)));
-                            } else {
-                                phi_2813_ = _e2068;
-                            }
-                            let _e2074 = phi_2813_;
-                            let _e2089 = (((_e313.member_1[0][0] * _e2074.member_1[0][0]) + (_e313.member_1[0][1] * _e2074.member_1[0][1])) + (_e313.member_1[0][2] * _e2074.member_1[0][2]));
-                            let _e2102 = (((_e313.member_1[1][0] * _e2074.member_1[0][0]) + (_e313.member_1[1][1] * _e2074.member_1[0][1])) + (_e313.member_1[1][2] * _e2074.member_1[0][2]));
-                            let _e2115 = (((_e313.member_1[2][0] * _e2074.member_1[0][0]) + (_e313.member_1[2][1] * _e2074.member_1[0][1])) + (_e313.member_1[2][2] * _e2074.member_1[0][2]));
-                            if (_e2089 < 0f) {
-                                phi_2858_ = -(_e2089);
-                            } else {
-                                phi_2858_ = _e2089;
-                            }
-                            let _e2120 = phi_2858_;
-                            if (_e2102 < 0f) {
-                                phi_2864_ = -(_e2102);
-                            } else {
-                                phi_2864_ = _e2102;
-                            }
-                            let _e2124 = phi_2864_;
-                            if (_e2115 < 0f) {
-                                phi_2870_ = -(_e2115);
-                            } else {
-                                phi_2870_ = _e2115;
-                            }
-                            let _e2128 = phi_2870_;
-                            let _e2136 = (((_e2120 * _e313.member_2[0]) + (_e2124 * _e313.member_2[1])) + (_e2128 * _e313.member_2[2]));
-                            let _e2150 = (((_e313.member_1[0][0] * _e2074.member_1[1][0]) + (_e313.member_1[0][1] * _e2074.member_1[1][1])) + (_e313.member_1[0][2] * _e2074.member_1[1][2]));
-                            let _e2163 = (((_e313.member_1[1][0] * _e2074.member_1[1][0]) + (_e313.member_1[1][1] * _e2074.member_1[1][1])) + (_e313.member_1[1][2] * _e2074.member_1[1][2]));
-                            let _e2176 = (((_e313.member_1[2][0] * _e2074.member_1[1][0]) + (_e313.member_1[2][1] * _e2074.member_1[1][1])) + (_e313.member_1[2][2] * _e2074.member_1[1][2]));
-                            if (_e2150 < 0f) {
-                                phi_2922_ = -(_e2150);
-                            } else {
-                                phi_2922_ = _e2150;
-                            }
-                            let _e2181 = phi_2922_;
-                            if (_e2163 < 0f) {
-                                phi_2928_ = -(_e2163);
-                            } else {
-                                phi_2928_ = _e2163;
-                            }
-                            let _e2185 = phi_2928_;
-                            if (_e2176 < 0f) {
-                                phi_2934_ = -(_e2176);
-                            } else {
-                                phi_2934_ = _e2176;
-                            }
-                            let _e2189 = phi_2934_;
-                            let _e2197 = (((_e2181 * _e313.member_2[0]) + (_e2185 * _e313.member_2[1])) + (_e2189 * _e313.member_2[2]));
-                            let _e2211 = (((_e313.member_1[0][0] * _e2074.member_1[2][0]) + (_e313.member_1[0][1] * _e2074.member_1[2][1])) + (_e313.member_1[0][2] * _e2074.member_1[2][2]));
-                            let _e2224 = (((_e313.member_1[1][0] * _e2074.member_1[2][0]) + (_e313.member_1[1][1] * _e2074.member_1[2][1])) + (_e313.member_1[1][2] * _e2074.member_1[2][2]));
-                            let _e2237 = (((_e313.member_1[2][0] * _e2074.member_1[2][0]) + (_e313.member_1[2][1] * _e2074.member_1[2][1])) + (_e313.member_1[2][2] * _e2074.member_1[2][2]));
-                            if (_e2211 < 0f) {
-                                phi_2986_ = -(_e2211);
-                            } else {
-                                phi_2986_ = _e2211;
-                            }
-                            let _e2242 = phi_2986_;
-                            if (_e2224 < 0f) {
-                                phi_2992_ = -(_e2224);
-                            } else {
-                                phi_2992_ = _e2224;
-                            }
-                            let _e2246 = phi_2992_;
-                            if (_e2237 < 0f) {
-                                phi_2998_ = -(_e2237);
-                            } else {
-                                phi_2998_ = _e2237;
-                            }
-                            let _e2250 = phi_2998_;
-                            let _e2258 = (((_e2242 * _e313.member_2[0]) + (_e2246 * _e313.member_2[1])) + (_e2250 * _e313.member_2[2]));
-                            let _e2272 = (((_e451.member_1[0][0] * _e2074.member_1[0][0]) + (_e451.member_1[0][1] * _e2074.member_1[0][1])) + (_e451.member_1[0][2] * _e2074.member_1[0][2]));
-                            let _e2285 = (((_e451.member_1[1][0] * _e2074.member_1[0][0]) + (_e451.member_1[1][1] * _e2074.member_1[0][1])) + (_e451.member_1[1][2] * _e2074.member_1[0][2]));
-                            let _e2298 = (((_e451.member_1[2][0] * _e2074.member_1[0][0]) + (_e451.member_1[2][1] * _e2074.member_1[0][1])) + (_e451.member_1[2][2] * _e2074.member_1[0][2]));
-                            if (_e2272 < 0f) {
-                                phi_3050_ = -(_e2272);
-                            } else {
-                                phi_3050_ = _e2272;
-                            }
-                            let _e2303 = phi_3050_;
-                            if (_e2285 < 0f) {
-                                phi_3056_ = -(_e2285);
-                            } else {
-                                phi_3056_ = _e2285;
-                            }
-                            let _e2307 = phi_3056_;
-                            if (_e2298 < 0f) {
-                                phi_3062_ = -(_e2298);
-                            } else {
-                                phi_3062_ = _e2298;
-                            }
-                            let _e2311 = phi_3062_;
-                            let _e2319 = (((_e2303 * _e451.member_2[0]) + (_e2307 * _e451.member_2[1])) + (_e2311 * _e451.member_2[2]));
-                            let _e2333 = (((_e451.member_1[0][0] * _e2074.member_1[1][0]) + (_e451.member_1[0][1] * _e2074.member_1[1][1])) + (_e451.member_1[0][2] * _e2074.member_1[1][2]));
-                            let _e2346 = (((_e451.member_1[1][0] * _e2074.member_1[1][0]) + (_e451.member_1[1][1] * _e2074.member_1[1][1])) + (_e451.member_1[1][2] * _e2074.member_1[1][2]));
-                            let _e2359 = (((_e451.member_1[2][0] * _e2074.member_1[1][0]) + (_e451.member_1[2][1] * _e2074.member_1[1][1])) + (_e451.member_1[2][2] * _e2074.member_1[1][2]));
-                            if (_e2333 < 0f) {
-                                phi_3114_ = -(_e2333);
-                            } else {
-                                phi_3114_ = _e2333;
-                            }
-                            let _e2364 = phi_3114_;
-                            if (_e2346 < 0f) {
-                                phi_3120_ = -(_e2346);
-                            } else {
-                                phi_3120_ = _e2346;
-                            }
-                            let _e2368 = phi_3120_;
-                            if (_e2359 < 0f) {
-                                phi_3126_ = -(_e2359);
-                            } else {
-                                phi_3126_ = _e2359;
-                            }
-                            let _e2372 = phi_3126_;
-                            let _e2380 = (((_e2364 * _e451.member_2[0]) + (_e2368 * _e451.member_2[1])) + (_e2372 * _e451.member_2[2]));
-                            let _e2394 = (((_e451.member_1[0][0] * _e2074.member_1[2][0]) + (_e451.member_1[0][1] * _e2074.member_1[2][1])) + (_e451.member_1[0][2] * _e2074.member_1[2][2]));
-                            let _e2407 = (((_e451.member_1[1][0] * _e2074.member_1[2][0]) + (_e451.member_1[1][1] * _e2074.member_1[2][1])) + (_e451.member_1[1][2] * _e2074.member_1[2][2]));
-                            let _e2420 = (((_e451.member_1[2][0] * _e2074.member_1[2][0]) + (_e451.member_1[2][1] * _e2074.member_1[2][1])) + (_e451.member_1[2][2] * _e2074.member_1[2][2]));
-                            if (_e2394 < 0f) {
-                                phi_3178_ = -(_e2394);
-                            } else {
-                                phi_3178_ = _e2394;
-                            }
-                            let _e2425 = phi_3178_;
-                            if (_e2407 < 0f) {
-                                phi_3184_ = -(_e2407);
-                            } else {
-                                phi_3184_ = _e2407;
-                            }
-                            let _e2429 = phi_3184_;
-                            if (_e2420 < 0f) {
-                                phi_3190_ = -(_e2420);
-                            } else {
-                                phi_3190_ = _e2420;
-                            }
-                            let _e2433 = phi_3190_;
-                            let _e2441 = (((_e2425 * _e451.member_2[0]) + (_e2429 * _e451.member_2[1])) + (_e2433 * _e451.member_2[2]));
-                            let _e2450 = (((_e2074.member_1[0][0] * _e456) + (_e2074.member_1[0][1] * _e459)) + (_e2074.member_1[0][2] * _e462));
-                            let _e2459 = (((_e2074.member_1[1][0] * _e456) + (_e2074.member_1[1][1] * _e459)) + (_e2074.member_1[1][2] * _e462));
-                            let _e2468 = (((_e2074.member_1[2][0] * _e456) + (_e2074.member_1[2][1] * _e459)) + (_e2074.member_1[2][2] * _e462));
-                            let _e2469 = (_e2136 * -1f);
-                            let _e2470 = (_e2197 * -1f);
-                            let _e2471 = (_e2258 * -1f);
-                            let _e2472 = (_e2450 - _e2319);
-                            let _e2473 = (_e2459 - _e2380);
-                            let _e2474 = (_e2468 - _e2441);
-                            if (_e2469 < _e2472) {
-                                phi_3236_ = _e2469;
-                            } else {
-                                phi_3236_ = _e2472;
-                            }
-                            let _e2477 = phi_3236_;
-                            if (_e2470 < _e2473) {
-                                phi_3241_ = _e2470;
-                            } else {
-                                phi_3241_ = _e2473;
-                            }
-                            let _e2480 = phi_3241_;
-                            if (_e2471 < _e2474) {
-                                phi_3246_ = _e2471;
-                            } else {
-                                phi_3246_ = _e2474;
-                            }
-                            let _e2483 = phi_3246_;
-                            let _e2484 = (_e2450 + _e2319);
-                            let _e2485 = (_e2459 + _e2380);
-                            let _e2486 = (_e2468 + _e2441);
-                            if (_e2136 > _e2484) {
-                                phi_3254_ = _e2136;
-                            } else {
-                                phi_3254_ = _e2484;
-                            }
-                            let _e2489 = phi_3254_;
-                            if (_e2197 > _e2485) {
-                                phi_3259_ = _e2197;
-                            } else {
-                                phi_3259_ = _e2485;
-                            }
-                            let _e2492 = phi_3259_;
-                            if (_e2258 > _e2486) {
-                                phi_3264_ = _e2258;
-                            } else {
-                                phi_3264_ = _e2486;
-                            }
-                            let _e2495 = phi_3264_;
-                            let _e2500 = ((_e2477 + _e2489) * 0.5f);
-                            let _e2501 = ((_e2480 + _e2492) * 0.5f);
-                            let _e2502 = ((_e2483 + _e2495) * 0.5f);
-                            let _e2531 = (_e313.member[0] + (((_e2074.member_1[0][0] * _e2500) + (_e2074.member_1[1][0] * _e2501)) + (_e2074.member_1[2][0] * _e2502)));
-                            let _e2533 = (_e313.member[1] + (((_e2074.member_1[0][1] * _e2500) + (_e2074.member_1[1][1] * _e2501)) + (_e2074.member_1[2][1] * _e2502)));
-                            let _e2535 = (_e313.member[2] + (((_e2074.member_1[0][2] * _e2500) + (_e2074.member_1[1][2] * _e2501)) + (_e2074.member_1[2][2] * _e2502)));
-                            if (_e313.member[0] < 0f) {
-                                phi_3313_ = -(_e313.member[0]);
-                            } else {
-                                phi_3313_ = _e313.member[0];
-                            }
-                            let _e2542 = phi_3313_;
-                            if (_e313.member[1] < 0f) {
-                                phi_3320_ = -(_e313.member[1]);
-                            } else {
-                                phi_3320_ = _e313.member[1];
-                            }
-                            let _e2547 = phi_3320_;
-                            if (_e313.member[2] < 0f) {
-                                phi_3327_ = -(_e313.member[2]);
-                            } else {
-                                phi_3327_ = _e313.member[2];
-                            }
-                            let _e2552 = phi_3327_;
-                            if (_e451.member[0] < 0f) {
-                                phi_3335_ = -(_e451.member[0]);
-                            } else {
-                                phi_3335_ = _e451.member[0];
-                            }
-                            let _e2558 = phi_3335_;
-                            if (_e451.member[1] < 0f) {
-                                phi_3342_ = -(_e451.member[1]);
-                            } else {
-                                phi_3342_ = _e451.member[1];
-                            }
-                            let _e2563 = phi_3342_;
-                            if (_e451.member[2] < 0f) {
-                                phi_3349_ = -(_e451.member[2]);
-                            } else {
-                                phi_3349_ = _e451.member[2];
-                            }
-                            let _e2568 = phi_3349_;
-                            if (_e2542 > _e2558) {
-                                phi_3354_ = _e2542;
-                            } else {
-                                phi_3354_ = _e2558;
-                            }
-                            let _e2571 = phi_3354_;
-                            if (_e2547 > _e2563) {
-                                phi_3359_ = _e2547;
-                            } else {
-                                phi_3359_ = _e2563;
-                            }
-                            let _e2574 = phi_3359_;
-                            if (_e2552 > _e2568) {
-                                phi_3364_ = _e2552;
-                            } else {
-                                phi_3364_ = _e2568;
-                            }
-                            let _e2577 = phi_3364_;
-                            let _e2580 = (_e313.member[0] - _e2531);
-                            let _e2582 = (_e313.member[1] - _e2533);
-                            let _e2584 = (_e313.member[2] - _e2535);
-                            if (_e2580 < 0f) {
-                                phi_3377_ = -(_e2580);
-                            } else {
-                                phi_3377_ = _e2580;
-                            }
-                            let _e2588 = phi_3377_;
-                            if (_e2582 < 0f) {
-                                phi_3383_ = -(_e2582);
-                            } else {
-                                phi_3383_ = _e2582;
-                            }
-                            let _e2592 = phi_3383_;
-                            if (_e2584 < 0f) {
-                                phi_3390_ = -(_e2584);
-                            } else {
-                                phi_3390_ = _e2584;
-                            }
-                            let _e2597 = phi_3390_;
-                            let _e2600 = (((_e2588 + _e2592) + _e2597) * (0.000000059604645f * 16f));
-                            if (_e2074.member_1[0][0] < 0f) {
-                                phi_3401_ = -(_e2074.member_1[0][0]);
-                            } else {
-                                phi_3401_ = _e2074.member_1[0][0];
-                            }
-                            let _e2606 = phi_3401_;
-                            if (_e2074.member_1[0][1] < 0f) {
-                                phi_3408_ = -(_e2074.member_1[0][1]);
-                            } else {
-                                phi_3408_ = _e2074.member_1[0][1];
-                            }
-                            let _e2611 = phi_3408_;
-                            if (_e2074.member_1[0][2] < 0f) {
-                                phi_3415_ = -(_e2074.member_1[0][2]);
-                            } else {
-                                phi_3415_ = _e2074.member_1[0][2];
-                            }
-                            let _e2616 = phi_3415_;
-                            if (_e2074.member_1[1][0] < 0f) {
-                                phi_3428_ = -(_e2074.member_1[1][0]);
-                            } else {
-                                phi_3428_ = _e2074.member_1[1][0];
-                            }
-                            let _e2627 = phi_3428_;
-                            if (_e2074.member_1[1][1] < 0f) {
-                                phi_3435_ = -(_e2074.member_1[1][1]);
-                            } else {
-                                phi_3435_ = _e2074.member_1[1][1];
-                            }
-                            let _e2632 = phi_3435_;
-                            if (_e2074.member_1[1][2] < 0f) {
-                                phi_3442_ = -(_e2074.member_1[1][2]);
-                            } else {
-                                phi_3442_ = _e2074.member_1[1][2];
-                            }
-                            let _e2637 = phi_3442_;
-                            if (_e2074.member_1[2][0] < 0f) {
-                                phi_3455_ = -(_e2074.member_1[2][0]);
-                            } else {
-                                phi_3455_ = _e2074.member_1[2][0];
-                            }
-                            let _e2648 = phi_3455_;
-                            if (_e2074.member_1[2][1] < 0f) {
-                                phi_3462_ = -(_e2074.member_1[2][1]);
-                            } else {
-                                phi_3462_ = _e2074.member_1[2][1];
-                            }
-                            let _e2653 = phi_3462_;
-                            if (_e2074.member_1[2][2] < 0f) {
-                                phi_3469_ = -(_e2074.member_1[2][2]);
-                            } else {
-                                phi_3469_ = _e2074.member_1[2][2];
-                            }
-                            let _e2658 = phi_3469_;
-                            let _e2664 = (0.000000059604645f * 12f);
-                            let _e2668 = (((((_e2606 * _e2571) + (_e2611 * _e2574)) + (_e2616 * _e2577)) * _e2664) + _e2600);
-                            let _e2669 = (((((_e2627 * _e2571) + (_e2632 * _e2574)) + (_e2637 * _e2577)) * _e2664) + _e2600);
-                            let _e2670 = (((((_e2648 * _e2571) + (_e2653 * _e2574)) + (_e2658 * _e2577)) * _e2664) + _e2600);
-                            let _e2673 = (_e313.member[0] - _e2531);
-                            let _e2675 = (_e313.member[1] - _e2533);
-                            let _e2677 = (_e313.member[2] - _e2535);
-                            if (_e313.member_2[0] < 0f) {
-                                phi_3496_ = -(_e313.member_2[0]);
-                            } else {
-                                phi_3496_ = _e313.member_2[0];
-                            }
-                            let _e2683 = phi_3496_;
-                            if (_e313.member_2[1] < 0f) {
-                                phi_3503_ = -(_e313.member_2[1]);
-                            } else {
-                                phi_3503_ = _e313.member_2[1];
-                            }
-                            let _e2688 = phi_3503_;
-                            if (_e313.member_2[2] < 0f) {
-                                phi_3511_ = -(_e313.member_2[2]);
-                            } else {
-                                phi_3511_ = _e313.member_2[2];
-                            }
-                            let _e2694 = phi_3511_;
-                            if (_e2673 < 0f) {
-                                phi_3520_ = -(_e2673);
-                            } else {
-                                phi_3520_ = _e2673;
-                            }
-                            let _e2701 = phi_3520_;
-                            if (_e2675 < 0f) {
-                                phi_3526_ = -(_e2675);
-                            } else {
-                                phi_3526_ = _e2675;
-                            }
-                            let _e2705 = phi_3526_;
-                            if (_e2677 < 0f) {
-                                phi_3532_ = -(_e2677);
-                            } else {
-                                phi_3532_ = _e2677;
-                            }
-                            let _e2709 = phi_3532_;
-                            if (_e2074.member_1[0][0] < 0f) {
-                                phi_3540_ = -(_e2074.member_1[0][0]);
-                            } else {
-                                phi_3540_ = _e2074.member_1[0][0];
-                            }
-                            let _e2715 = phi_3540_;
-                            if (_e2074.member_1[0][1] < 0f) {
-                                phi_3547_ = -(_e2074.member_1[0][1]);
-                            } else {
-                                phi_3547_ = _e2074.member_1[0][1];
-                            }
-                            let _e2720 = phi_3547_;
-                            if (_e2074.member_1[0][2] < 0f) {
-                                phi_3554_ = -(_e2074.member_1[0][2]);
-                            } else {
-                                phi_3554_ = _e2074.member_1[0][2];
-                            }
-                            let _e2725 = phi_3554_;
-                            if (_e2074.member_1[1][0] < 0f) {
-                                phi_3567_ = -(_e2074.member_1[1][0]);
-                            } else {
-                                phi_3567_ = _e2074.member_1[1][0];
-                            }
-                            let _e2736 = phi_3567_;
-                            if (_e2074.member_1[1][1] < 0f) {
-                                phi_3574_ = -(_e2074.member_1[1][1]);
-                            } else {
-                                phi_3574_ = _e2074.member_1[1][1];
-                            }
-                            let _e2741 = phi_3574_;
-                            if (_e2074.member_1[1][2] < 0f) {
-                                phi_3581_ = -(_e2074.member_1[1][2]);
-                            } else {
-                                phi_3581_ = _e2074.member_1[1][2];
-                            }
-                            let _e2746 = phi_3581_;
-                            if (_e2074.member_1[2][0] < 0f) {
-                                phi_3594_ = -(_e2074.member_1[2][0]);
-                            } else {
-                                phi_3594_ = _e2074.member_1[2][0];
-                            }
-                            let _e2757 = phi_3594_;
-                            if (_e2074.member_1[2][1] < 0f) {
-                                phi_3601_ = -(_e2074.member_1[2][1]);
-                            } else {
-                                phi_3601_ = _e2074.member_1[2][1];
-                            }
-                            let _e2762 = phi_3601_;
-                            if (_e2074.member_1[2][2] < 0f) {
-                                phi_3608_ = -(_e2074.member_1[2][2]);
-                            } else {
-                                phi_3608_ = _e2074.member_1[2][2];
-                            }
-                            let _e2767 = phi_3608_;
-                            let _e2773 = (0.000000059604645f * 8f);
-                            let _e2778 = ((((_e2683 + _e2688) + _e2694) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
-                            let _e2790 = (((_e2074.member_1[0][0] * _e2673) + (_e2074.member_1[0][1] * _e2675)) + (_e2074.member_1[0][2] * _e2677));
-                            let _e2799 = (((_e2074.member_1[1][0] * _e2673) + (_e2074.member_1[1][1] * _e2675)) + (_e2074.member_1[1][2] * _e2677));
-                            let _e2808 = (((_e2074.member_1[2][0] * _e2673) + (_e2074.member_1[2][1] * _e2675)) + (_e2074.member_1[2][2] * _e2677));
-                            if (_e2790 < 0f) {
-                                phi_3655_ = -(_e2790);
-                            } else {
-                                phi_3655_ = _e2790;
-                            }
-                            let _e2812 = phi_3655_;
-                            if (_e2799 < 0f) {
-                                phi_3661_ = -(_e2799);
-                            } else {
-                                phi_3661_ = _e2799;
-                            }
-                            let _e2816 = phi_3661_;
-                            if (_e2808 < 0f) {
-                                phi_3667_ = -(_e2808);
-                            } else {
-                                phi_3667_ = _e2808;
-                            }
-                            let _e2820 = phi_3667_;
-                            let _e2834 = (((_e313.member_1[0][0] * _e2074.member_1[0][0]) + (_e313.member_1[0][1] * _e2074.member_1[0][1])) + (_e313.member_1[0][2] * _e2074.member_1[0][2]));
-                            let _e2847 = (((_e313.member_1[1][0] * _e2074.member_1[0][0]) + (_e313.member_1[1][1] * _e2074.member_1[0][1])) + (_e313.member_1[1][2] * _e2074.member_1[0][2]));
-                            let _e2860 = (((_e313.member_1[2][0] * _e2074.member_1[0][0]) + (_e313.member_1[2][1] * _e2074.member_1[0][1])) + (_e313.member_1[2][2] * _e2074.member_1[0][2]));
-                            if (_e2834 < 0f) {
-                                phi_3711_ = -(_e2834);
-                            } else {
-                                phi_3711_ = _e2834;
-                            }
-                            let _e2865 = phi_3711_;
-                            if (_e2847 < 0f) {
-                                phi_3717_ = -(_e2847);
-                            } else {
-                                phi_3717_ = _e2847;
-                            }
-                            let _e2869 = phi_3717_;
-                            if (_e2860 < 0f) {
-                                phi_3723_ = -(_e2860);
-                            } else {
-                                phi_3723_ = _e2860;
-                            }
-                            let _e2873 = phi_3723_;
-                            let _e2895 = (((_e313.member_1[0][0] * _e2074.member_1[1][0]) + (_e313.member_1[0][1] * _e2074.member_1[1][1])) + (_e313.member_1[0][2] * _e2074.member_1[1][2]));
-                            let _e2908 = (((_e313.member_1[1][0] * _e2074.member_1[1][0]) + (_e313.member_1[1][1] * _e2074.member_1[1][1])) + (_e313.member_1[1][2] * _e2074.member_1[1][2]));
-                            let _e2921 = (((_e313.member_1[2][0] * _e2074.member_1[1][0]) + (_e313.member_1[2][1] * _e2074.member_1[1][1])) + (_e313.member_1[2][2] * _e2074.member_1[1][2]));
-                            if (_e2895 < 0f) {
-                                phi_3775_ = -(_e2895);
-                            } else {
-                                phi_3775_ = _e2895;
-                            }
-                            let _e2926 = phi_3775_;
-                            if (_e2908 < 0f) {
-                                phi_3781_ = -(_e2908);
-                            } else {
-                                phi_3781_ = _e2908;
-                            }
-                            let _e2930 = phi_3781_;
-                            if (_e2921 < 0f) {
-                                phi_3787_ = -(_e2921);
-                            } else {
-                                phi_3787_ = _e2921;
-                            }
-                            let _e2934 = phi_3787_;
-                            let _e2956 = (((_e313.member_1[0][0] * _e2074.member_1[2][0]) + (_e313.member_1[0][1] * _e2074.member_1[2][1])) + (_e313.member_1[0][2] * _e2074.member_1[2][2]));
-                            let _e2969 = (((_e313.member_1[1][0] * _e2074.member_1[2][0]) + (_e313.member_1[1][1] * _e2074.member_1[2][1])) + (_e313.member_1[1][2] * _e2074.member_1[2][2]));
-                            let _e2982 = (((_e313.member_1[2][0] * _e2074.member_1[2][0]) + (_e313.member_1[2][1] * _e2074.member_1[2][1])) + (_e313.member_1[2][2] * _e2074.member_1[2][2]));
-                            if (_e2956 < 0f) {
-                                phi_3839_ = -(_e2956);
-                            } else {
-                                phi_3839_ = _e2956;
-                            }
-                            let _e2987 = phi_3839_;
-                            if (_e2969 < 0f) {
-                                phi_3845_ = -(_e2969);
-                            } else {
-                                phi_3845_ = _e2969;
-                            }
-                            let _e2991 = phi_3845_;
-                            if (_e2982 < 0f) {
-                                phi_3851_ = -(_e2982);
-                            } else {
-                                phi_3851_ = _e2982;
-                            }
-                            let _e2995 = phi_3851_;
-                            let _e3012 = (_e451.member[0] - _e2531);
-                            let _e3014 = (_e451.member[1] - _e2533);
-                            let _e3016 = (_e451.member[2] - _e2535);
-                            if (_e451.member_2[0] < 0f) {
-                                phi_3880_ = -(_e451.member_2[0]);
-                            } else {
-                                phi_3880_ = _e451.member_2[0];
-                            }
-                            let _e3022 = phi_3880_;
-                            if (_e451.member_2[1] < 0f) {
-                                phi_3887_ = -(_e451.member_2[1]);
-                            } else {
-                                phi_3887_ = _e451.member_2[1];
-                            }
-                            let _e3027 = phi_3887_;
-                            if (_e451.member_2[2] < 0f) {
-                                phi_3895_ = -(_e451.member_2[2]);
-                            } else {
-                                phi_3895_ = _e451.member_2[2];
-                            }
-                            let _e3033 = phi_3895_;
-                            if (_e3012 < 0f) {
-                                phi_3904_ = -(_e3012);
-                            } else {
-                                phi_3904_ = _e3012;
-                            }
-                            let _e3040 = phi_3904_;
-                            if (_e3014 < 0f) {
-                                phi_3910_ = -(_e3014);
-                            } else {
-                                phi_3910_ = _e3014;
-                            }
-                            let _e3044 = phi_3910_;
-                            if (_e3016 < 0f) {
-                                phi_3916_ = -(_e3016);
-                            } else {
-                                phi_3916_ = _e3016;
-                            }
-                            let _e3048 = phi_3916_;
-                            if (_e2074.member_1[0][0] < 0f) {
-                                phi_3924_ = -(_e2074.member_1[0][0]);
-                            } else {
-                                phi_3924_ = _e2074.member_1[0][0];
-                            }
-                            let _e3054 = phi_3924_;
-                            if (_e2074.member_1[0][1] < 0f) {
-                                phi_3931_ = -(_e2074.member_1[0][1]);
-                            } else {
-                                phi_3931_ = _e2074.member_1[0][1];
-                            }
-                            let _e3059 = phi_3931_;
-                            if (_e2074.member_1[0][2] < 0f) {
-                                phi_3938_ = -(_e2074.member_1[0][2]);
-                            } else {
-                                phi_3938_ = _e2074.member_1[0][2];
-                            }
-                            let _e3064 = phi_3938_;
-                            if (_e2074.member_1[1][0] < 0f) {
-                                phi_3951_ = -(_e2074.member_1[1][0]);
-                            } else {
-                                phi_3951_ = _e2074.member_1[1][0];
-                            }
-                            let _e3075 = phi_3951_;
-                            if (_e2074.member_1[1][1] < 0f) {
-                                phi_3958_ = -(_e2074.member_1[1][1]);
-                            } else {
-                                phi_3958_ = _e2074.member_1[1][1];
-                            }
-                            let _e3080 = phi_3958_;
-                            if (_e2074.member_1[1][2] < 0f) {
-                                phi_3965_ = -(_e2074.member_1[1][2]);
-                            } else {
-                                phi_3965_ = _e2074.member_1[1][2];
-                            }
-                            let _e3085 = phi_3965_;
-                            if (_e2074.member_1[2][0] < 0f) {
-                                phi_3978_ = -(_e2074.member_1[2][0]);
-                            } else {
-                                phi_3978_ = _e2074.member_1[2][0];
-                            }
-                            let _e3096 = phi_3978_;
-                            if (_e2074.member_1[2][1] < 0f) {
-                                phi_3985_ = -(_e2074.member_1[2][1]);
-                            } else {
-                                phi_3985_ = _e2074.member_1[2][1];
-                            }
-                            let _e3101 = phi_3985_;
-                            if (_e2074.member_1[2][2] < 0f) {
-                                phi_3992_ = -(_e2074.member_1[2][2]);
-                            } else {
-                                phi_3992_ = _e2074.member_1[2][2];
-                            }
-                            let _e3106 = phi_3992_;
-                            let _e3112 = (0.000000059604645f * 8f);
-                            let _e3117 = ((((_e3022 + _e3027) + _e3033) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
-                            let _e3129 = (((_e2074.member_1[0][0] * _e3012) + (_e2074.member_1[0][1] * _e3014)) + (_e2074.member_1[0][2] * _e3016));
-                            let _e3138 = (((_e2074.member_1[1][0] * _e3012) + (_e2074.member_1[1][1] * _e3014)) + (_e2074.member_1[1][2] * _e3016));
-                            let _e3147 = (((_e2074.member_1[2][0] * _e3012) + (_e2074.member_1[2][1] * _e3014)) + (_e2074.member_1[2][2] * _e3016));
-                            if (_e3129 < 0f) {
-                                phi_4039_ = -(_e3129);
-                            } else {
-                                phi_4039_ = _e3129;
-                            }
-                            let _e3151 = phi_4039_;
-                            if (_e3138 < 0f) {
-                                phi_4045_ = -(_e3138);
-                            } else {
-                                phi_4045_ = _e3138;
-                            }
-                            let _e3155 = phi_4045_;
-                            if (_e3147 < 0f) {
-                                phi_4051_ = -(_e3147);
-                            } else {
-                                phi_4051_ = _e3147;
-                            }
-                            let _e3159 = phi_4051_;
-                            let _e3173 = (((_e451.member_1[0][0] * _e2074.member_1[0][0]) + (_e451.member_1[0][1] * _e2074.member_1[0][1])) + (_e451.member_1[0][2] * _e2074.member_1[0][2]));
-                            let _e3186 = (((_e451.member_1[1][0] * _e2074.member_1[0][0]) + (_e451.member_1[1][1] * _e2074.member_1[0][1])) + (_e451.member_1[1][2] * _e2074.member_1[0][2]));
-                            let _e3199 = (((_e451.member_1[2][0] * _e2074.member_1[0][0]) + (_e451.member_1[2][1] * _e2074.member_1[0][1])) + (_e451.member_1[2][2] * _e2074.member_1[0][2]));
-                            if (_e3173 < 0f) {
-                                phi_4095_ = -(_e3173);
-                            } else {
-                                phi_4095_ = _e3173;
-                            }
-                            let _e3204 = phi_4095_;
-                            if (_e3186 < 0f) {
-                                phi_4101_ = -(_e3186);
-                            } else {
-                                phi_4101_ = _e3186;
-                            }
-                            let _e3208 = phi_4101_;
-                            if (_e3199 < 0f) {
-                                phi_4107_ = -(_e3199);
-                            } else {
-                                phi_4107_ = _e3199;
-                            }
-                            let _e3212 = phi_4107_;
-                            let _e3234 = (((_e451.member_1[0][0] * _e2074.member_1[1][0]) + (_e451.member_1[0][1] * _e2074.member_1[1][1])) + (_e451.member_1[0][2] * _e2074.member_1[1][2]));
-                            let _e3247 = (((_e451.member_1[1][0] * _e2074.member_1[1][0]) + (_e451.member_1[1][1] * _e2074.member_1[1][1])) + (_e451.member_1[1][2] * _e2074.member_1[1][2]));
-                            let _e3260 = (((_e451.member_1[2][0] * _e2074.member_1[1][0]) + (_e451.member_1[2][1] * _e2074.member_1[1][1])) + (_e451.member_1[2][2] * _e2074.member_1[1][2]));
-                            if (_e3234 < 0f) {
-                                phi_4159_ = -(_e3234);
-                            } else {
-                                phi_4159_ = _e3234;
-                            }
-                            let _e3265 = phi_4159_;
-                            if (_e3247 < 0f) {
-                                phi_4165_ = -(_e3247);
-                            } else {
-                                phi_4165_ = _e3247;
-                            }
-                            let _e3269 = phi_4165_;
-                            if (_e3260 < 0f) {
-                                phi_4171_ = -(_e3260);
-                            } else {
-                                phi_4171_ = _e3260;
-                            }
-                            let _e3273 = phi_4171_;
-                            let _e3295 = (((_e451.member_1[0][0] * _e2074.member_1[2][0]) + (_e451.member_1[0][1] * _e2074.member_1[2][1])) + (_e451.member_1[0][2] * _e2074.member_1[2][2]));
-                            let _e3308 = (((_e451.member_1[1][0] * _e2074.member_1[2][0]) + (_e451.member_1[1][1] * _e2074.member_1[2][1])) + (_e451.member_1[1][2] * _e2074.member_1[2][2]));
-                            let _e3321 = (((_e451.member_1[2][0] * _e2074.member_1[2][0]) + (_e451.member_1[2][1] * _e2074.member_1[2][1])) + (_e451.member_1[2][2] * _e2074.member_1[2][2]));
-                            if (_e3295 < 0f) {
-                                phi_4223_ = -(_e3295);
-                            } else {
-                                phi_4223_ = _e3295;
-                            }
-                            let _e3326 = phi_4223_;
-                            if (_e3308 < 0f) {
-                                phi_4229_ = -(_e3308);
-                            } else {
-                                phi_4229_ = _e3308;
-                            }
-                            let _e3330 = phi_4229_;
-                            if (_e3321 < 0f) {
-                                phi_4235_ = -(_e3321);
-                            } else {
-                                phi_4235_ = _e3321;
-                            }
-                            let _e3334 = phi_4235_;
-                            let _e3349 = (((_e2812 + (((_e2865 * _e313.member_2[0]) + (_e2869 * _e313.member_2[1])) + (_e2873 * _e313.member_2[2]))) + (((((_e2715 * _e2701) + (_e2720 * _e2705)) + (_e2725 * _e2709)) * _e2773) + _e2778)) + _e2668);
-                            let _e3350 = (((_e2816 + (((_e2926 * _e313.member_2[0]) + (_e2930 * _e313.member_2[1])) + (_e2934 * _e313.member_2[2]))) + (((((_e2736 * _e2701) + (_e2741 * _e2705)) + (_e2746 * _e2709)) * _e2773) + _e2778)) + _e2669);
-                            let _e3351 = (((_e2820 + (((_e2987 * _e313.member_2[0]) + (_e2991 * _e313.member_2[1])) + (_e2995 * _e313.member_2[2]))) + (((((_e2757 * _e2701) + (_e2762 * _e2705)) + (_e2767 * _e2709)) * _e2773) + _e2778)) + _e2670);
-                            let _e3352 = (((_e3151 + (((_e3204 * _e451.member_2[0]) + (_e3208 * _e451.member_2[1])) + (_e3212 * _e451.member_2[2]))) + (((((_e3054 * _e3040) + (_e3059 * _e3044)) + (_e3064 * _e3048)) * _e3112) + _e3117)) + _e2668);
-                            let _e3353 = (((_e3155 + (((_e3265 * _e451.member_2[0]) + (_e3269 * _e451.member_2[1])) + (_e3273 * _e451.member_2[2]))) + (((((_e3075 * _e3040) + (_e3080 * _e3044)) + (_e3085 * _e3048)) * _e3112) + _e3117)) + _e2669);
-                            let _e3354 = (((_e3159 + (((_e3326 * _e451.member_2[0]) + (_e3330 * _e451.member_2[1])) + (_e3334 * _e451.member_2[2]))) + (((((_e3096 * _e3040) + (_e3101 * _e3044)) + (_e3106 * _e3048)) * _e3112) + _e3117)) + _e2670);
-                            if ((bitcast<u32>(_e3349) & 2139095040u) != 2139095040u) {
-                                if ((bitcast<u32>(_e3350) & 2139095040u) != 2139095040u) {
-                                    phi_4271_ = ((bitcast<u32>(_e3351) & 2139095040u) != 2139095040u);
-                                    phi_4272_ = false;
-                                } else {
-                                    phi_4271_ = bool();
-                                    phi_4272_ = true;
-                                }
-                                let _e3365 = phi_4271_;
-                                let _e3367 = phi_4272_;
-                                phi_4273_ = _e3365;
-                                phi_4274_ = _e3367;
-                            } else {
-                                phi_4273_ = bool();
-                                phi_4274_ = true;
-                            }
-                            let _e3369 = phi_4273_;
-                            let _e3371 = phi_4274_;
-                            if _e3371 {
-                                phi_4278_ = false;
-                            } else {
-                                phi_4278_ = _e3369;
-                            }
-                            let _e3373 = phi_4278_;
-                            if _e3373 {
-                                if ((bitcast<u32>(_e3352) & 2139095040u) != 2139095040u) {
-                                    if ((bitcast<u32>(_e3353) & 2139095040u) != 2139095040u) {
-                                        phi_4297_ = ((bitcast<u32>(_e3354) & 2139095040u) != 2139095040u);
-                                        phi_4298_ = false;
-                                    } else {
-                                        phi_4297_ = bool();
-                                        phi_4298_ = true;
-                                    }
-                                    let _e3384 = phi_4297_;
-                                    let _e3386 = phi_4298_;
-                                    phi_4299_ = _e3384;
-                                    phi_4300_ = _e3386;
-                                } else {
-                                    phi_4299_ = bool();
-                                    phi_4300_ = true;
-                                }
-                                let _e3388 = phi_4299_;
-                                let _e3390 = phi_4300_;
-                                if _e3390 {
-                                    phi_4304_ = false;
-                                } else {
-                                    phi_4304_ = _e3388;
-                                }
-                                let _e3392 = phi_4304_;
-                                if _e3392 {
-                                    if (_e3349 > _e3352) {
-                                        phi_4312_ = _e3349;
-                                    } else {
-                                        phi_4312_ = _e3352;
-                                    }
-                                    let _e3395 = phi_4312_;
-                                    if (_e3350 > _e3353) {
-                                        phi_4317_ = _e3350;
-                                    } else {
-                                        phi_4317_ = _e3353;
-                                    }
-                                    let _e3398 = phi_4317_;
-                                    if (_e3351 > _e3354) {
-                                        phi_4322_ = _e3351;
-                                    } else {
-                                        phi_4322_ = _e3354;
-                                    }
-                                    let _e3401 = phi_4322_;
-                                    phi_4325_ = type_34(array<f32, 3>(_e2531, _e2533, _e2535), _e2074.member_1, array<f32, 3>(_e3395, _e3398, _e3401));
+                            let _e1924 = phi_2799_;
+                            let _e1926 = phi_2800_;
+                            if _e1926 {
+                                phi_2813_ = type_37(array<f32, 3>(_e673, _e677, _e681), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)));
+                            } else {
+                                phi_2813_ = _e1924;
+                            }
+                            let _e1930 = phi_2813_;
+                            let _e1945 = (((_e299.member_1[0][0] * _e1930.member_1[0][0]) + (_e299.member_1[0][1] * _e1930.member_1[0][1])) + (_e299.member_1[0][2] * _e1930.member_1[0][2]));
+                            let _e1958 = (((_e299.member_1[1][0] * _e1930.member_1[0][0]) + (_e299.member_1[1][1] * _e1930.member_1[0][1])) + (_e299.member_1[1][2] * _e1930.member_1[0][2]));
+                            let _e1971 = (((_e299.member_1[2][0] * _e1930.member_1[0][0]) + (_e299.member_1[2][1] * _e1930.member_1[0][1])) + (_e299.member_1[2][2] * _e1930.member_1[0][2]));
+                            let _e1989 = (((select(_e1945, -(_e1945), (_e1945 < 0f)) * _e299.member_2[0]) + (select(_e1958, -(_e1958), (_e1958 < 0f)) * _e299.member_2[1])) + (select(_e1971, -(_e1971), (_e1971 < 0f)) * _e299.member_2[2]));
+                            let _e2003 = (((_e299.member_1[0][0] * _e1930.member_1[1][0]) + (_e299.member_1[0][1] * _e1930.member_1[1][1])) + (_e299.member_1[0][2] * _e1930.member_1[1][2]));
+                            let _e2016 = (((_e299.member_1[1][0] * _e1930.member_1[1][0]) + (_e299.member_1[1][1] * _e1930.member_1[1][1])) + (_e299.member_1[1][2] * _e1930.member_1[1][2]));
+                            let _e2029 = (((_e299.member_1[2][0] * _e1930.member_1[1][0]) + (_e299.member_1[2][1] * _e1930.member_1[1][1])) + (_e299.member_1[2][2] * _e1930.member_1[1][2]));
+                            let _e2047 = (((select(_e2003, -(_e2003), (_e2003 < 0f)) * _e299.member_2[0]) + (select(_e2016, -(_e2016), (_e2016 < 0f)) * _e299.member_2[1])) + (select(_e2029, -(_e2029), (_e2029 < 0f)) * _e299.member_2[2]));
+                            let _e2061 = (((_e299.member_1[0][0] * _e1930.member_1[2][0]) + (_e299.member_1[0][1] * _e1930.member_1[2][1])) + (_e299.member_1[0][2] * _e1930.member_1[2][2]));
+                            let _e2074 = (((_e299.member_1[1][0] * _e1930.member_1[2][0]) + (_e299.member_1[1][1] * _e1930.member_1[2][1])) + (_e299.member_1[1][2] * _e1930.member_1[2][2]));
+                            let _e2087 = (((_e299.member_1[2][0] * _e1930.member_1[2][0]) + (_e299.member_1[2][1] * _e1930.member_1[2][1])) + (_e299.member_1[2][2] * _e1930.member_1[2][2]));
+                            let _e2105 = (((select(_e2061, -(_e2061), (_e2061 < 0f)) * _e299.member_2[0]) + (select(_e2074, -(_e2074), (_e2074 < 0f)) * _e299.member_2[1])) + (select(_e2087, -(_e2087), (_e2087 < 0f)) * _e299.member_2[2]));
+                            let _e2119 = (((_e428.member_1[0][0] * _e1930.member_1[0][0]) + (_e428.member_1[0][1] * _e1930.member_1[0][1])) + (_e428.member_1[0][2] * _e1930.member_1[0][2]));
+                            let _e2132 = (((_e428.member_1[1][0] * _e1930.member_1[0][0]) + (_e428.member_1[1][1] * _e1930.member_1[0][1])) + (_e428.member_1[1][2] * _e1930.member_1[0][2]));
+                            let _e2145 = (((_e428.member_1[2][0] * _e1930.member_1[0][0]) + (_e428.member_1[2][1] * _e1930.member_1[0][1])) + (_e428.member_1[2][2] * _e1930.member_1[0][2]));
+                            let _e2163 = (((select(_e2119, -(_e2119), (_e2119 < 0f)) * _e428.member_2[0]) + (select(_e2132, -(_e2132), (_e2132 < 0f)) * _e428.member_2[1])) + (select(_e2145, -(_e2145), (_e2145 < 0f)) * _e428.member_2[2]));
+                            let _e2177 = (((_e428.member_1[0][0] * _e1930.member_1[1][0]) + (_e428.member_1[0][1] * _e1930.member_1[1][1])) + (_e428.member_1[0][2] * _e1930.member_1[1][2]));
+                            let _e2190 = (((_e428.member_1[1][0] * _e1930.member_1[1][0]) + (_e428.member_1[1][1] * _e1930.member_1[1][1])) + (_e428.member_1[1][2] * _e1930.member_1[1][2]));
+                            let _e2203 = (((_e428.member_1[2][0] * _e1930.member_1[1][0]) + (_e428.member_1[2][1] * _e1930.member_1[1][1])) + (_e428.member_1[2][2] * _e1930.member_1[1][2]));
+                            let _e2221 = (((select(_e2177, -(_e2177), (_e2177 < 0f)) * _e428.member_2[0]) + (select(_e2190, -(_e2190), (_e2190 < 0f)) * _e428.member_2[1])) + (select(_e2203, -(_e2203), (_e2203 < 0f)) * _e428.member_2[2]));
+                            let _e2235 = (((_e428.member_1[0][0] * _e1930.member_1[2][0]) + (_e428.member_1[0][1] * _e1930.member_1[2][1])) + (_e428.member_1[0][2] * _e1930.member_1[2][2]));
+                            let _e2248 = (((_e428.member_1[1][0] * _e1930.member_1[2][0]) + (_e428.member_1[1][1] * _e1930.member_1[2][1])) + (_e428.member_1[1][2] * _e1930.member_1[2][2]));
+                            let _e2261 = (((_e428.member_1[2][0] * _e1930.member_1[2][0]) + (_e428.member_1[2][1] * _e1930.member_1[2][1])) + (_e428.member_1[2][2] * _e1930.member_1[2][2]));
+                            let _e2279 = (((select(_e2235, -(_e2235), (_e2235 < 0f)) * _e428.member_2[0]) + (select(_e2248, -(_e2248), (_e2248 < 0f)) * _e428.member_2[1])) + (select(_e2261, -(_e2261), (_e2261 < 0f)) * _e428.member_2[2]));
+                            let _e2288 = (((_e1930.member_1[0][0] * _e433) + (_e1930.member_1[0][1] * _e436)) + (_e1930.member_1[0][2] * _e439));
+                            let _e2297 = (((_e1930.member_1[1][0] * _e433) + (_e1930.member_1[1][1] * _e436)) + (_e1930.member_1[1][2] * _e439));
+                            let _e2306 = (((_e1930.member_1[2][0] * _e433) + (_e1930.member_1[2][1] * _e436)) + (_e1930.member_1[2][2] * _e439));
+                            let _e2307 = (_e1989 * -1f);
+                            let _e2308 = (_e2047 * -1f);
+                            let _e2309 = (_e2105 * -1f);
+                            let _e2310 = (_e2288 - _e2163);
+                            let _e2311 = (_e2297 - _e2221);
+                            let _e2312 = (_e2306 - _e2279);
+                            let _e2319 = (_e2288 + _e2163);
+                            let _e2320 = (_e2297 + _e2221);
+                            let _e2321 = (_e2306 + _e2279);
+                            let _e2332 = ((select(_e2310, _e2307, (_e2307 < _e2310)) + select(_e2319, _e1989, (_e1989 > _e2319))) * 0.5f);
+                            let _e2333 = ((select(_e2311, _e2308, (_e2308 < _e2311)) + select(_e2320, _e2047, (_e2047 > _e2320))) * 0.5f);
+                            let _e2334 = ((select(_e2312, _e2309, (_e2309 < _e2312)) + select(_e2321, _e2105, (_e2105 > _e2321))) * 0.5f);
+                            let _e2363 = (_e299.member[0] + (((_e1930.member_1[0][0] * _e2332) + (_e1930.member_1[1][0] * _e2333)) + (_e1930.member_1[2][0] * _e2334)));
+                            let _e2365 = (_e299.member[1] + (((_e1930.member_1[0][1] * _e2332) + (_e1930.member_1[1][1] * _e2333)) + (_e1930.member_1[2][1] * _e2334)));
+                            let _e2367 = (_e299.member[2] + (((_e1930.member_1[0][2] * _e2332) + (_e1930.member_1[1][2] * _e2333)) + (_e1930.member_1[2][2] * _e2334)));
+                            let _e2373 = select(_e299.member[0], -(_e299.member[0]), (_e299.member[0] < 0f));
+                            let _e2377 = select(_e299.member[1], -(_e299.member[1]), (_e299.member[1] < 0f));
+                            let _e2381 = select(_e299.member[2], -(_e299.member[2]), (_e299.member[2] < 0f));
+                            let _e2386 = select(_e428.member[0], -(_e428.member[0]), (_e428.member[0] < 0f));
+                            let _e2390 = select(_e428.member[1], -(_e428.member[1]), (_e428.member[1] < 0f));
+                            let _e2394 = select(_e428.member[2], -(_e428.member[2]), (_e428.member[2] < 0f));
+                            let _e2396 = select(_e2386, _e2373, (_e2373 > _e2386));
+                            let _e2398 = select(_e2390, _e2377, (_e2377 > _e2390));
+                            let _e2400 = select(_e2394, _e2381, (_e2381 > _e2394));
+                            let _e2403 = (_e299.member[0] - _e2363);
+                            let _e2405 = (_e299.member[1] - _e2365);
+                            let _e2407 = (_e299.member[2] - _e2367);
+                            let _e2420 = (((select(_e2403, -(_e2403), (_e2403 < 0f)) + select(_e2405, -(_e2405), (_e2405 < 0f))) + select(_e2407, -(_e2407), (_e2407 < 0f))) * (0.000000059604645f * 16f));
+                            let _e2475 = (0.000000059604645f * 12f);
+                            let _e2479 = (((((select(_e1930.member_1[0][0], -(_e1930.member_1[0][0]), (_e1930.member_1[0][0] < 0f)) * _e2396) + (select(_e1930.member_1[0][1], -(_e1930.member_1[0][1]), (_e1930.member_1[0][1] < 0f)) * _e2398)) + (select(_e1930.member_1[0][2], -(_e1930.member_1[0][2]), (_e1930.member_1[0][2] < 0f)) * _e2400)) * _e2475) + _e2420);
+                            let _e2480 = (((((select(_e1930.member_1[1][0], -(_e1930.member_1[1][0]), (_e1930.member_1[1][0] < 0f)) * _e2396) + (select(_e1930.member_1[1][1], -(_e1930.member_1[1][1]), (_e1930.member_1[1][1] < 0f)) * _e2398)) + (select(_e1930.member_1[1][2], -(_e1930.member_1[1][2]), (_e1930.member_1[1][2] < 0f)) * _e2400)) * _e2475) + _e2420);
+                            let _e2481 = (((((select(_e1930.member_1[2][0], -(_e1930.member_1[2][0]), (_e1930.member_1[2][0] < 0f)) * _e2396) + (select(_e1930.member_1[2][1], -(_e1930.member_1[2][1]), (_e1930.member_1[2][1] < 0f)) * _e2398)) + (select(_e1930.member_1[2][2], -(_e1930.member_1[2][2]), (_e1930.member_1[2][2] < 0f)) * _e2400)) * _e2475) + _e2420);
+                            let _e2484 = (_e299.member[0] - _e2363);
+                            let _e2486 = (_e299.member[1] - _e2365);
+                            let _e2488 = (_e299.member[2] - _e2367);
+                            let _e2508 = select(_e2484, -(_e2484), (_e2484 < 0f));
+                            let _e2511 = select(_e2486, -(_e2486), (_e2486 < 0f));
+                            let _e2514 = select(_e2488, -(_e2488), (_e2488 < 0f));
+                            let _e2569 = (0.000000059604645f * 8f);
+                            let _e2574 = ((((select(_e299.member_2[0], -(_e299.member_2[0]), (_e299.member_2[0] < 0f)) + select(_e299.member_2[1], -(_e299.member_2[1]), (_e299.member_2[1] < 0f))) + select(_e299.member_2[2], -(_e299.member_2[2]), (_e299.member_2[2] < 0f))) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
+                            let _e2586 = (((_e1930.member_1[0][0] * _e2484) + (_e1930.member_1[0][1] * _e2486)) + (_e1930.member_1[0][2] * _e2488));
+                            let _e2595 = (((_e1930.member_1[1][0] * _e2484) + (_e1930.member_1[1][1] * _e2486)) + (_e1930.member_1[1][2] * _e2488));
+                            let _e2604 = (((_e1930.member_1[2][0] * _e2484) + (_e1930.member_1[2][1] * _e2486)) + (_e1930.member_1[2][2] * _e2488));
+                            let _e2627 = (((_e299.member_1[0][0] * _e1930.member_1[0][0]) + (_e299.member_1[0][1] * _e1930.member_1[0][1])) + (_e299.member_1[0][2] * _e1930.member_1[0][2]));
+                            let _e2640 = (((_e299.member_1[1][0] * _e1930.member_1[0][0]) + (_e299.member_1[1][1] * _e1930.member_1[0][1])) + (_e299.member_1[1][2] * _e1930.member_1[0][2]));
+                            let _e2653 = (((_e299.member_1[2][0] * _e1930.member_1[0][0]) + (_e299.member_1[2][1] * _e1930.member_1[0][1])) + (_e299.member_1[2][2] * _e1930.member_1[0][2]));
+                            let _e2685 = (((_e299.member_1[0][0] * _e1930.member_1[1][0]) + (_e299.member_1[0][1] * _e1930.member_1[1][1])) + (_e299.member_1[0][2] * _e1930.member_1[1][2]));
+                            let _e2698 = (((_e299.member_1[1][0] * _e1930.member_1[1][0]) + (_e299.member_1[1][1] * _e1930.member_1[1][1])) + (_e299.member_1[1][2] * _e1930.member_1[1][2]));
+                            let _e2711 = (((_e299.member_1[2][0] * _e1930.member_1[1][0]) + (_e299.member_1[2][1] * _e1930.member_1[1][1])) + (_e299.member_1[2][2] * _e1930.member_1[1][2]));
+                            let _e2743 = (((_e299.member_1[0][0] * _e1930.member_1[2][0]) + (_e299.member_1[0][1] * _e1930.member_1[2][1])) + (_e299.member_1[0][2] * _e1930.member_1[2][2]));
+                            let _e2756 = (((_e299.member_1[1][0] * _e1930.member_1[2][0]) + (_e299.member_1[1][1] * _e1930.member_1[2][1])) + (_e299.member_1[1][2] * _e1930.member_1[2][2]));
+                            let _e2769 = (((_e299.member_1[2][0] * _e1930.member_1[2][0]) + (_e299.member_1[2][1] * _e1930.member_1[2][1])) + (_e299.member_1[2][2] * _e1930.member_1[2][2]));
+                            let _e2796 = (_e428.member[0] - _e2363);
+                            let _e2798 = (_e428.member[1] - _e2365);
+                            let _e2800 = (_e428.member[2] - _e2367);
+                            let _e2820 = select(_e2796, -(_e2796), (_e2796 < 0f));
+                            let _e2823 = select(_e2798, -(_e2798), (_e2798 < 0f));
+                            let _e2826 = select(_e2800, -(_e2800), (_e2800 < 0f));
+                            let _e2881 = (0.000000059604645f * 8f);
+                            let _e2886 = ((((select(_e428.member_2[0], -(_e428.member_2[0]), (_e428.member_2[0] < 0f)) + select(_e428.member_2[1], -(_e428.member_2[1]), (_e428.member_2[1] < 0f))) + select(_e428.member_2[2], -(_e428.member_2[2]), (_e428.member_2[2] < 0f))) * (0.000000059604645f * 64f)) + (0.000000000000000000000000000000000000011754944f * 64f));
+                            let _e2898 = (((_e1930.member_1[0][0] * _e2796) + (_e1930.member_1[0][1] * _e2798)) + (_e1930.member_1[0][2] * _e2800));
+                            let _e2907 = (((_e1930.member_1[1][0] * _e2796) + (_e1930.member_1[1][1] * _e2798)) + (_e1930.member_1[1][2] * _e2800));
+                            let _e2916 = (((_e1930.member_1[2][0] * _e2796) + (_e1930.member_1[2][1] * _e2798)) + (_e1930.member_1[2][2] * _e2800));
+                            let _e2939 = (((_e428.member_1[0][0] * _e1930.member_1[0][0]) + (_e428.member_1[0][1] * _e1930.member_1[0][1])) + (_e428.member_1[0][2] * _e1930.member_1[0][2]));
+                            let _e2952 = (((_e428.member_1[1][0] * _e1930.member_1[0][0]) + (_e428.member_1[1][1] * _e1930.member_1[0][1])) + (_e428.member_1[1][2] * _e1930.member_1[0][2]));
+                            let _e2965 = (((_e428.member_1[2][0] * _e1930.member_1[0][0]) + (_e428.member_1[2][1] * _e1930.member_1[0][1])) + (_e428.member_1[2][2] * _e1930.member_1[0][2]));
+                            let _e2997 = (((_e428.member_1[0][0] * _e1930.member_1[1][0]) + (_e428.member_1[0][1] * _e1930.member_1[1][1])) + (_e428.member_1[0][2] * _e1930.member_1[1][2]));
+                            let _e3010 = (((_e428.member_1[1][0] * _e1930.member_1[1][0]) + (_e428.member_1[1][1] * _e1930.member_1[1][1])) + (_e428.member_1[1][2] * _e1930.member_1[1][2]));
+                            let _e3023 = (((_e428.member_1[2][0] * _e1930.member_1[1][0]) + (_e428.member_1[2][1] * _e1930.member_1[1][1])) + (_e428.member_1[2][2] * _e1930.member_1[1][2]));
+                            let _e3055 = (((_e428.member_1[0][0] * _e1930.member_1[2][0]) + (_e428.member_1[0][1] * _e1930.member_1[2][1])) + (_e428.member_1[0][2] * _e1930.member_1[2][2]));
+                            let _e3068 = (((_e428.member_1[1][0] * _e1930.member_1[2][0]) + (_e428.member_1[1][1] * _e1930.member_1[2][1])) + (_e428.member_1[1][2] * _e1930.member_1[2][2]));
+                            let _e3081 = (((_e428.member_1[2][0] * _e1930.member_1[2][0]) + (_e428.member_1[2][1] * _e1930.member_1[2][1])) + (_e428.member_1[2][2] * _e1930.member_1[2][2]));
+                            let _e3106 = (((select(_e2586, -(_e2586), (_e2586 < 0f)) + (((select(_e2627, -(_e2627), (_e2627 < 0f)) * _e299.member_2[0]) + (select(_e2640, -(_e2640), (_e2640 < 0f)) * _e299.member_2[1])) + (select(_e2653, -(_e2653), (_e2653 < 0f)) * _e299.member_2[2]))) + (((((select(_e1930.member_1[0][0], -(_e1930.member_1[0][0]), (_e1930.member_1[0][0] < 0f)) * _e2508) + (select(_e1930.member_1[0][1], -(_e1930.member_1[0][1]), (_e1930.member_1[0][1] < 0f)) * _e2511)) + (select(_e1930.member_1[0][2], -(_e1930.member_1[0][2]), (_e1930.member_1[0][2] < 0f)) * _e2514)) * _e2569) + _e2574)) + _e2479);
+                            let _e3107 = (((select(_e2595, -(_e2595), (_e2595 < 0f)) + (((select(_e2685, -(_e2685), (_e2685 < 0f)) * _e299.member_2[0]) + (select(_e2698, -(_e2698), (_e2698 < 0f)) * _e299.member_2[1])) + (select(_e2711, -(_e2711), (_e2711 < 0f)) * _e299.member_2[2]))) + (((((select(_e1930.member_1[1][0], -(_e1930.member_1[1][0]), (_e1930.member_1[1][0] < 0f)) * _e2508) + (select(_e1930.member_1[1][1], -(_e1930.member_1[1][1]), (_e1930.member_1[1][1] < 0f)) * _e2511)) + (select(_e1930.member_1[1][2], -(_e1930.member_1[1][2]), (_e1930.member_1[1][2] < 0f)) * _e2514)) * _e2569) + _e2574)) + _e2480);
+                            let _e3108 = (((select(_e2604, -(_e2604), (_e2604 < 0f)) + (((select(_e2743, -(_e2743), (_e2743 < 0f)) * _e299.member_2[0]) + (select(_e2756, -(_e2756), (_e2756 < 0f)) * _e299.member_2[1])) + (select(_e2769, -(_e2769), (_e2769 < 0f)) * _e299.member_2[2]))) + (((((select(_e1930.member_1[2][0], -(_e1930.member_1[2][0]), (_e1930.member_1[2][0] < 0f)) * _e2508) + (select(_e1930.member_1[2][1], -(_e1930.member_1[2][1]), (_e1930.member_1[2][1] < 0f)) * _e2511)) + (select(_e1930.member_1[2][2], -(_e1930.member_1[2][2]), (_e1930.member_1[2][2] < 0f)) * _e2514)) * _e2569) + _e2574)) + _e2481);
+                            let _e3109 = (((select(_e2898, -(_e2898), (_e2898 < 0f)) + (((select(_e2939, -(_e2939), (_e2939 < 0f)) * _e428.member_2[0]) + (select(_e2952, -(_e2952), (_e2952 < 0f)) * _e428.member_2[1])) + (select(_e2965, -(_e2965), (_e2965 < 0f)) * _e428.member_2[2]))) + (((((select(_e1930.member_1[0][0], -(_e1930.member_1[0][0]), (_e1930.member_1[0][0] < 0f)) * _e2820) + (select(_e1930.member_1[0][1], -(_e1930.member_1[0][1]), (_e1930.member_1[0][1] < 0f)) * _e2823)) + (select(_e1930.member_1[0][2], -(_e1930.member_1[0][2]), (_e1930.member_1[0][2] < 0f)) * _e2826)) * _e2881) + _e2886)) + _e2479);
+                            let _e3110 = (((select(_e2907, -(_e2907), (_e2907 < 0f)) + (((select(_e2997, -(_e2997), (_e2997 < 0f)) * _e428.member_2[0]) + (select(_e3010, -(_e3010), (_e3010 < 0f)) * _e428.member_2[1])) + (select(_e3023, -(_e3023), (_e3023 < 0f)) * _e428.member_2[2]))) + (((((select(_e1930.member_1[1][0], -(_e1930.member_1[1][0]), (_e1930.member_1[1][0] < 0f)) * _e2820) + (select(_e1930.member_1[1][1], -(_e1930.member_1[1][1]), (_e1930.member_1[1][1] < 0f)) * _e2823)) + (select(_e1930.member_1[1][2], -(_e1930.member_1[1][2]), (_e1930.member_1[1][2] < 0f)) * _e2826)) * _e2881) + _e2886)) + _e2480);
+                            let _e3111 = (((select(_e2916, -(_e2916), (_e2916 < 0f)) + (((select(_e3055, -(_e3055), (_e3055 < 0f)) * _e428.member_2[0]) + (select(_e3068, -(_e3068), (_e3068 < 0f)) * _e428.member_2[1])) + (select(_e3081, -(_e3081), (_e3081 < 0f)) * _e428.member_2[2]))) + (((((select(_e1930.member_1[2][0], -(_e1930.member_1[2][0]), (_e1930.member_1[2][0] < 0f)) * _e2820) + (select(_e1930.member_1[2][1], -(_e1930.member_1[2][1]), (_e1930.member_1[2][1] < 0f)) * _e2823)) + (select(_e1930.member_1[2][2], -(_e1930.member_1[2][2]), (_e1930.member_1[2][2] < 0f)) * _e2826)) * _e2881) + _e2886)) + _e2481);
+                            let _e3114 = ((bitcast<u32>(_e3106) & 2139095040u) != 2139095040u);
+                            let _e3117 = ((bitcast<u32>(_e3107) & 2139095040u) != 2139095040u);
+                            if select(select(bool(), select(bool(), ((bitcast<u32>(_e3108) & 2139095040u) != 2139095040u), _e3117), _e3114), false, select(true, select(true, false, _e3117), _e3114)) {
+                                let _e3128 = ((bitcast<u32>(_e3109) & 2139095040u) != 2139095040u);
+                                let _e3131 = ((bitcast<u32>(_e3110) & 2139095040u) != 2139095040u);
+                                if select(select(bool(), select(bool(), ((bitcast<u32>(_e3111) & 2139095040u) != 2139095040u), _e3131), _e3128), false, select(true, select(true, false, _e3131), _e3128)) {
+                                    phi_4325_ = type_34(array<f32, 3>(_e2363, _e2365, _e2367), _e1930.member_1, array<f32, 3>(select(_e3109, _e3106, (_e3106 > _e3109)), select(_e3110, _e3107, (_e3107 > _e3110)), select(_e3111, _e3108, (_e3108 > _e3111))));
                                     phi_4326_ = false;
                                 } else {
                                     phi_4325_ = type_34();
                                     phi_4326_ = true;
                                 }
-                                let _e3405 = phi_4325_;
-                                let _e3407 = phi_4326_;
-                                phi_4327_ = _e3405;
-                                phi_4328_ = _e3407;
+                                let _e3149 = phi_4325_;
+                                let _e3151 = phi_4326_;
+                                phi_4327_ = _e3149;
+                                phi_4328_ = _e3151;
                             } else {
                                 phi_4327_ = type_34();
                                 phi_4328_ = true;
                             }
-                            let _e3409 = phi_4327_;
-                            let _e3411 = phi_4328_;
-                            if _e3411 {
-                                if true {
-                                    phi_4342_ = 2122317824u;
-                                } else {
-                                    phi_4342_ = 8388608u;
-                                }
-                                let _e3413 = phi_4342_;
-                                let _e3415 = (bitcast<f32>(_e3413) * 3.9999998f);
-                                phi_4352_ = type_34(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3415, _e3415, _e3415));
+                            let _e3153 = phi_4327_;
+                            let _e3155 = phi_4328_;
+                            if _e3155 {
+                                let _e3156 = (85070590000000000000000000000000000000f * 3.9999998f);
+                                phi_4352_ = type_34(array<f32, 3>(0f, 0f, 0f), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(_e3156, _e3156, _e3156));
                             } else {
-                                phi_4352_ = _e3409;
+                                phi_4352_ = _e3153;
                             }
-                            let _e3419 = phi_4352_;
-                            oriented.member[_e118] = type_30(vec4<f32>(_e3419.member[0], _e3419.member[1], _e3419.member[2], _e3419.member_1[0][0]), vec4<f32>(_e3419.member_1[0][1], _e3419.member_1[0][2], _e3419.member_1[1][0], _e3419.member_1[1][1]), vec4<f32>(_e3419.member_1[1][2], _e3419.member_1[2][0], _e3419.member_1[2][1], _e3419.member_1[2][2]), vec4<f32>(_e3419.member_2[0], _e3419.member_2[1], _e3419.member_2[2], 0f));
-                            let _e3448 = atomicMax((&stamps.member[_e118]), _e81);
+                            let _e3160 = phi_4352_;
+                            oriented.member[_e115] = type_30(vec4<f32>(_e3160.member[0], _e3160.member[1], _e3160.member[2], _e3160.member_1[0][0]), vec4<f32>(_e3160.member_1[0][1], _e3160.member_1[0][2], _e3160.member_1[1][0], _e3160.member_1[1][1]), vec4<f32>(_e3160.member_1[1][2], _e3160.member_1[2][0], _e3160.member_1[2][1], _e3160.member_1[2][2]), vec4<f32>(_e3160.member_2[0], _e3160.member_2[1], _e3160.member_2[2], 0f));
+                            let _e3189 = atomicMax((&stamps.member[_e115]), _e81);
                         }
                     }
                 }
                 phi_4384_ = true;
             }
-            let _e3450 = phi_4384_;
-            phi_4385_ = _e3450;
+            let _e3191 = phi_4384_;
+            phi_4385_ = _e3191;
         } else {
             phi_4385_ = false;
         }
-        let _e3452 = phi_4385_;
+        let _e3193 = phi_4385_;
         continue;
         continuing {
-            phi_177_ = _e105;
-            break if !(_e3452);
+            phi_177_ = type_9(select(_e92.member, (_e92.member + 1u), _e95), select(_e92.member_1, _e92.member_1, _e95));
+            break if !(_e3193);
         }
     }
     return;

@@ -82,13 +82,6 @@ var<storage, read_write> items_out: type_13;
 var<storage, read_write> joins: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_103_: u32;
-    var phi_246_: f32;
-    var phi_251_: f32;
-    var phi_256_: f32;
-    var phi_262_: f32;
-    var phi_267_: f32;
-    var phi_272_: f32;
     var phi_276_: type_15;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -103,88 +96,47 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e31 = ((((_e16.y * _e17.x) + _e16.x) * 256u) + _e18);
     let _e34 = params.member.member_1.member;
     let _e35 = (_e34 / 2u);
-    if ((_e34 % 2u) > 0u) {
-        phi_103_ = (_e35 + 1u);
-    } else {
-        phi_103_ = _e35;
-    }
-    let _e40 = phi_103_;
-    if (_e31 < _e40) {
-        let _e44 = items.member[(2u * _e31)];
-        let _e47 = clusters.member[_e44.w];
-        let _e50 = bitcast<f32>(_e47.member.x);
-        let _e52 = bitcast<f32>(_e47.member.y);
-        let _e54 = bitcast<f32>(_e47.member.z);
-        let _e60 = bitcast<f32>(_e47.member_1.x);
-        let _e62 = bitcast<f32>(_e47.member_1.y);
-        let _e64 = bitcast<f32>(_e47.member_1.z);
+    let _e39 = select(_e35, (_e35 + 1u), ((_e34 % 2u) > 0u));
+    if (_e31 < _e39) {
+        let _e43 = items.member[(2u * _e31)];
+        let _e46 = clusters.member[_e43.w];
+        let _e49 = bitcast<f32>(_e46.member.x);
+        let _e51 = bitcast<f32>(_e46.member.y);
+        let _e53 = bitcast<f32>(_e46.member.z);
+        let _e59 = bitcast<f32>(_e46.member_1.x);
+        let _e61 = bitcast<f32>(_e46.member_1.y);
+        let _e63 = bitcast<f32>(_e46.member_1.z);
         if (((2u * _e31) + 1u) < _e34) {
-            let _e75 = items.member[((2u * _e31) + 1u)];
-            let _e78 = clusters.member[_e75.w];
-            let _e81 = bitcast<f32>(_e78.member.x);
-            let _e83 = bitcast<f32>(_e78.member.y);
-            let _e85 = bitcast<f32>(_e78.member.z);
-            let _e90 = bitcast<f32>(_e78.member_1.x);
-            let _e92 = bitcast<f32>(_e78.member_1.y);
-            let _e94 = bitcast<f32>(_e78.member_1.z);
-            let _e99 = params.member.member_2.member_4;
-            let _e100 = (_e99 + _e31);
-            let _e101 = (_e100 * 4u);
-            let _e102 = (_e47.member.w * 4u);
-            let _e103 = (_e78.member.w * 4u);
-            joins.member[_e102] = _e100;
-            joins.member[(_e102 + 1u)] = 0u;
-            joins.member[_e103] = _e100;
-            joins.member[(_e103 + 1u)] = _e47.member_1.w;
-            joins.member[(_e101 + 2u)] = _e47.member_1.w;
-            joins.member[(_e101 + 3u)] = (_e47.member_1.w + _e78.member_1.w);
-            if (_e50 < _e81) {
-                phi_246_ = _e50;
-            } else {
-                phi_246_ = _e81;
-            }
-            let _e117 = phi_246_;
-            if (_e52 < _e83) {
-                phi_251_ = _e52;
-            } else {
-                phi_251_ = _e83;
-            }
-            let _e120 = phi_251_;
-            if (_e54 < _e85) {
-                phi_256_ = _e54;
-            } else {
-                phi_256_ = _e85;
-            }
-            let _e123 = phi_256_;
-            if (_e60 > _e90) {
-                phi_262_ = _e60;
-            } else {
-                phi_262_ = _e90;
-            }
-            let _e127 = phi_262_;
-            if (_e62 > _e92) {
-                phi_267_ = _e62;
-            } else {
-                phi_267_ = _e92;
-            }
-            let _e130 = phi_267_;
-            if (_e64 > _e94) {
-                phi_272_ = _e64;
-            } else {
-                phi_272_ = _e94;
-            }
-            let _e133 = phi_272_;
-            phi_276_ = type_15(array<f32, 3>(_e117, _e120, _e123), _e100, array<f32, 3>(_e127, _e130, _e133), (_e47.member_1.w + _e78.member_1.w));
+            let _e74 = items.member[((2u * _e31) + 1u)];
+            let _e77 = clusters.member[_e74.w];
+            let _e80 = bitcast<f32>(_e77.member.x);
+            let _e82 = bitcast<f32>(_e77.member.y);
+            let _e84 = bitcast<f32>(_e77.member.z);
+            let _e89 = bitcast<f32>(_e77.member_1.x);
+            let _e91 = bitcast<f32>(_e77.member_1.y);
+            let _e93 = bitcast<f32>(_e77.member_1.z);
+            let _e98 = params.member.member_2.member_4;
+            let _e99 = (_e98 + _e31);
+            let _e100 = (_e99 * 4u);
+            let _e101 = (_e46.member.w * 4u);
+            let _e102 = (_e77.member.w * 4u);
+            joins.member[_e101] = _e99;
+            joins.member[(_e101 + 1u)] = 0u;
+            joins.member[_e102] = _e99;
+            joins.member[(_e102 + 1u)] = _e46.member_1.w;
+            joins.member[(_e100 + 2u)] = _e46.member_1.w;
+            joins.member[(_e100 + 3u)] = (_e46.member_1.w + _e77.member_1.w);
+            phi_276_ = type_15(array<f32, 3>(select(_e80, _e49, (_e49 < _e80)), select(_e82, _e51, (_e51 < _e82)), select(_e84, _e53, (_e53 < _e84))), _e99, array<f32, 3>(select(_e89, _e59, (_e59 > _e89)), select(_e91, _e61, (_e61 > _e91)), select(_e93, _e63, (_e63 > _e93))), (_e46.member_1.w + _e77.member_1.w));
         } else {
-            phi_276_ = type_15(array<f32, 3>(_e50, _e52, _e54), _e47.member.w, array<f32, 3>(_e60, _e62, _e64), _e47.member_1.w);
+            phi_276_ = type_15(array<f32, 3>(_e49, _e51, _e53), _e46.member.w, array<f32, 3>(_e59, _e61, _e63), _e46.member_1.w);
         }
-        let _e138 = phi_276_;
-        clusters_out.member[_e31] = type_19(vec4<u32>(bitcast<u32>(_e138.member[0]), bitcast<u32>(_e138.member[1]), bitcast<u32>(_e138.member[2]), _e138.member_1), vec4<u32>(bitcast<u32>(_e138.member_2[0]), bitcast<u32>(_e138.member_2[1]), bitcast<u32>(_e138.member_2[2]), _e138.member_3));
-        items_out.member[_e31] = vec4<u32>(bitcast<u32>((_e138.member[0] + _e138.member_2[0])), bitcast<u32>((_e138.member[1] + _e138.member_2[1])), bitcast<u32>((_e138.member[2] + _e138.member_2[2])), _e31);
-        if (_e40 == 1u) {
-            let _e177 = (_e138.member_1 * 4u);
-            joins.member[_e177] = 4294967295u;
-            joins.member[(_e177 + 1u)] = 0u;
+        let _e131 = phi_276_;
+        clusters_out.member[_e31] = type_19(vec4<u32>(bitcast<u32>(_e131.member[0]), bitcast<u32>(_e131.member[1]), bitcast<u32>(_e131.member[2]), _e131.member_1), vec4<u32>(bitcast<u32>(_e131.member_2[0]), bitcast<u32>(_e131.member_2[1]), bitcast<u32>(_e131.member_2[2]), _e131.member_3));
+        items_out.member[_e31] = vec4<u32>(bitcast<u32>((_e131.member[0] + _e131.member_2[0])), bitcast<u32>((_e131.member[1] + _e131.member_2[1])), bitcast<u32>((_e131.member[2] + _e131.member_2[2])), _e31);
+        if (_e39 == 1u) {
+            let _e170 = (_e131.member_1 * 4u);
+            joins.member[_e170] = 4294967295u;
+            joins.member[(_e170 + 1u)] = 0u;
         }
     }
     return;

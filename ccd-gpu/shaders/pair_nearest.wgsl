@@ -67,20 +67,10 @@ var<workgroup> found: array<atomic<u32>, 2>;
 
 fn function_(lane_1: u32) {
     var phi_75_: type_8;
-    var phi_76_: type_8;
-    var phi_99_: type_8;
-    var phi_170_: u32;
     var phi_173_: type_8;
     var phi_176_: type_17;
-    var phi_174_: type_8;
-    var phi_199_: type_8;
-    var phi_247_: bool;
-    var phi_248_: bool;
-    var phi_253_: type_17;
-    var phi_254_: bool;
     var phi_255_: type_17;
     var phi_256_: bool;
-    var phi_261_: type_17;
     var phi_177_: type_17;
     var phi_265_: type_17;
     var local: type_17;
@@ -93,152 +83,104 @@ fn function_(lane_1: u32) {
     phi_75_ = type_8(0u, _e25);
     loop {
         let _e28 = phi_75_;
-        if (_e28.member < _e28.member_1) {
-            phi_76_ = type_8((_e28.member + 1u), _e28.member_1);
-            phi_99_ = type_8(1u, _e28.member);
-        } else {
-            phi_76_ = _e28;
-            phi_99_ = type_8(0u, type_8().member_1);
-        }
-        let _e40 = phi_76_;
-        let _e42 = phi_99_;
-        let _e46 = (bitcast<i32>(_e42.member) != 0i);
-        if _e46 {
-            let _e49 = params.member.member_1.member_1;
-            let _e51 = (_e49 + (2u * _e42.member_1));
-            let _e52 = (_e51 + 1u);
-            if (_e17 == (_e51 % 256u)) {
-                let _e56 = items.member[_e51];
-                shared_[0u] = _e56;
+        let _e31 = (_e28.member < _e28.member_1);
+        let _e44 = (bitcast<i32>(select(0u, 1u, _e31)) != 0i);
+        if _e44 {
+            let _e47 = params.member.member_1.member_1;
+            let _e49 = (_e47 + (2u * select(type_8().member_1, _e28.member, _e31)));
+            let _e50 = (_e49 + 1u);
+            if (_e17 == (_e49 % 256u)) {
+                let _e54 = items.member[_e49];
+                shared_[0u] = _e54;
             }
             if (_e17 == 0u) {
                 atomicStore((&found[0u]), 2137108966u);
                 atomicStore((&found[1u]), 4294967295u);
             }
             workgroupBarrier();
-            let _e62 = shared_[0u];
-            let _e69 = type_17(300000000000000000000000000000000000000f, _e52);
-            let _e74 = (_e52 + (((_e17 + 256u) - (_e52 % 256u)) % 256u));
-            if (_e74 < _e22) {
-                let _e76 = (_e22 - _e74);
-                let _e77 = (_e76 / 256u);
-                if ((_e76 % 256u) > 0u) {
-                    phi_170_ = (_e77 + 1u);
-                } else {
-                    phi_170_ = _e77;
-                }
-                let _e82 = phi_170_;
-                phi_173_ = type_8(0u, _e82);
-                phi_176_ = _e69;
+            let _e60 = shared_[0u];
+            let _e67 = type_17(300000000000000000000000000000000000000f, _e50);
+            let _e72 = (_e50 + (((_e17 + 256u) - (_e50 % 256u)) % 256u));
+            if (_e72 < _e22) {
+                let _e74 = (_e22 - _e72);
+                let _e75 = (_e74 / 256u);
+                phi_173_ = type_8(0u, select(_e75, (_e75 + 1u), ((_e74 % 256u) > 0u)));
+                phi_176_ = _e67;
                 loop {
-                    let _e85 = phi_173_;
-                    let _e87 = phi_176_;
-                    local = _e87;
-                    if (_e85.member < _e85.member_1) {
-                        phi_174_ = type_8((_e85.member + 1u), _e85.member_1);
-                        phi_199_ = type_8(1u, _e85.member);
-                    } else {
-                        phi_174_ = _e85;
-                        phi_199_ = type_8(0u, type_8().member_1);
-                    }
-                    let _e99 = phi_174_;
-                    let _e101 = phi_199_;
-                    let _e105 = (bitcast<i32>(_e101.member) != 0i);
-                    if _e105 {
-                        let _e107 = (_e74 + (_e101.member_1 * 256u));
-                        let _e109 = items.member[_e107];
-                        let _e116 = (bitcast<f32>(_e62.x) - bitcast<f32>(_e109.x));
-                        let _e117 = (bitcast<f32>(_e62.y) - bitcast<f32>(_e109.y));
-                        let _e118 = (bitcast<f32>(_e62.z) - bitcast<f32>(_e109.z));
-                        let _e123 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
-                        if (_e123 < _e87.member) {
+                    let _e82 = phi_173_;
+                    let _e84 = phi_176_;
+                    local = _e84;
+                    let _e87 = (_e82.member < _e82.member_1);
+                    let _e100 = (bitcast<i32>(select(0u, 1u, _e87)) != 0i);
+                    if _e100 {
+                        let _e102 = (_e72 + (select(type_8().member_1, _e82.member, _e87) * 256u));
+                        let _e104 = items.member[_e102];
+                        let _e111 = (bitcast<f32>(_e60.x) - bitcast<f32>(_e104.x));
+                        let _e112 = (bitcast<f32>(_e60.y) - bitcast<f32>(_e104.y));
+                        let _e113 = (bitcast<f32>(_e60.z) - bitcast<f32>(_e104.z));
+                        let _e118 = (((_e111 * _e111) + (_e112 * _e112)) + (_e113 * _e113));
+                        if (_e118 < _e84.member) {
                             phi_255_ = type_17();
                             phi_256_ = true;
                         } else {
-                            if (_e123 == _e87.member) {
-                                if (_e107 < _e87.member_1) {
-                                    phi_247_ = false;
-                                } else {
-                                    phi_247_ = true;
-                                }
-                                let _e130 = phi_247_;
-                                phi_248_ = _e130;
-                            } else {
-                                phi_248_ = true;
-                            }
-                            let _e132 = phi_248_;
-                            if _e132 {
-                                phi_253_ = _e87;
-                                phi_254_ = false;
-                            } else {
-                                phi_253_ = type_17();
-                                phi_254_ = true;
-                            }
-                            let _e134 = phi_253_;
-                            let _e136 = phi_254_;
-                            phi_255_ = _e134;
-                            phi_256_ = _e136;
+                            let _e125 = select(true, select(true, false, (_e102 < _e84.member_1)), (_e118 == _e84.member));
+                            phi_255_ = type_17(select(type_17().member, _e84.member, _e125), select(type_17().member_1, _e84.member_1, _e125));
+                            phi_256_ = select(true, false, _e125);
                         }
-                        let _e138 = phi_255_;
-                        let _e140 = phi_256_;
-                        if _e140 {
-                            phi_261_ = type_17(_e123, _e107);
-                        } else {
-                            phi_261_ = _e138;
-                        }
-                        let _e143 = phi_261_;
-                        phi_177_ = _e143;
+                        let _e135 = phi_255_;
+                        let _e137 = phi_256_;
+                        phi_177_ = type_17(select(_e135.member, _e118, _e137), select(_e135.member_1, _e102, _e137));
                     } else {
                         phi_177_ = type_17();
                     }
-                    let _e145 = phi_177_;
+                    let _e144 = phi_177_;
                     continue;
                     continuing {
-                        phi_173_ = _e99;
-                        phi_176_ = _e145;
-                        break if !(_e105);
+                        phi_173_ = type_8(select(_e82.member, (_e82.member + 1u), _e87), select(_e82.member_1, _e82.member_1, _e87));
+                        phi_176_ = _e144;
+                        break if !(_e100);
                     }
                 }
-                let _e199 = local;
-                phi_265_ = _e199;
+                let _e188 = local;
+                phi_265_ = _e188;
             } else {
-                phi_265_ = _e69;
+                phi_265_ = _e67;
             }
-            let _e148 = phi_265_;
-            let _e152 = atomicMin((&found[0u]), bitcast<u32>(_e148.member));
+            let _e147 = phi_265_;
+            let _e151 = atomicMin((&found[0u]), bitcast<u32>(_e147.member));
             workgroupBarrier();
-            let _e156 = atomicLoad((&found[0u]));
-            if (bitcast<u32>(_e148.member) == _e156) {
-                let _e160 = atomicMin((&found[1u]), _e148.member_1);
-            }
-            workgroupBarrier();
-            let _e162 = atomicLoad((&found[1u]));
-            let _e164 = (_e17 == (_e52 % 256u));
-            let _e166 = (_e17 == (_e162 % 256u));
-            if _e164 {
-                let _e168 = items.member[_e52];
-                shared_[1u] = _e168;
-            }
-            if _e166 {
-                let _e171 = items.member[_e162];
-                shared_[2u] = _e171;
+            let _e155 = atomicLoad((&found[0u]));
+            if (bitcast<u32>(_e147.member) == _e155) {
+                let _e159 = atomicMin((&found[1u]), _e147.member_1);
             }
             workgroupBarrier();
-            if _e164 {
-                let _e174 = shared_[2u];
-                items.member[_e52] = _e174;
+            let _e161 = atomicLoad((&found[1u]));
+            let _e163 = (_e17 == (_e50 % 256u));
+            let _e165 = (_e17 == (_e161 % 256u));
+            if _e163 {
+                let _e167 = items.member[_e50];
+                shared_[1u] = _e167;
             }
-            if _e166 {
-                if (_e162 != _e52) {
-                    let _e178 = shared_[1u];
-                    items.member[_e162] = _e178;
+            if _e165 {
+                let _e170 = items.member[_e161];
+                shared_[2u] = _e170;
+            }
+            workgroupBarrier();
+            if _e163 {
+                let _e173 = shared_[2u];
+                items.member[_e50] = _e173;
+            }
+            if _e165 {
+                if (_e161 != _e50) {
+                    let _e177 = shared_[1u];
+                    items.member[_e161] = _e177;
                 }
             }
         }
         continue;
         continuing {
-            phi_75_ = _e40;
-            break if !(_e46);
+            phi_75_ = type_8(select(_e28.member, (_e28.member + 1u), _e31), select(_e28.member_1, _e28.member_1, _e31));
+            break if !(_e44);
         }
     }
     return;

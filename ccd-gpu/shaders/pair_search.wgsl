@@ -66,13 +66,8 @@ var<storage, read_write> found: type_10;
 var<workgroup> least: array<atomic<u32>, 2>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_152_: bool;
-    var phi_153_: bool;
-    var phi_158_: type_18;
-    var phi_159_: bool;
     var phi_160_: type_18;
     var phi_161_: bool;
-    var phi_166_: type_18;
     var phi_170_: type_18;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -105,55 +100,29 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             phi_160_ = type_18();
             phi_161_ = true;
         } else {
-            if (_e66 == 300000000000000000000000000000000000000f) {
-                if (_e38 < _e35) {
-                    phi_152_ = false;
-                } else {
-                    phi_152_ = true;
-                }
-                let _e71 = phi_152_;
-                phi_153_ = _e71;
-            } else {
-                phi_153_ = true;
-            }
-            let _e73 = phi_153_;
-            if _e73 {
-                phi_158_ = type_18(300000000000000000000000000000000000000f, _e35);
-                phi_159_ = false;
-            } else {
-                phi_158_ = type_18();
-                phi_159_ = true;
-            }
-            let _e76 = phi_158_;
-            let _e78 = phi_159_;
-            phi_160_ = _e76;
-            phi_161_ = _e78;
+            let _e71 = select(true, select(true, false, (_e38 < _e35)), (_e66 == 300000000000000000000000000000000000000f));
+            phi_160_ = type_18(select(type_18().member, 300000000000000000000000000000000000000f, _e71), select(type_18().member_1, _e35, _e71));
+            phi_161_ = select(true, false, _e71);
         }
-        let _e80 = phi_160_;
-        let _e82 = phi_161_;
-        if _e82 {
-            phi_166_ = type_18(_e66, _e38);
-        } else {
-            phi_166_ = _e80;
-        }
-        let _e85 = phi_166_;
-        phi_170_ = _e85;
+        let _e79 = phi_160_;
+        let _e81 = phi_161_;
+        phi_170_ = type_18(select(_e79.member, _e66, _e81), select(_e79.member_1, _e38, _e81));
     } else {
         phi_170_ = type_18(300000000000000000000000000000000000000f, _e35);
     }
-    let _e87 = phi_170_;
-    let _e91 = atomicMin((&least[0u]), bitcast<u32>(_e87.member));
+    let _e88 = phi_170_;
+    let _e92 = atomicMin((&least[0u]), bitcast<u32>(_e88.member));
     workgroupBarrier();
-    let _e95 = atomicLoad((&least[0u]));
-    if (bitcast<u32>(_e87.member) == _e95) {
-        let _e99 = atomicMin((&least[1u]), _e87.member_1);
+    let _e96 = atomicLoad((&least[0u]));
+    if (bitcast<u32>(_e88.member) == _e96) {
+        let _e100 = atomicMin((&least[1u]), _e88.member_1);
     }
     workgroupBarrier();
     if (_e19 == 0u) {
-        let _e104 = atomicLoad((&least[0u]));
-        found.member[(1u + (2u * _e27))] = _e104;
-        let _e109 = atomicLoad((&least[1u]));
-        found.member[((2u * _e27) + 2u)] = _e109;
+        let _e105 = atomicLoad((&least[0u]));
+        found.member[(1u + (2u * _e27))] = _e105;
+        let _e110 = atomicLoad((&least[1u]));
+        found.member[((2u * _e27) + 2u)] = _e110;
     }
     return;
 }

@@ -71,19 +71,10 @@ var<storage, read_write> items: type_15;
 var<workgroup> least: array<atomic<u32>, 3>;
 
 fn function_(lane_1: u32) {
-    var phi_109_: u32;
-    var phi_126_: u32;
     var phi_129_: type_8;
     var phi_132_: type_19;
-    var phi_130_: type_8;
-    var phi_155_: type_8;
-    var phi_207_: bool;
-    var phi_208_: bool;
-    var phi_213_: type_19;
-    var phi_214_: bool;
     var phi_215_: type_19;
     var phi_216_: bool;
-    var phi_221_: type_19;
     var phi_225_: type_19;
     var phi_133_: type_19;
     var local: type_19;
@@ -104,83 +95,38 @@ fn function_(lane_1: u32) {
     let _e32 = params.member.member_1.member;
     let _e33 = (_e32 - _e29);
     let _e34 = (_e33 / 256u);
-    if ((_e33 % 256u) > 0u) {
-        phi_109_ = (_e34 + 1u);
-    } else {
-        phi_109_ = _e34;
-    }
-    let _e39 = phi_109_;
-    let _e41 = (_e39 / 256u);
-    if ((_e39 % 256u) > 0u) {
-        phi_126_ = (_e41 + 1u);
-    } else {
-        phi_126_ = _e41;
-    }
-    let _e46 = phi_126_;
-    phi_129_ = type_8(0u, _e46);
+    let _e38 = select(_e34, (_e34 + 1u), ((_e33 % 256u) > 0u));
+    let _e40 = (_e38 / 256u);
+    phi_129_ = type_8(0u, select(_e40, (_e40 + 1u), ((_e38 % 256u) > 0u)));
     phi_132_ = type_19(300000000000000000000000000000000000000f, _e29);
     loop {
-        let _e49 = phi_129_;
-        let _e51 = phi_132_;
-        local = _e51;
-        local_1 = _e51;
-        local_2 = _e51;
-        if (_e49.member < _e49.member_1) {
-            phi_130_ = type_8((_e49.member + 1u), _e49.member_1);
-            phi_155_ = type_8(1u, _e49.member);
-        } else {
-            phi_130_ = _e49;
-            phi_155_ = type_8(0u, type_8().member_1);
-        }
-        let _e63 = phi_130_;
-        let _e65 = phi_155_;
-        let _e69 = (bitcast<i32>(_e65.member) != 0i);
-        if _e69 {
-            let _e71 = ((_e65.member_1 * 256u) + _e17);
-            if (_e71 < _e39) {
-                let _e73 = (2u * _e71);
-                let _e76 = found.member[(1u + _e73)];
-                let _e77 = bitcast<f32>(_e76);
-                let _e80 = found.member[(_e73 + 2u)];
-                if (_e77 < _e51.member) {
+        let _e47 = phi_129_;
+        let _e49 = phi_132_;
+        local = _e49;
+        local_1 = _e49;
+        local_2 = _e49;
+        let _e52 = (_e47.member < _e47.member_1);
+        let _e65 = (bitcast<i32>(select(0u, 1u, _e52)) != 0i);
+        if _e65 {
+            let _e67 = ((select(type_8().member_1, _e47.member, _e52) * 256u) + _e17);
+            if (_e67 < _e38) {
+                let _e69 = (2u * _e67);
+                let _e72 = found.member[(1u + _e69)];
+                let _e73 = bitcast<f32>(_e72);
+                let _e76 = found.member[(_e69 + 2u)];
+                if (_e73 < _e49.member) {
                     phi_215_ = type_19();
                     phi_216_ = true;
                 } else {
-                    if (_e77 == _e51.member) {
-                        if (_e80 < _e51.member_1) {
-                            phi_207_ = false;
-                        } else {
-                            phi_207_ = true;
-                        }
-                        let _e87 = phi_207_;
-                        phi_208_ = _e87;
-                    } else {
-                        phi_208_ = true;
-                    }
-                    let _e89 = phi_208_;
-                    if _e89 {
-                        phi_213_ = _e51;
-                        phi_214_ = false;
-                    } else {
-                        phi_213_ = type_19();
-                        phi_214_ = true;
-                    }
-                    let _e91 = phi_213_;
-                    let _e93 = phi_214_;
-                    phi_215_ = _e91;
-                    phi_216_ = _e93;
+                    let _e83 = select(true, select(true, false, (_e76 < _e49.member_1)), (_e73 == _e49.member));
+                    phi_215_ = type_19(select(type_19().member, _e49.member, _e83), select(type_19().member_1, _e49.member_1, _e83));
+                    phi_216_ = select(true, false, _e83);
                 }
-                let _e95 = phi_215_;
-                let _e97 = phi_216_;
-                if _e97 {
-                    phi_221_ = type_19(_e77, _e80);
-                } else {
-                    phi_221_ = _e95;
-                }
-                let _e100 = phi_221_;
-                phi_225_ = _e100;
+                let _e93 = phi_215_;
+                let _e95 = phi_216_;
+                phi_225_ = type_19(select(_e93.member, _e73, _e95), select(_e93.member_1, _e76, _e95));
             } else {
-                phi_225_ = _e51;
+                phi_225_ = _e49;
             }
             let _e102 = phi_225_;
             phi_133_ = _e102;
@@ -190,9 +136,9 @@ fn function_(lane_1: u32) {
         let _e104 = phi_133_;
         continue;
         continuing {
-            phi_129_ = _e63;
+            phi_129_ = type_8(select(_e47.member, (_e47.member + 1u), _e52), select(_e47.member_1, _e47.member_1, _e52));
             phi_132_ = _e104;
-            break if !(_e69);
+            break if !(_e65);
         }
     }
     let _e107 = local;

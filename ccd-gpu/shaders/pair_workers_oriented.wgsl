@@ -149,27 +149,11 @@ var<storage, read_write> nodes: type_37;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_27;
     var local_1: array<array<u32, 2>, 4>;
-    var phi_216_: u32;
     var phi_254_: type_9;
-    var phi_255_: type_9;
-    var phi_278_: type_9;
-    var phi_302_: u32;
-    var phi_333_: bool;
-    var phi_337_: u32;
     var phi_338_: u32;
     var phi_339_: u32;
-    var phi_437_: u32;
-    var phi_442_: u32;
-    var phi_447_: u32;
-    var phi_460_: u32;
-    var phi_466_: u32;
     var phi_475_: u32;
-    var phi_404_: u32;
-    var phi_410_: u32;
-    var phi_416_: u32;
     var phi_476_: u32;
-    var phi_367_: u32;
-    var phi_373_: u32;
     var phi_477_: u32;
     var phi_478_: u32;
     var phi_479_: u32;
@@ -177,35 +161,21 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_500_: u32;
     var phi_583_: array<u32, 2>;
     var phi_584_: array<u32, 2>;
-    var phi_601_: array<u32, 2>;
-    var phi_630_: u32;
-    var phi_704_: array<u32, 2>;
-    var phi_718_: array<u32, 2>;
-    var phi_755_: array<u32, 2>;
     var phi_757_: type_25;
     var phi_758_: type_25;
     var phi_759_: bool;
     var phi_760_: type_25;
     var phi_761_: bool;
-    var phi_777_: bool;
     var phi_821_: bool;
     var phi_822_: bool;
     var phi_823_: bool;
     var phi_824_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
-    var phi_932_: array<u32, 2>;
-    var phi_961_: array<u32, 2>;
-    var phi_990_: array<u32, 2>;
-    var phi_1019_: array<u32, 2>;
     var phi_1021_: type_25;
     var phi_1022_: bool;
     var phi_1023_: type_25;
     var phi_1024_: bool;
-    var phi_1197_: array<u32, 2>;
-    var phi_1229_: array<u32, 2>;
-    var phi_1097_: array<u32, 2>;
-    var phi_1129_: array<u32, 2>;
     var phi_1231_: type_25;
     var phi_1232_: type_25;
     var phi_1233_: type_25;
@@ -214,181 +184,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1236_: type_25;
     var phi_1237_: bool;
     var phi_1241_: type_25;
-    var phi_1259_: array<u32, 2>;
-    var phi_1290_: array<u32, 2>;
     var phi_1335_: type_9;
-    var phi_1336_: type_9;
-    var phi_1359_: type_9;
-    var phi_1388_: bool;
-    var phi_1400_: bool;
-    var phi_1401_: bool;
-    var phi_1474_: f32;
-    var phi_1480_: f32;
-    var phi_1486_: f32;
-    var phi_1492_: f32;
-    var phi_1498_: f32;
-    var phi_1504_: f32;
-    var phi_1522_: f32;
-    var phi_1527_: f32;
-    var phi_1532_: f32;
     var phi_1548_: type_32;
-    var phi_1618_: f32;
-    var phi_1624_: f32;
-    var phi_1630_: f32;
-    var phi_1636_: f32;
-    var phi_1642_: f32;
-    var phi_1648_: f32;
-    var phi_1666_: f32;
-    var phi_1671_: f32;
-    var phi_1676_: f32;
     var phi_1692_: type_32;
-    var phi_1882_: f32;
-    var phi_1888_: f32;
-    var phi_1895_: f32;
-    var phi_1904_: f32;
-    var phi_1911_: f32;
-    var phi_1919_: f32;
-    var phi_1928_: f32;
-    var phi_1935_: f32;
-    var phi_1943_: f32;
-    var phi_2036_: f32;
-    var phi_2043_: f32;
-    var phi_2049_: f32;
-    var phi_2055_: f32;
-    var phi_2074_: f32;
-    var phi_2081_: f32;
-    var phi_2087_: f32;
-    var phi_2093_: f32;
-    var phi_2112_: f32;
-    var phi_2119_: f32;
-    var phi_2125_: f32;
-    var phi_2131_: f32;
-    var phi_2150_: f32;
-    var phi_2157_: f32;
-    var phi_2163_: f32;
-    var phi_2169_: f32;
-    var phi_2188_: f32;
-    var phi_2195_: f32;
-    var phi_2201_: f32;
-    var phi_2207_: f32;
-    var phi_2226_: f32;
-    var phi_2233_: f32;
-    var phi_2239_: f32;
-    var phi_2245_: f32;
-    var phi_2260_: f32;
-    var phi_2265_: f32;
-    var phi_2270_: f32;
-    var phi_2275_: f32;
-    var phi_2280_: f32;
-    var phi_2339_: f32;
-    var phi_2362_: f32;
-    var phi_2385_: f32;
-    var phi_2407_: f32;
-    var phi_2423_: f32;
-    var phi_2478_: f32;
-    var phi_2501_: f32;
-    var phi_2524_: f32;
-    var phi_2546_: f32;
-    var phi_2562_: f32;
-    var phi_2617_: f32;
-    var phi_2640_: f32;
-    var phi_2663_: f32;
-    var phi_2685_: f32;
-    var phi_2701_: f32;
-    var phi_2756_: f32;
-    var phi_2779_: f32;
-    var phi_2803_: f32;
-    var phi_2826_: f32;
-    var phi_2842_: f32;
-    var phi_2897_: f32;
-    var phi_2920_: f32;
-    var phi_2944_: f32;
-    var phi_2967_: f32;
-    var phi_2983_: f32;
-    var phi_3038_: f32;
-    var phi_3061_: f32;
-    var phi_3085_: f32;
-    var phi_3108_: f32;
-    var phi_3124_: f32;
-    var phi_3179_: f32;
-    var phi_3202_: f32;
-    var phi_3226_: f32;
-    var phi_3249_: f32;
-    var phi_3265_: f32;
-    var phi_3320_: f32;
-    var phi_3343_: f32;
-    var phi_3367_: f32;
-    var phi_3390_: f32;
-    var phi_3406_: f32;
-    var phi_3461_: f32;
-    var phi_3484_: f32;
-    var phi_3508_: f32;
-    var phi_3531_: f32;
-    var phi_3547_: f32;
-    var phi_3554_: f32;
-    var phi_3559_: f32;
-    var phi_3564_: f32;
-    var phi_3569_: f32;
-    var phi_3574_: f32;
-    var phi_3579_: f32;
-    var phi_3584_: f32;
-    var phi_3589_: f32;
     var phi_3593_: bool;
     var phi_3595_: bool;
     var phi_3596_: bool;
     var phi_3597_: bool;
     var phi_3598_: bool;
-    var phi_3602_: bool;
     var phi_3639_: array<array<u32, 2>, 4>;
-    var phi_3657_: bool;
-    var phi_3658_: bool;
-    var phi_3662_: u32;
-    var phi_3663_: u32;
     var phi_3675_: type_33;
     var phi_3676_: type_33;
-    var phi_3694_: bool;
-    var phi_3695_: bool;
-    var phi_3699_: u32;
-    var phi_3700_: u32;
     var phi_3712_: type_33;
     var phi_3713_: type_33;
-    var phi_3731_: bool;
-    var phi_3732_: bool;
-    var phi_3736_: u32;
-    var phi_3737_: u32;
     var phi_3749_: type_33;
     var phi_3750_: type_33;
-    var phi_3768_: bool;
-    var phi_3769_: bool;
-    var phi_3773_: u32;
-    var phi_3774_: u32;
     var phi_3786_: type_33;
     var phi_3787_: type_33;
-    var phi_3803_: bool;
-    var phi_3804_: bool;
-    var phi_3808_: u32;
-    var phi_3809_: u32;
     var phi_3815_: type_33;
     var phi_3816_: type_33;
     var phi_3817_: type_33;
     var phi_3818_: type_33;
     var phi_3819_: type_33;
-    var phi_4139_: u32;
     var phi_4149_: array<u32, 3>;
     var phi_4158_: array<u32, 3>;
     var phi_4167_: array<u32, 3>;
-    var phi_4175_: u32;
-    var phi_4200_: u32;
-    var phi_4219_: u32;
-    var phi_4238_: u32;
-    var phi_3878_: u32;
     var phi_3885_: type_9;
     var phi_3888_: u32;
     var phi_3890_: u32;
     var phi_3892_: u32;
     var phi_3889_: u32;
-    var phi_3886_: type_9;
-    var phi_3915_: type_9;
     var phi_3931_: u32;
     var phi_3891_: u32;
     var phi_3893_: u32;
@@ -398,43 +223,22 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_3963_: u32;
     var phi_3965_: u32;
     var phi_3962_: u32;
-    var phi_3959_: type_9;
-    var phi_3988_: type_9;
     var phi_4004_: u32;
     var phi_3964_: u32;
     var phi_3966_: u32;
     var local_3: u32;
     var phi_4018_: u32;
-    var phi_4026_: u32;
-    var phi_4045_: u32;
-    var phi_4064_: u32;
-    var phi_4083_: u32;
     var phi_4241_: type_34;
-    var phi_4285_: u32;
-    var phi_4471_: type_9;
     var phi_4476_: type_9;
-    var phi_4635_: type_9;
     var phi_4640_: type_9;
-    var phi_4799_: type_9;
     var phi_4804_: type_9;
-    var phi_4963_: type_9;
     var phi_4968_: type_9;
     var phi_5021_: bool;
     var phi_5022_: bool;
-    var phi_5045_: u32;
     var phi_5050_: u32;
-    var phi_5076_: u32;
-    var phi_5082_: u32;
     var phi_5170_: type_9;
-    var phi_5171_: type_9;
-    var phi_5194_: type_9;
-    var phi_5285_: u32;
     var phi_5288_: type_9;
-    var phi_5289_: type_9;
-    var phi_5312_: type_9;
     var phi_5393_: type_9;
-    var phi_5394_: type_9;
-    var phi_5417_: type_9;
     var phi_5509_: bool;
     var phi_5510_: bool;
     var id_2: vec3<u32>;
@@ -444,2229 +248,1152 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e77 = id_2;
-    let _e78 = n_2;
-    let _e79 = lane_2;
-    let _e92 = ((_e77.y * _e78.x) + _e77.x);
-    let _e94 = params.member.member_2;
-    let _e96 = params.member.member_1;
-    let _e99 = (_e96.member_1 % 2u);
-    let _e101 = atomicLoad((&control.member[_e96.member_1]));
-    if (_e94.member_3 < _e101) {
-        phi_216_ = _e94.member_3;
-    } else {
-        phi_216_ = _e101;
-    }
-    let _e104 = phi_216_;
-    let _e105 = (_e99 * _e94.member_3);
-    let _e107 = ((1u - _e99) * _e94.member_3);
-    if (_e79 == 0u) {
+    let _e75 = id_2;
+    let _e76 = n_2;
+    let _e77 = lane_2;
+    let _e90 = ((_e75.y * _e76.x) + _e75.x);
+    let _e92 = params.member.member_2;
+    let _e94 = params.member.member_1;
+    let _e97 = (_e94.member_1 % 2u);
+    let _e99 = atomicLoad((&control.member[_e94.member_1]));
+    let _e101 = select(_e99, _e92.member_3, (_e92.member_3 < _e99));
+    let _e102 = (_e97 * _e92.member_3);
+    let _e104 = ((1u - _e97) * _e92.member_3);
+    if (_e77 == 0u) {
         atomicStore((&shared_[0u]), 0u);
         atomicStore((&shared_[5u]), 0u);
         atomicStore((&shared_[15u]), 0u);
         atomicStore((&shared_[16u]), 0u);
     }
-    phi_254_ = type_9(0u, _e94.member_12);
+    phi_254_ = type_9(0u, _e92.member_12);
     loop {
-        let _e116 = phi_254_;
-        if (_e116.member < _e116.member_1) {
-            phi_255_ = type_9((_e116.member + 1u), _e116.member_1);
-            phi_278_ = type_9(1u, _e116.member);
-        } else {
-            phi_255_ = _e116;
-            phi_278_ = type_9(0u, type_9().member_1);
-        }
-        let _e128 = phi_255_;
-        let _e130 = phi_278_;
-        if (bitcast<i32>(_e130.member) != 0i) {
-            if (_e79 == 0u) {
-                let _e141 = atomicLoad((&shared_[0u]));
-                if (128u < _e141) {
-                    phi_302_ = 128u;
-                } else {
-                    phi_302_ = _e141;
-                }
-                let _e144 = phi_302_;
-                if (_e94.member_9 > 0u) {
-                    if (_e130.member_1 >= 16u) {
-                        let _e149 = atomicLoad((&control.member[(1024u + _e96.member_1)]));
-                        if (_e94.member_9 > 0u) {
-                            phi_333_ = ((_e149 * 100u) >= (_e94.member_9 << bitcast<u32>((_e94.member_7 & 31u))));
-                        } else {
-                            phi_333_ = false;
-                        }
-                        let _e157 = phi_333_;
-                        if _e157 {
-                            phi_337_ = 2u;
-                        } else {
-                            phi_337_ = 0u;
-                        }
-                        let _e159 = phi_337_;
-                        phi_338_ = _e159;
+        let _e113 = phi_254_;
+        let _e116 = (_e113.member < _e113.member_1);
+        if (bitcast<i32>(select(0u, 1u, _e116)) != 0i) {
+            if (_e77 == 0u) {
+                let _e136 = atomicLoad((&shared_[0u]));
+                let _e138 = select(_e136, 128u, (128u < _e136));
+                if (_e92.member_9 > 0u) {
+                    if (select(type_9().member_1, _e113.member, _e116) >= 16u) {
+                        let _e143 = atomicLoad((&control.member[(1024u + _e94.member_1)]));
+                        phi_338_ = select(0u, 2u, select(false, ((_e143 * 100u) >= (_e92.member_9 << bitcast<u32>((_e92.member_7 & 31u)))), (_e92.member_9 > 0u)));
                     } else {
                         phi_338_ = 0u;
                     }
-                    let _e161 = phi_338_;
-                    phi_339_ = _e161;
+                    let _e153 = phi_338_;
+                    phi_339_ = _e153;
                 } else {
                     phi_339_ = 0u;
                 }
-                let _e163 = phi_339_;
-                let _e164 = (128u - _e144);
-                if (_e163 == 0u) {
-                    if (_e164 > 0u) {
-                        let _e168 = atomicLoad((&shared_[5u]));
-                        if (_e94.member_6 == 0u) {
-                            if (_e92 < _e104) {
-                                phi_367_ = ((((_e104 - 1u) - _e92) >> bitcast<u32>((_e94.member_7 & 31u))) + 1u);
-                            } else {
-                                phi_367_ = 0u;
-                            }
-                            let _e237 = phi_367_;
-                            let _e238 = (_e237 - _e168);
-                            if (_e164 < _e238) {
-                                phi_373_ = _e164;
-                            } else {
-                                phi_373_ = _e238;
-                            }
-                            let _e241 = phi_373_;
-                            atomicStore((&shared_[3u]), (_e92 + (_e168 << bitcast<u32>((_e94.member_7 & 31u)))));
-                            atomicStore((&shared_[4u]), (1u << bitcast<u32>((_e94.member_7 & 31u))));
-                            atomicStore((&shared_[5u]), (_e168 + _e241));
-                            phi_477_ = _e241;
+                let _e155 = phi_339_;
+                let _e156 = (128u - _e138);
+                if (_e155 == 0u) {
+                    if (_e156 > 0u) {
+                        let _e160 = atomicLoad((&shared_[5u]));
+                        if (_e92.member_6 == 0u) {
+                            let _e221 = (select(0u, ((((_e101 - 1u) - _e90) >> bitcast<u32>((_e92.member_7 & 31u))) + 1u), (_e90 < _e101)) - _e160);
+                            let _e223 = select(_e221, _e156, (_e156 < _e221));
+                            atomicStore((&shared_[3u]), (_e90 + (_e160 << bitcast<u32>((_e92.member_7 & 31u)))));
+                            atomicStore((&shared_[4u]), (1u << bitcast<u32>((_e92.member_7 & 31u))));
+                            atomicStore((&shared_[5u]), (_e160 + _e223));
+                            phi_477_ = _e223;
                         } else {
-                            if (_e94.member_6 == 2u) {
-                                let _e209 = (((_e104 + (1u << bitcast<u32>((_e94.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e94.member_7 & 31u)));
-                                let _e210 = (_e92 * _e209);
-                                if (_e104 < _e210) {
-                                    phi_404_ = _e104;
-                                } else {
-                                    phi_404_ = _e210;
-                                }
-                                let _e213 = phi_404_;
-                                let _e214 = (_e104 - _e213);
-                                if (_e214 < _e209) {
-                                    phi_410_ = _e214;
-                                } else {
-                                    phi_410_ = _e209;
-                                }
-                                let _e217 = phi_410_;
-                                let _e218 = (_e217 - _e168);
-                                if (_e164 < _e218) {
-                                    phi_416_ = _e164;
-                                } else {
-                                    phi_416_ = _e218;
-                                }
-                                let _e221 = phi_416_;
-                                atomicStore((&shared_[3u]), (_e213 + _e168));
+                            if (_e92.member_6 == 2u) {
+                                let _e196 = (((_e101 + (1u << bitcast<u32>((_e92.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e92.member_7 & 31u)));
+                                let _e197 = (_e90 * _e196);
+                                let _e199 = select(_e197, _e101, (_e101 < _e197));
+                                let _e200 = (_e101 - _e199);
+                                let _e203 = (select(_e196, _e200, (_e200 < _e196)) - _e160);
+                                let _e205 = select(_e203, _e156, (_e156 < _e203));
+                                atomicStore((&shared_[3u]), (_e199 + _e160));
                                 atomicStore((&shared_[4u]), 1u);
-                                atomicStore((&shared_[5u]), (_e168 + _e221));
-                                phi_476_ = _e221;
+                                atomicStore((&shared_[5u]), (_e160 + _e205));
+                                phi_476_ = _e205;
                             } else {
-                                if (_e168 == 0u) {
-                                    let _e175 = (_e104 >> bitcast<u32>(((_e94.member_7 + 2u) & 31u)));
-                                    if (_e94.member_8 < _e175) {
-                                        phi_437_ = _e175;
-                                    } else {
-                                        phi_437_ = _e94.member_8;
-                                    }
-                                    let _e178 = phi_437_;
-                                    if (128u < _e178) {
-                                        phi_442_ = 128u;
-                                    } else {
-                                        phi_442_ = _e178;
-                                    }
-                                    let _e181 = phi_442_;
-                                    if (_e164 < _e181) {
-                                        phi_447_ = _e164;
-                                    } else {
-                                        phi_447_ = _e181;
-                                    }
-                                    let _e184 = phi_447_;
-                                    let _e187 = atomicAdd((&control.member[(512u + _e96.member_1)]), _e184);
-                                    if (_e104 < _e187) {
-                                        phi_460_ = _e104;
-                                    } else {
-                                        phi_460_ = _e187;
-                                    }
-                                    let _e190 = phi_460_;
-                                    let _e191 = (_e104 - _e190);
-                                    if (_e184 < _e191) {
-                                        phi_466_ = _e184;
-                                    } else {
-                                        phi_466_ = _e191;
-                                    }
-                                    let _e194 = phi_466_;
-                                    atomicStore((&shared_[3u]), _e187);
+                                if (_e160 == 0u) {
+                                    let _e167 = (_e101 >> bitcast<u32>(((_e92.member_7 + 2u) & 31u)));
+                                    let _e169 = select(_e92.member_8, _e167, (_e92.member_8 < _e167));
+                                    let _e171 = select(_e169, 128u, (128u < _e169));
+                                    let _e173 = select(_e171, _e156, (_e156 < _e171));
+                                    let _e176 = atomicAdd((&control.member[(512u + _e94.member_1)]), _e173);
+                                    let _e179 = (_e101 - select(_e176, _e101, (_e101 < _e176)));
+                                    let _e181 = select(_e179, _e173, (_e173 < _e179));
+                                    atomicStore((&shared_[3u]), _e176);
                                     atomicStore((&shared_[4u]), 1u);
-                                    atomicStore((&shared_[5u]), select(0u, 1u, (_e194 < _e184)));
-                                    phi_475_ = _e194;
+                                    atomicStore((&shared_[5u]), select(0u, 1u, (_e181 < _e173)));
+                                    phi_475_ = _e181;
                                 } else {
                                     phi_475_ = 0u;
                                 }
-                                let _e201 = phi_475_;
-                                phi_476_ = _e201;
+                                let _e188 = phi_475_;
+                                phi_476_ = _e188;
                             }
-                            let _e228 = phi_476_;
-                            phi_477_ = _e228;
+                            let _e212 = phi_476_;
+                            phi_477_ = _e212;
                         }
-                        let _e254 = phi_477_;
-                        phi_478_ = _e254;
+                        let _e236 = phi_477_;
+                        phi_478_ = _e236;
                     } else {
                         phi_478_ = 0u;
                     }
-                    let _e256 = phi_478_;
-                    phi_479_ = _e256;
+                    let _e238 = phi_478_;
+                    phi_479_ = _e238;
                 } else {
                     phi_479_ = 0u;
                 }
-                let _e258 = phi_479_;
-                if (_e163 == 0u) {
-                    if ((_e144 + _e258) == 0u) {
-                        if (_e94.member_9 > 0u) {
-                            let _e265 = atomicAdd((&control.member[(1024u + _e96.member_1)]), 1u);
+                let _e240 = phi_479_;
+                if (_e155 == 0u) {
+                    if ((_e138 + _e240) == 0u) {
+                        if (_e92.member_9 > 0u) {
+                            let _e247 = atomicAdd((&control.member[(1024u + _e94.member_1)]), 1u);
                         }
                         phi_499_ = 1u;
                     } else {
-                        phi_499_ = _e163;
+                        phi_499_ = _e155;
                     }
-                    let _e267 = phi_499_;
-                    phi_500_ = _e267;
+                    let _e249 = phi_499_;
+                    phi_500_ = _e249;
                 } else {
-                    phi_500_ = _e163;
+                    phi_500_ = _e155;
                 }
-                let _e269 = phi_500_;
-                atomicStore((&shared_[1u]), _e144);
-                atomicStore((&shared_[2u]), _e258);
+                let _e251 = phi_500_;
+                atomicStore((&shared_[1u]), _e138);
+                atomicStore((&shared_[2u]), _e240);
                 atomicStore((&shared_[6u]), 0u);
                 atomicStore((&shared_[7u]), 0u);
                 atomicStore((&shared_[8u]), 0u);
-                state[0u] = _e269;
+                state[0u] = _e251;
             }
-            let _e277 = workgroupUniformLoad((&state[0u]));
-            if (_e277 != 0u) {
+            let _e259 = workgroupUniformLoad((&state[0u]));
+            if (_e259 != 0u) {
                 phi_5021_ = false;
             } else {
-                let _e280 = atomicLoad((&shared_[1u]));
-                let _e282 = atomicLoad((&shared_[2u]));
-                if (_e79 < _e280) {
-                    let _e305 = atomicLoad((&shared_[0u]));
-                    let _e308 = (2u * ((_e305 - 1u) - _e79));
-                    let _e310 = stack[_e308];
-                    let _e313 = stack[(_e308 + 1u)];
-                    phi_584_ = array<u32, 2>(_e310, _e313);
+                let _e262 = atomicLoad((&shared_[1u]));
+                let _e264 = atomicLoad((&shared_[2u]));
+                if (_e77 < _e262) {
+                    let _e287 = atomicLoad((&shared_[0u]));
+                    let _e290 = (2u * ((_e287 - 1u) - _e77));
+                    let _e292 = stack[_e290];
+                    let _e295 = stack[(_e290 + 1u)];
+                    phi_584_ = array<u32, 2>(_e292, _e295);
                 } else {
-                    if (_e79 < (_e280 + _e282)) {
-                        let _e287 = atomicLoad((&shared_[3u]));
-                        let _e290 = atomicLoad((&shared_[4u]));
-                        let _e294 = (2u * (_e105 + (_e287 + ((_e79 - _e280) * _e290))));
-                        let _e297 = atomicLoad((&nodes.member[(4u + _e294)]));
-                        let _e300 = atomicLoad((&nodes.member[(_e294 + 5u)]));
-                        phi_583_ = array<u32, 2>(_e297, _e300);
+                    if (_e77 < (_e262 + _e264)) {
+                        let _e269 = atomicLoad((&shared_[3u]));
+                        let _e272 = atomicLoad((&shared_[4u]));
+                        let _e276 = (2u * (_e102 + (_e269 + ((_e77 - _e262) * _e272))));
+                        let _e279 = atomicLoad((&nodes.member[(4u + _e276)]));
+                        let _e282 = atomicLoad((&nodes.member[(_e276 + 5u)]));
+                        phi_583_ = array<u32, 2>(_e279, _e282);
                     } else {
                         phi_583_ = array<u32, 2>(4294967295u, 4294967295u);
                     }
-                    let _e303 = phi_583_;
-                    phi_584_ = _e303;
+                    let _e285 = phi_583_;
+                    phi_584_ = _e285;
                 }
-                let _e316 = phi_584_;
-                let _e319 = params.member.member_2.member;
-                let _e323 = params.member.member_2.member;
-                if (_e323 == 0u) {
-                    phi_601_ = array<u32, 2>(0u, 2u);
-                } else {
-                    phi_601_ = array<u32, 2>(1u, 1u);
-                }
-                let _e326 = phi_601_;
-                let _e332 = params.member.member.member[_e326[0]];
-                let _e333 = (_e332 - 1u);
-                let _e337 = params.member.member.member[_e326[1]];
-                let _e338 = (_e337 - 1u);
-                let _e341 = params.member.member_2.member_1;
-                if (_e341 == 0u) {
-                    phi_630_ = 1u;
-                } else {
-                    phi_630_ = 0u;
-                }
-                let _e344 = phi_630_;
-                if (_e316[0] != 4294967295u) {
-                    let _e350 = a.member[_e316[0]];
-                    let _e352 = b.member[_e316[1]];
-                    if (_e319 == 1u) {
-                        if (_e316[0] == _e316[1]) {
-                            if (_e350.member_3 == 4294967295u) {
+                let _e298 = phi_584_;
+                let _e301 = params.member.member_2.member;
+                let _e305 = params.member.member_2.member;
+                let _e306 = (_e305 == 0u);
+                let _e312 = params.member.member.member[select(1u, 0u, _e306)];
+                let _e313 = (_e312 - 1u);
+                let _e317 = params.member.member.member[select(1u, 2u, _e306)];
+                let _e318 = (_e317 - 1u);
+                let _e321 = params.member.member_2.member_1;
+                if (_e298[0] != 4294967295u) {
+                    let _e329 = a.member[_e298[0]];
+                    let _e331 = b.member[_e298[1]];
+                    if (_e301 == 1u) {
+                        if (_e298[0] == _e298[1]) {
+                            if (_e329.member_3 == 4294967295u) {
                                 phi_757_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
                             } else {
-                                let _e358 = a.member[_e350.member_1];
-                                let _e361 = a.member[_e350.member_3];
-                                if !((_e358.member_3 == 4294967295u)) {
-                                    phi_704_ = array<u32, 2>(_e350.member_1, _e350.member_1);
-                                } else {
-                                    phi_704_ = array<u32, 2>(4294967295u, 4294967295u);
-                                }
-                                let _e368 = phi_704_;
-                                let _e375 = type_25(array<array<u32, 2>, 4>(_e368, type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                let _e387 = type_25(array<array<u32, 2>, 4>(_e375.member[0], array<u32, 2>(_e350.member_1, _e375.member[1][1]), _e375.member[2], _e375.member[3]), _e375.member_1);
-                                let _e388 = array<u32, 2>(_e350.member_1, _e350.member_3);
-                                let _e395 = type_25(array<array<u32, 2>, 4>(_e387.member[0], _e388, _e387.member[2], _e387.member[3]), _e387.member_1);
-                                if !((_e361.member_3 == 4294967295u)) {
-                                    phi_718_ = array<u32, 2>(_e350.member_3, _e350.member_3);
-                                } else {
-                                    phi_718_ = array<u32, 2>(4294967295u, 4294967295u);
-                                }
-                                let _e402 = phi_718_;
-                                let _e409 = type_25(array<array<u32, 2>, 4>(_e395.member[0], _e395.member[1], _e402, _e395.member[3]), _e395.member_1);
-                                let _e412 = type_25(_e409.member, _e409.member);
-                                if ((((((_e358.member[0] <= _e361.member_2[0]) && (_e361.member[0] <= _e358.member_2[0])) && (_e358.member[1] <= _e361.member_2[1])) && (_e361.member[1] <= _e358.member_2[1])) && (_e358.member[2] <= _e361.member_2[2])) && (_e361.member[2] <= _e358.member_2[2])) {
-                                    phi_755_ = _e388;
-                                } else {
-                                    phi_755_ = array<u32, 2>(4294967295u, 4294967295u);
-                                }
-                                let _e441 = phi_755_;
-                                phi_757_ = type_25(_e412.member, array<array<u32, 2>, 4>(_e412.member_1[0], _e441, _e412.member_1[2], _e412.member_1[3]));
+                                let _e337 = a.member[_e329.member_1];
+                                let _e340 = a.member[_e329.member_3];
+                                let _e343 = !((_e337.member_3 == 4294967295u));
+                                let _e354 = type_25(array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e329.member_1, _e343), select(4294967295u, _e329.member_1, _e343)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[1], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[2], type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member[3]), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                let _e366 = type_25(array<array<u32, 2>, 4>(_e354.member[0], array<u32, 2>(_e329.member_1, _e354.member[1][1]), _e354.member[2], _e354.member[3]), _e354.member_1);
+                                let _e374 = type_25(array<array<u32, 2>, 4>(_e366.member[0], array<u32, 2>(_e329.member_1, _e329.member_3), _e366.member[2], _e366.member[3]), _e366.member_1);
+                                let _e377 = !((_e340.member_3 == 4294967295u));
+                                let _e388 = type_25(array<array<u32, 2>, 4>(_e374.member[0], _e374.member[1], array<u32, 2>(select(4294967295u, _e329.member_3, _e377), select(4294967295u, _e329.member_3, _e377)), _e374.member[3]), _e374.member_1);
+                                let _e391 = type_25(_e388.member, _e388.member);
+                                let _e418 = ((((((_e337.member[0] <= _e340.member_2[0]) && (_e340.member[0] <= _e337.member_2[0])) && (_e337.member[1] <= _e340.member_2[1])) && (_e340.member[1] <= _e337.member_2[1])) && (_e337.member[2] <= _e340.member_2[2])) && (_e340.member[2] <= _e337.member_2[2]));
+                                phi_757_ = type_25(_e391.member, array<array<u32, 2>, 4>(_e391.member_1[0], array<u32, 2>(select(4294967295u, _e329.member_1, _e418), select(4294967295u, _e329.member_3, _e418)), _e391.member_1[2], _e391.member_1[3]));
                             }
-                            let _e450 = phi_757_;
-                            phi_758_ = _e450;
+                            let _e430 = phi_757_;
+                            phi_758_ = _e430;
                             phi_759_ = false;
                         } else {
                             phi_758_ = type_25();
                             phi_759_ = true;
                         }
-                        let _e452 = phi_758_;
-                        let _e454 = phi_759_;
-                        phi_760_ = _e452;
-                        phi_761_ = _e454;
+                        let _e432 = phi_758_;
+                        let _e434 = phi_759_;
+                        phi_760_ = _e432;
+                        phi_761_ = _e434;
                     } else {
                         phi_760_ = type_25();
                         phi_761_ = true;
                     }
-                    let _e456 = phi_760_;
-                    let _e458 = phi_761_;
-                    if _e458 {
-                        let _e461 = !((_e350.member_3 == 4294967295u));
-                        let _e464 = !((_e352.member_3 == 4294967295u));
-                        if _e461 {
-                            phi_777_ = true;
-                        } else {
-                            phi_777_ = _e464;
-                        }
-                        let _e466 = phi_777_;
-                        if _e466 {
-                            if _e461 {
-                                if _e464 {
-                                    if (_e344 == 0u) {
-                                        let _e494 = ((((_e352.member_2[0] - _e352.member[0]) * (_e352.member_2[1] - _e352.member[1])) * (_e352.member_2[2] - _e352.member[2])) > (((_e350.member_2[0] - _e350.member[0]) * (_e350.member_2[1] - _e350.member[1])) * (_e350.member_2[2] - _e350.member[2])));
-                                        phi_821_ = _e494;
-                                        phi_822_ = !(_e494);
+                    let _e436 = phi_760_;
+                    let _e438 = phi_761_;
+                    if _e438 {
+                        let _e441 = !((_e329.member_3 == 4294967295u));
+                        let _e444 = !((_e331.member_3 == 4294967295u));
+                        if select(_e444, true, _e441) {
+                            if _e441 {
+                                if _e444 {
+                                    if (select(0u, 1u, (_e321 == 0u)) == 0u) {
+                                        let _e473 = ((((_e331.member_2[0] - _e331.member[0]) * (_e331.member_2[1] - _e331.member[1])) * (_e331.member_2[2] - _e331.member[2])) > (((_e329.member_2[0] - _e329.member[0]) * (_e329.member_2[1] - _e329.member[1])) * (_e329.member_2[2] - _e329.member[2])));
+                                        phi_821_ = _e473;
+                                        phi_822_ = !(_e473);
                                     } else {
-                                        phi_821_ = _e464;
-                                        phi_822_ = _e461;
+                                        phi_821_ = _e444;
+                                        phi_822_ = _e441;
                                     }
-                                    let _e497 = phi_821_;
-                                    let _e499 = phi_822_;
-                                    phi_823_ = _e497;
-                                    phi_824_ = _e499;
+                                    let _e476 = phi_821_;
+                                    let _e478 = phi_822_;
+                                    phi_823_ = _e476;
+                                    phi_824_ = _e478;
                                 } else {
-                                    phi_823_ = _e464;
-                                    phi_824_ = _e461;
+                                    phi_823_ = _e444;
+                                    phi_824_ = _e441;
                                 }
-                                let _e501 = phi_823_;
-                                let _e503 = phi_824_;
-                                phi_825_ = _e501;
-                                phi_826_ = _e503;
+                                let _e480 = phi_823_;
+                                let _e482 = phi_824_;
+                                phi_825_ = _e480;
+                                phi_826_ = _e482;
                             } else {
-                                phi_825_ = _e464;
-                                phi_826_ = _e461;
+                                phi_825_ = _e444;
+                                phi_826_ = _e441;
                             }
-                            let _e505 = phi_825_;
-                            let _e507 = phi_826_;
-                            if _e507 {
-                                if _e505 {
-                                    let _e510 = a.member[_e350.member_1];
-                                    let _e515 = a.member[_e350.member_3];
-                                    let _e520 = b.member[_e352.member_1];
-                                    let _e525 = b.member[_e352.member_3];
-                                    let _e530 = array<u32, 2>(_e350.member_1, _e352.member_1);
-                                    let _e533 = array<u32, 2>(_e350.member_1, _e352.member_3);
-                                    let _e536 = array<u32, 2>(_e350.member_3, _e352.member_1);
-                                    let _e539 = array<u32, 2>(_e350.member_3, _e352.member_3);
-                                    if ((((((_e510.member[0] <= _e520.member_2[0]) && (_e520.member[0] <= _e510.member_2[0])) && (_e510.member[1] <= _e520.member_2[1])) && (_e520.member[1] <= _e510.member_2[1])) && (_e510.member[2] <= _e520.member_2[2])) && (_e520.member[2] <= _e510.member_2[2])) {
-                                        phi_932_ = _e530;
-                                    } else {
-                                        phi_932_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e565 = phi_932_;
-                                    if ((((((_e510.member[0] <= _e525.member_2[0]) && (_e525.member[0] <= _e510.member_2[0])) && (_e510.member[1] <= _e525.member_2[1])) && (_e525.member[1] <= _e510.member_2[1])) && (_e510.member[2] <= _e525.member_2[2])) && (_e525.member[2] <= _e510.member_2[2])) {
-                                        phi_961_ = _e533;
-                                    } else {
-                                        phi_961_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e590 = phi_961_;
-                                    if ((((((_e515.member[0] <= _e520.member_2[0]) && (_e520.member[0] <= _e515.member_2[0])) && (_e515.member[1] <= _e520.member_2[1])) && (_e520.member[1] <= _e515.member_2[1])) && (_e515.member[2] <= _e520.member_2[2])) && (_e520.member[2] <= _e515.member_2[2])) {
-                                        phi_990_ = _e536;
-                                    } else {
-                                        phi_990_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e615 = phi_990_;
-                                    if ((((((_e515.member[0] <= _e525.member_2[0]) && (_e525.member[0] <= _e515.member_2[0])) && (_e515.member[1] <= _e525.member_2[1])) && (_e525.member[1] <= _e515.member_2[1])) && (_e515.member[2] <= _e525.member_2[2])) && (_e525.member[2] <= _e515.member_2[2])) {
-                                        phi_1019_ = _e539;
-                                    } else {
-                                        phi_1019_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e640 = phi_1019_;
-                                    phi_1021_ = type_25(array<array<u32, 2>, 4>(_e530, _e533, _e536, _e539), array<array<u32, 2>, 4>(_e565, _e590, _e615, _e640));
+                            let _e484 = phi_825_;
+                            let _e486 = phi_826_;
+                            if _e486 {
+                                if _e484 {
+                                    let _e489 = a.member[_e329.member_1];
+                                    let _e494 = a.member[_e329.member_3];
+                                    let _e499 = b.member[_e331.member_1];
+                                    let _e504 = b.member[_e331.member_3];
+                                    let _e542 = ((((((_e489.member[0] <= _e499.member_2[0]) && (_e499.member[0] <= _e489.member_2[0])) && (_e489.member[1] <= _e499.member_2[1])) && (_e499.member[1] <= _e489.member_2[1])) && (_e489.member[2] <= _e499.member_2[2])) && (_e499.member[2] <= _e489.member_2[2]));
+                                    let _e568 = ((((((_e489.member[0] <= _e504.member_2[0]) && (_e504.member[0] <= _e489.member_2[0])) && (_e489.member[1] <= _e504.member_2[1])) && (_e504.member[1] <= _e489.member_2[1])) && (_e489.member[2] <= _e504.member_2[2])) && (_e504.member[2] <= _e489.member_2[2]));
+                                    let _e594 = ((((((_e494.member[0] <= _e499.member_2[0]) && (_e499.member[0] <= _e494.member_2[0])) && (_e494.member[1] <= _e499.member_2[1])) && (_e499.member[1] <= _e494.member_2[1])) && (_e494.member[2] <= _e499.member_2[2])) && (_e499.member[2] <= _e494.member_2[2]));
+                                    let _e620 = ((((((_e494.member[0] <= _e504.member_2[0]) && (_e504.member[0] <= _e494.member_2[0])) && (_e494.member[1] <= _e504.member_2[1])) && (_e504.member[1] <= _e494.member_2[1])) && (_e494.member[2] <= _e504.member_2[2])) && (_e504.member[2] <= _e494.member_2[2]));
+                                    phi_1021_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(_e329.member_1, _e331.member_1), array<u32, 2>(_e329.member_1, _e331.member_3), array<u32, 2>(_e329.member_3, _e331.member_1), array<u32, 2>(_e329.member_3, _e331.member_3)), array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e329.member_1, _e542), select(4294967295u, _e331.member_1, _e542)), array<u32, 2>(select(4294967295u, _e329.member_1, _e568), select(4294967295u, _e331.member_3, _e568)), array<u32, 2>(select(4294967295u, _e329.member_3, _e594), select(4294967295u, _e331.member_1, _e594)), array<u32, 2>(select(4294967295u, _e329.member_3, _e620), select(4294967295u, _e331.member_3, _e620))));
                                     phi_1022_ = false;
                                 } else {
                                     phi_1021_ = type_25();
                                     phi_1022_ = true;
                                 }
-                                let _e644 = phi_1021_;
-                                let _e646 = phi_1022_;
-                                phi_1023_ = _e644;
-                                phi_1024_ = _e646;
+                                let _e627 = phi_1021_;
+                                let _e629 = phi_1022_;
+                                phi_1023_ = _e627;
+                                phi_1024_ = _e629;
                             } else {
                                 phi_1023_ = type_25();
                                 phi_1024_ = true;
                             }
-                            let _e648 = phi_1023_;
-                            let _e650 = phi_1024_;
-                            if _e650 {
-                                if _e507 {
-                                    let _e738 = a.member[_e350.member_1];
-                                    let _e743 = a.member[_e350.member_3];
-                                    let _e747 = array<u32, 2>(_e350.member_1, _e316[1]);
-                                    let _e749 = array<u32, 2>(_e350.member_3, _e316[1]);
-                                    let _e752 = type_25(array<array<u32, 2>, 4>(_e747, _e749, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    if ((((((_e738.member[0] <= _e352.member_2[0]) && (_e352.member[0] <= _e738.member_2[0])) && (_e738.member[1] <= _e352.member_2[1])) && (_e352.member[1] <= _e738.member_2[1])) && (_e738.member[2] <= _e352.member_2[2])) && (_e352.member[2] <= _e738.member_2[2])) {
-                                        phi_1097_ = _e747;
-                                    } else {
-                                        phi_1097_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e779 = phi_1097_;
-                                    let _e786 = type_25(_e752.member, array<array<u32, 2>, 4>(_e779, _e752.member_1[1], _e752.member_1[2], _e752.member_1[3]));
-                                    if ((((((_e743.member[0] <= _e352.member_2[0]) && (_e352.member[0] <= _e743.member_2[0])) && (_e743.member[1] <= _e352.member_2[1])) && (_e352.member[1] <= _e743.member_2[1])) && (_e743.member[2] <= _e352.member_2[2])) && (_e352.member[2] <= _e743.member_2[2])) {
-                                        phi_1129_ = _e749;
-                                    } else {
-                                        phi_1129_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e813 = phi_1129_;
-                                    phi_1231_ = type_25(_e786.member, array<array<u32, 2>, 4>(_e786.member_1[0], _e813, _e786.member_1[2], _e786.member_1[3]));
+                            let _e631 = phi_1023_;
+                            let _e633 = phi_1024_;
+                            if _e633 {
+                                if _e486 {
+                                    let _e723 = a.member[_e329.member_1];
+                                    let _e728 = a.member[_e329.member_3];
+                                    let _e737 = type_25(array<array<u32, 2>, 4>(array<u32, 2>(_e329.member_1, _e298[1]), array<u32, 2>(_e329.member_3, _e298[1]), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e762 = ((((((_e723.member[0] <= _e331.member_2[0]) && (_e331.member[0] <= _e723.member_2[0])) && (_e723.member[1] <= _e331.member_2[1])) && (_e331.member[1] <= _e723.member_2[1])) && (_e723.member[2] <= _e331.member_2[2])) && (_e331.member[2] <= _e723.member_2[2]));
+                                    let _e772 = type_25(_e737.member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e329.member_1, _e762), select(4294967295u, _e298[1], _e762)), _e737.member_1[1], _e737.member_1[2], _e737.member_1[3]));
+                                    let _e797 = ((((((_e728.member[0] <= _e331.member_2[0]) && (_e331.member[0] <= _e728.member_2[0])) && (_e728.member[1] <= _e331.member_2[1])) && (_e331.member[1] <= _e728.member_2[1])) && (_e728.member[2] <= _e331.member_2[2])) && (_e331.member[2] <= _e728.member_2[2]));
+                                    phi_1231_ = type_25(_e772.member, array<array<u32, 2>, 4>(_e772.member_1[0], array<u32, 2>(select(4294967295u, _e329.member_3, _e797), select(4294967295u, _e298[1], _e797)), _e772.member_1[2], _e772.member_1[3]));
                                 } else {
-                                    let _e653 = b.member[_e352.member_1];
-                                    let _e658 = b.member[_e352.member_3];
-                                    let _e662 = array<u32, 2>(_e316[0], _e352.member_1);
-                                    let _e664 = array<u32, 2>(_e316[0], _e352.member_3);
-                                    let _e667 = type_25(array<array<u32, 2>, 4>(_e662, _e664, array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
-                                    if ((((((_e350.member[0] <= _e653.member_2[0]) && (_e653.member[0] <= _e350.member_2[0])) && (_e350.member[1] <= _e653.member_2[1])) && (_e653.member[1] <= _e350.member_2[1])) && (_e350.member[2] <= _e653.member_2[2])) && (_e653.member[2] <= _e350.member_2[2])) {
-                                        phi_1197_ = _e662;
-                                    } else {
-                                        phi_1197_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e694 = phi_1197_;
-                                    let _e701 = type_25(_e667.member, array<array<u32, 2>, 4>(_e694, _e667.member_1[1], _e667.member_1[2], _e667.member_1[3]));
-                                    if ((((((_e350.member[0] <= _e658.member_2[0]) && (_e658.member[0] <= _e350.member_2[0])) && (_e350.member[1] <= _e658.member_2[1])) && (_e658.member[1] <= _e350.member_2[1])) && (_e350.member[2] <= _e658.member_2[2])) && (_e658.member[2] <= _e350.member_2[2])) {
-                                        phi_1229_ = _e664;
-                                    } else {
-                                        phi_1229_ = array<u32, 2>(4294967295u, 4294967295u);
-                                    }
-                                    let _e728 = phi_1229_;
-                                    phi_1231_ = type_25(_e701.member, array<array<u32, 2>, 4>(_e701.member_1[0], _e728, _e701.member_1[2], _e701.member_1[3]));
+                                    let _e636 = b.member[_e331.member_1];
+                                    let _e641 = b.member[_e331.member_3];
+                                    let _e650 = type_25(array<array<u32, 2>, 4>(array<u32, 2>(_e298[0], _e331.member_1), array<u32, 2>(_e298[0], _e331.member_3), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u))).member_1);
+                                    let _e675 = ((((((_e329.member[0] <= _e636.member_2[0]) && (_e636.member[0] <= _e329.member_2[0])) && (_e329.member[1] <= _e636.member_2[1])) && (_e636.member[1] <= _e329.member_2[1])) && (_e329.member[2] <= _e636.member_2[2])) && (_e636.member[2] <= _e329.member_2[2]));
+                                    let _e685 = type_25(_e650.member, array<array<u32, 2>, 4>(array<u32, 2>(select(4294967295u, _e298[0], _e675), select(4294967295u, _e331.member_1, _e675)), _e650.member_1[1], _e650.member_1[2], _e650.member_1[3]));
+                                    let _e710 = ((((((_e329.member[0] <= _e641.member_2[0]) && (_e641.member[0] <= _e329.member_2[0])) && (_e329.member[1] <= _e641.member_2[1])) && (_e641.member[1] <= _e329.member_2[1])) && (_e329.member[2] <= _e641.member_2[2])) && (_e641.member[2] <= _e329.member_2[2]));
+                                    phi_1231_ = type_25(_e685.member, array<array<u32, 2>, 4>(_e685.member_1[0], array<u32, 2>(select(4294967295u, _e298[0], _e710), select(4294967295u, _e331.member_3, _e710)), _e685.member_1[2], _e685.member_1[3]));
                                 }
-                                let _e822 = phi_1231_;
-                                phi_1232_ = _e822;
+                                let _e809 = phi_1231_;
+                                phi_1232_ = _e809;
                             } else {
-                                phi_1232_ = _e648;
+                                phi_1232_ = _e631;
                             }
-                            let _e824 = phi_1232_;
-                            phi_1233_ = _e824;
+                            let _e811 = phi_1232_;
+                            phi_1233_ = _e811;
                             phi_1234_ = false;
                         } else {
                             phi_1233_ = type_25();
                             phi_1234_ = true;
                         }
-                        let _e826 = phi_1233_;
-                        let _e828 = phi_1234_;
-                        phi_1235_ = _e826;
+                        let _e813 = phi_1233_;
+                        let _e815 = phi_1234_;
+                        phi_1235_ = _e813;
                         phi_1236_ = type_25(array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)), array<array<u32, 2>, 4>(array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u), array<u32, 2>(4294967295u, 4294967295u)));
-                        phi_1237_ = _e828;
+                        phi_1237_ = _e815;
                     } else {
                         phi_1235_ = type_25();
-                        phi_1236_ = _e456;
+                        phi_1236_ = _e436;
                         phi_1237_ = true;
                     }
-                    let _e830 = phi_1235_;
-                    let _e832 = phi_1236_;
-                    let _e834 = phi_1237_;
-                    if _e834 {
-                        phi_1241_ = _e832;
+                    let _e817 = phi_1235_;
+                    let _e819 = phi_1236_;
+                    let _e821 = phi_1237_;
+                    if _e821 {
+                        phi_1241_ = _e819;
                     } else {
-                        phi_1241_ = _e830;
+                        phi_1241_ = _e817;
                     }
-                    let _e836 = phi_1241_;
-                    let _e840 = params.member.member_2.member;
-                    if (_e840 == 0u) {
-                        phi_1259_ = array<u32, 2>(0u, 2u);
-                    } else {
-                        phi_1259_ = array<u32, 2>(1u, 1u);
-                    }
-                    let _e843 = phi_1259_;
-                    let _e849 = params.member.member.member[_e843[0]];
-                    let _e850 = (_e849 - 1u);
-                    let _e854 = params.member.member.member[_e843[1]];
-                    let _e855 = (_e854 - 1u);
-                    let _e858 = params.member.member_2.member;
-                    if (_e858 == 0u) {
-                        phi_1290_ = array<u32, 2>(0u, 2u);
-                    } else {
-                        phi_1290_ = array<u32, 2>(1u, 1u);
-                    }
-                    let _e861 = phi_1290_;
-                    let _e867 = params.member.member.member_2[_e861[0]];
-                    let _e871 = params.member.member.member_2[_e861[1]];
-                    let _e874 = params.member.member_2.member;
-                    local_1 = array<array<u32, 2>, 4>(array<u32, 2>(_e836.member_1[0][0], _e836.member_1[0][1]), array<u32, 2>(_e836.member_1[1][0], _e836.member_1[1][1]), array<u32, 2>(_e836.member_1[2][0], _e836.member_1[2][1]), array<u32, 2>(_e836.member_1[3][0], _e836.member_1[3][1]));
+                    let _e823 = phi_1241_;
+                    let _e827 = params.member.member_2.member;
+                    let _e828 = (_e827 == 0u);
+                    let _e834 = params.member.member.member[select(1u, 0u, _e828)];
+                    let _e835 = (_e834 - 1u);
+                    let _e839 = params.member.member.member[select(1u, 2u, _e828)];
+                    let _e840 = (_e839 - 1u);
+                    let _e843 = params.member.member_2.member;
+                    let _e844 = (_e843 == 0u);
+                    let _e850 = params.member.member.member_2[select(1u, 0u, _e844)];
+                    let _e854 = params.member.member.member_2[select(1u, 2u, _e844)];
+                    let _e857 = params.member.member_2.member;
+                    local_1 = array<array<u32, 2>, 4>(array<u32, 2>(_e823.member_1[0][0], _e823.member_1[0][1]), array<u32, 2>(_e823.member_1[1][0], _e823.member_1[1][1]), array<u32, 2>(_e823.member_1[2][0], _e823.member_1[2][1]), array<u32, 2>(_e823.member_1[3][0], _e823.member_1[3][1]));
                     phi_1335_ = type_9(0u, 4u);
                     loop {
-                        let _e894 = phi_1335_;
-                        if (_e894.member < _e894.member_1) {
-                            phi_1336_ = type_9((_e894.member + 1u), _e894.member_1);
-                            phi_1359_ = type_9(1u, _e894.member);
-                        } else {
-                            phi_1336_ = _e894;
-                            phi_1359_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e906 = phi_1336_;
-                        let _e908 = phi_1359_;
-                        let _e912 = (bitcast<i32>(_e908.member) != 0i);
-                        if _e912 {
-                            let _e914 = local_1[_e908.member_1];
-                            if (_e914[0] != 4294967295u) {
-                                if (_e874 == 1u) {
-                                    phi_1388_ = (_e914[0] == _e914[1]);
-                                } else {
-                                    phi_1388_ = false;
-                                }
-                                let _e920 = phi_1388_;
-                                if _e920 {
+                        let _e877 = phi_1335_;
+                        let _e880 = (_e877.member < _e877.member_1);
+                        let _e891 = select(type_9().member_1, _e877.member, _e880);
+                        let _e893 = (bitcast<i32>(select(0u, 1u, _e880)) != 0i);
+                        if _e893 {
+                            let _e895 = local_1[_e891];
+                            if (_e895[0] != 4294967295u) {
+                                if select(false, (_e895[0] == _e895[1]), (_e857 == 1u)) {
                                     phi_3597_ = bool();
                                     phi_3598_ = true;
                                 } else {
-                                    if (_e914[0] >= _e850) {
-                                        if (_e914[1] >= _e855) {
-                                            phi_1400_ = false;
+                                    if select(true, select(true, false, (_e895[1] >= _e840)), (_e895[0] >= _e835)) {
+                                        if (_e895[0] < _e835) {
+                                            let _e975 = oriented.member[(_e850 + _e895[0])];
+                                            phi_1548_ = type_32(array<f32, 3>(_e975.member.x, _e975.member.y, _e975.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e975.member.w, _e975.member_1.x, _e975.member_1.y), array<f32, 3>(_e975.member_1.z, _e975.member_1.w, _e975.member_2.x), array<f32, 3>(_e975.member_2.y, _e975.member_2.z, _e975.member_2.w)), array<f32, 3>(_e975.member_3.x, _e975.member_3.y, _e975.member_3.z));
                                         } else {
-                                            phi_1400_ = true;
+                                            let _e907 = a.member[_e895[0]];
+                                            let _e922 = ((_e907.member[0] * 0.5f) + (_e907.member_2[0] * 0.5f));
+                                            let _e923 = ((_e907.member[1] * 0.5f) + (_e907.member_2[1] * 0.5f));
+                                            let _e924 = ((_e907.member[2] * 0.5f) + (_e907.member_2[2] * 0.5f));
+                                            let _e927 = select(_e907.member_2[0], _e922, (_e922 < _e907.member_2[0]));
+                                            let _e930 = select(_e907.member_2[1], _e923, (_e923 < _e907.member_2[1]));
+                                            let _e933 = select(_e907.member_2[2], _e924, (_e924 < _e907.member_2[2]));
+                                            let _e936 = select(_e907.member[0], _e927, (_e927 > _e907.member[0]));
+                                            let _e939 = select(_e907.member[1], _e930, (_e930 > _e907.member[1]));
+                                            let _e942 = select(_e907.member[2], _e933, (_e933 > _e907.member[2]));
+                                            let _e945 = (_e907.member_2[0] - _e936);
+                                            let _e947 = (_e907.member_2[1] - _e939);
+                                            let _e949 = (_e907.member_2[2] - _e942);
+                                            let _e951 = (_e936 - _e907.member[0]);
+                                            let _e953 = (_e939 - _e907.member[1]);
+                                            let _e955 = (_e942 - _e907.member[2]);
+                                            let _e963 = (1f + (0.000000059604645f * 4f));
+                                            let _e967 = (0.000000000000000000000000000000000000011754944f * 8f);
+                                            phi_1548_ = type_32(array<f32, 3>(_e936, _e939, _e942), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((select(_e951, _e945, (_e945 > _e951)) * _e963) + _e967), ((select(_e953, _e947, (_e947 > _e953)) * _e963) + _e967), ((select(_e955, _e949, (_e949 > _e955)) * _e963) + _e967)));
                                         }
-                                        let _e924 = phi_1400_;
-                                        phi_1401_ = _e924;
-                                    } else {
-                                        phi_1401_ = true;
-                                    }
-                                    let _e926 = phi_1401_;
-                                    if _e926 {
-                                        if (_e914[0] < _e850) {
-                                            let _e1006 = oriented.member[(_e867 + _e914[0])];
-                                            phi_1548_ = type_32(array<f32, 3>(_e1006.member.x, _e1006.member.y, _e1006.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1006.member.w, _e1006.member_1.x, _e1006.member_1.y), array<f32, 3>(_e1006.member_1.z, _e1006.member_1.w, _e1006.member_2.x), array<f32, 3>(_e1006.member_2.y, _e1006.member_2.z, _e1006.member_2.w)), array<f32, 3>(_e1006.member_3.x, _e1006.member_3.y, _e1006.member_3.z));
+                                        let _e1014 = phi_1548_;
+                                        if (_e895[1] < _e840) {
+                                            let _e1085 = oriented.member[(_e854 + _e895[1])];
+                                            phi_1692_ = type_32(array<f32, 3>(_e1085.member.x, _e1085.member.y, _e1085.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1085.member.w, _e1085.member_1.x, _e1085.member_1.y), array<f32, 3>(_e1085.member_1.z, _e1085.member_1.w, _e1085.member_2.x), array<f32, 3>(_e1085.member_2.y, _e1085.member_2.z, _e1085.member_2.w)), array<f32, 3>(_e1085.member_3.x, _e1085.member_3.y, _e1085.member_3.z));
                                         } else {
-                                            let _e929 = a.member[_e914[0]];
-                                            let _e944 = ((_e929.member[0] * 0.5f) + (_e929.member_2[0] * 0.5f));
-                                            let _e945 = ((_e929.member[1] * 0.5f) + (_e929.member_2[1] * 0.5f));
-                                            let _e946 = ((_e929.member[2] * 0.5f) + (_e929.member_2[2] * 0.5f));
-                                            if (_e944 < _e929.member_2[0]) {
-                                                phi_1474_ = _e944;
-                                            } else {
-                                                phi_1474_ = _e929.member_2[0];
-                                            }
-                                            let _e950 = phi_1474_;
-                                            if (_e945 < _e929.member_2[1]) {
-                                                phi_1480_ = _e945;
-                                            } else {
-                                                phi_1480_ = _e929.member_2[1];
-                                            }
-                                            let _e954 = phi_1480_;
-                                            if (_e946 < _e929.member_2[2]) {
-                                                phi_1486_ = _e946;
-                                            } else {
-                                                phi_1486_ = _e929.member_2[2];
-                                            }
-                                            let _e958 = phi_1486_;
-                                            if (_e950 > _e929.member[0]) {
-                                                phi_1492_ = _e950;
-                                            } else {
-                                                phi_1492_ = _e929.member[0];
-                                            }
-                                            let _e962 = phi_1492_;
-                                            if (_e954 > _e929.member[1]) {
-                                                phi_1498_ = _e954;
-                                            } else {
-                                                phi_1498_ = _e929.member[1];
-                                            }
-                                            let _e966 = phi_1498_;
-                                            if (_e958 > _e929.member[2]) {
-                                                phi_1504_ = _e958;
-                                            } else {
-                                                phi_1504_ = _e929.member[2];
-                                            }
-                                            let _e970 = phi_1504_;
-                                            let _e973 = (_e929.member_2[0] - _e962);
-                                            let _e975 = (_e929.member_2[1] - _e966);
-                                            let _e977 = (_e929.member_2[2] - _e970);
-                                            let _e979 = (_e962 - _e929.member[0]);
-                                            let _e981 = (_e966 - _e929.member[1]);
-                                            let _e983 = (_e970 - _e929.member[2]);
-                                            if (_e973 > _e979) {
-                                                phi_1522_ = _e973;
-                                            } else {
-                                                phi_1522_ = _e979;
-                                            }
-                                            let _e986 = phi_1522_;
-                                            if (_e975 > _e981) {
-                                                phi_1527_ = _e975;
-                                            } else {
-                                                phi_1527_ = _e981;
-                                            }
-                                            let _e989 = phi_1527_;
-                                            if (_e977 > _e983) {
-                                                phi_1532_ = _e977;
-                                            } else {
-                                                phi_1532_ = _e983;
-                                            }
-                                            let _e992 = phi_1532_;
-                                            let _e994 = (1f + (0.000000059604645f * 4f));
-                                            let _e998 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1548_ = type_32(array<f32, 3>(_e962, _e966, _e970), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e986 * _e994) + _e998), ((_e989 * _e994) + _e998), ((_e992 * _e994) + _e998)));
+                                            let _e1017 = b.member[_e895[1]];
+                                            let _e1032 = ((_e1017.member[0] * 0.5f) + (_e1017.member_2[0] * 0.5f));
+                                            let _e1033 = ((_e1017.member[1] * 0.5f) + (_e1017.member_2[1] * 0.5f));
+                                            let _e1034 = ((_e1017.member[2] * 0.5f) + (_e1017.member_2[2] * 0.5f));
+                                            let _e1037 = select(_e1017.member_2[0], _e1032, (_e1032 < _e1017.member_2[0]));
+                                            let _e1040 = select(_e1017.member_2[1], _e1033, (_e1033 < _e1017.member_2[1]));
+                                            let _e1043 = select(_e1017.member_2[2], _e1034, (_e1034 < _e1017.member_2[2]));
+                                            let _e1046 = select(_e1017.member[0], _e1037, (_e1037 > _e1017.member[0]));
+                                            let _e1049 = select(_e1017.member[1], _e1040, (_e1040 > _e1017.member[1]));
+                                            let _e1052 = select(_e1017.member[2], _e1043, (_e1043 > _e1017.member[2]));
+                                            let _e1055 = (_e1017.member_2[0] - _e1046);
+                                            let _e1057 = (_e1017.member_2[1] - _e1049);
+                                            let _e1059 = (_e1017.member_2[2] - _e1052);
+                                            let _e1061 = (_e1046 - _e1017.member[0]);
+                                            let _e1063 = (_e1049 - _e1017.member[1]);
+                                            let _e1065 = (_e1052 - _e1017.member[2]);
+                                            let _e1073 = (1f + (0.000000059604645f * 4f));
+                                            let _e1077 = (0.000000000000000000000000000000000000011754944f * 8f);
+                                            phi_1692_ = type_32(array<f32, 3>(_e1046, _e1049, _e1052), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((select(_e1061, _e1055, (_e1055 > _e1061)) * _e1073) + _e1077), ((select(_e1063, _e1057, (_e1057 > _e1063)) * _e1073) + _e1077), ((select(_e1065, _e1059, (_e1059 > _e1065)) * _e1073) + _e1077)));
                                         }
-                                        let _e1045 = phi_1548_;
-                                        if (_e914[1] < _e855) {
-                                            let _e1125 = oriented.member[(_e871 + _e914[1])];
-                                            phi_1692_ = type_32(array<f32, 3>(_e1125.member.x, _e1125.member.y, _e1125.member.z), array<array<f32, 3>, 3>(array<f32, 3>(_e1125.member.w, _e1125.member_1.x, _e1125.member_1.y), array<f32, 3>(_e1125.member_1.z, _e1125.member_1.w, _e1125.member_2.x), array<f32, 3>(_e1125.member_2.y, _e1125.member_2.z, _e1125.member_2.w)), array<f32, 3>(_e1125.member_3.x, _e1125.member_3.y, _e1125.member_3.z));
-                                        } else {
-                                            let _e1048 = b.member[_e914[1]];
-                                            let _e1063 = ((_e1048.member[0] * 0.5f) + (_e1048.member_2[0] * 0.5f));
-                                            let _e1064 = ((_e1048.member[1] * 0.5f) + (_e1048.member_2[1] * 0.5f));
-                                            let _e1065 = ((_e1048.member[2] * 0.5f) + (_e1048.member_2[2] * 0.5f));
-                                            if (_e1063 < _e1048.member_2[0]) {
-                                                phi_1618_ = _e1063;
-                                            } else {
-                                                phi_1618_ = _e1048.member_2[0];
-                                            }
-                                            let _e1069 = phi_1618_;
-                                            if (_e1064 < _e1048.member_2[1]) {
-                                                phi_1624_ = _e1064;
-                                            } else {
-                                                phi_1624_ = _e1048.member_2[1];
-                                            }
-                                            let _e1073 = phi_1624_;
-                                            if (_e1065 < _e1048.member_2[2]) {
-                                                phi_1630_ = _e1065;
-                                            } else {
-                                                phi_1630_ = _e1048.member_2[2];
-                                            }
-                                            let _e1077 = phi_1630_;
-                                            if (_e1069 > _e1048.member[0]) {
-                                                phi_1636_ = _e1069;
-                                            } else {
-                                                phi_1636_ = _e1048.member[0];
-                                            }
-                                            let _e1081 = phi_1636_;
-                                            if (_e1073 > _e1048.member[1]) {
-                                                phi_1642_ = _e1073;
-                                            } else {
-                                                phi_1642_ = _e1048.member[1];
-                                            }
-                                            let _e1085 = phi_1642_;
-                                            if (_e1077 > _e1048.member[2]) {
-                                                phi_1648_ = _e1077;
-                                            } else {
-                                                phi_1648_ = _e1048.member[2];
-                                            }
-                                            let _e1089 = phi_1648_;
-                                            let _e1092 = (_e1048.member_2[0] - _e1081);
-                                            let _e1094 = (_e1048.member_2[1] - _e1085);
-                                            let _e1096 = (_e1048.member_2[2] - _e1089);
-                                            let _e1098 = (_e1081 - _e1048.member[0]);
-                                            let _e1100 = (_e1085 - _e1048.member[1]);
-                                            let _e1102 = (_e1089 - _e1048.member[2]);
-                                            if (_e1092 > _e1098) {
-                                                phi_1666_ = _e1092;
-                                            } else {
-                                                phi_1666_ = _e1098;
-                                            }
-                                            let _e1105 = phi_1666_;
-                                            if (_e1094 > _e1100) {
-                                                phi_1671_ = _e1094;
-                                            } else {
-                                                phi_1671_ = _e1100;
-                                            }
-                                            let _e1108 = phi_1671_;
-                                            if (_e1096 > _e1102) {
-                                                phi_1676_ = _e1096;
-                                            } else {
-                                                phi_1676_ = _e1102;
-                                            }
-                                            let _e1111 = phi_1676_;
-                                            let _e1113 = (1f + (0.000000059604645f * 4f));
-                                            let _e1117 = (0.000000000000000000000000000000000000011754944f * 8f);
-                                            phi_1692_ = type_32(array<f32, 3>(_e1081, _e1085, _e1089), array<array<f32, 3>, 3>(array<f32, 3>(1f, 0f, 0f), array<f32, 3>(0f, 1f, 0f), array<f32, 3>(0f, 0f, 1f)), array<f32, 3>(((_e1105 * _e1113) + _e1117), ((_e1108 * _e1113) + _e1117), ((_e1111 * _e1113) + _e1117)));
-                                        }
-                                        let _e1164 = phi_1692_;
-                                        let _e1169 = (_e1164.member[0] - _e1045.member[0]);
-                                        let _e1172 = (_e1164.member[1] - _e1045.member[1]);
-                                        let _e1175 = (_e1164.member[2] - _e1045.member[2]);
-                                        if (_e1169 < 0f) {
-                                            phi_1882_ = -(_e1169);
-                                        } else {
-                                            phi_1882_ = _e1169;
-                                        }
-                                        let _e1364 = phi_1882_;
-                                        if (_e1172 < 0f) {
-                                            phi_1888_ = -(_e1172);
-                                        } else {
-                                            phi_1888_ = _e1172;
-                                        }
-                                        let _e1368 = phi_1888_;
-                                        if (_e1175 < 0f) {
-                                            phi_1895_ = -(_e1175);
-                                        } else {
-                                            phi_1895_ = _e1175;
-                                        }
-                                        let _e1373 = phi_1895_;
-                                        if (_e1045.member_2[0] < 0f) {
-                                            phi_1904_ = -(_e1045.member_2[0]);
-                                        } else {
-                                            phi_1904_ = _e1045.member_2[0];
-                                        }
-                                        let _e1380 = phi_1904_;
-                                        if (_e1045.member_2[1] < 0f) {
-                                            phi_1911_ = -(_e1045.member_2[1]);
-                                        } else {
-                                            phi_1911_ = _e1045.member_2[1];
-                                        }
-                                        let _e1385 = phi_1911_;
-                                        if (_e1045.member_2[2] < 0f) {
-                                            phi_1919_ = -(_e1045.member_2[2]);
-                                        } else {
-                                            phi_1919_ = _e1045.member_2[2];
-                                        }
-                                        let _e1391 = phi_1919_;
-                                        if (_e1164.member_2[0] < 0f) {
-                                            phi_1928_ = -(_e1164.member_2[0]);
-                                        } else {
-                                            phi_1928_ = _e1164.member_2[0];
-                                        }
-                                        let _e1398 = phi_1928_;
-                                        if (_e1164.member_2[1] < 0f) {
-                                            phi_1935_ = -(_e1164.member_2[1]);
-                                        } else {
-                                            phi_1935_ = _e1164.member_2[1];
-                                        }
-                                        let _e1403 = phi_1935_;
-                                        if (_e1164.member_2[2] < 0f) {
-                                            phi_1943_ = -(_e1164.member_2[2]);
-                                        } else {
-                                            phi_1943_ = _e1164.member_2[2];
-                                        }
-                                        let _e1409 = phi_1943_;
-                                        local = type_27(array<array<f32, 3>, 3>(array<f32, 3>((((_e1164.member_1[0][0] * _e1045.member_1[0][0]) + (_e1164.member_1[0][1] * _e1045.member_1[0][1])) + (_e1164.member_1[0][2] * _e1045.member_1[0][2])), (((_e1164.member_1[1][0] * _e1045.member_1[0][0]) + (_e1164.member_1[1][1] * _e1045.member_1[0][1])) + (_e1164.member_1[1][2] * _e1045.member_1[0][2])), (((_e1164.member_1[2][0] * _e1045.member_1[0][0]) + (_e1164.member_1[2][1] * _e1045.member_1[0][1])) + (_e1164.member_1[2][2] * _e1045.member_1[0][2]))), array<f32, 3>((((_e1164.member_1[0][0] * _e1045.member_1[1][0]) + (_e1164.member_1[0][1] * _e1045.member_1[1][1])) + (_e1164.member_1[0][2] * _e1045.member_1[1][2])), (((_e1164.member_1[1][0] * _e1045.member_1[1][0]) + (_e1164.member_1[1][1] * _e1045.member_1[1][1])) + (_e1164.member_1[1][2] * _e1045.member_1[1][2])), (((_e1164.member_1[2][0] * _e1045.member_1[1][0]) + (_e1164.member_1[2][1] * _e1045.member_1[1][1])) + (_e1164.member_1[2][2] * _e1045.member_1[1][2]))), array<f32, 3>((((_e1164.member_1[0][0] * _e1045.member_1[2][0]) + (_e1164.member_1[0][1] * _e1045.member_1[2][1])) + (_e1164.member_1[0][2] * _e1045.member_1[2][2])), (((_e1164.member_1[1][0] * _e1045.member_1[2][0]) + (_e1164.member_1[1][1] * _e1045.member_1[2][1])) + (_e1164.member_1[1][2] * _e1045.member_1[2][2])), (((_e1164.member_1[2][0] * _e1045.member_1[2][0]) + (_e1164.member_1[2][1] * _e1045.member_1[2][1])) + (_e1164.member_1[2][2] * _e1045.member_1[2][2])))), array<f32, 3>((((_e1045.member_1[0][0] * _e1169) + (_e1045.member_1[0][1] * _e1172)) + (_e1045.member_1[0][2] * _e1175)), (((_e1045.member_1[1][0] * _e1169) + (_e1045.member_1[1][1] * _e1172)) + (_e1045.member_1[1][2] * _e1175)), (((_e1045.member_1[2][0] * _e1169) + (_e1045.member_1[2][1] * _e1172)) + (_e1045.member_1[2][2] * _e1175))), array<f32, 3>((((_e1164.member_1[0][0] * _e1169) + (_e1164.member_1[0][1] * _e1172)) + (_e1164.member_1[0][2] * _e1175)), (((_e1164.member_1[1][0] * _e1169) + (_e1164.member_1[1][1] * _e1172)) + (_e1164.member_1[1][2] * _e1175)), (((_e1164.member_1[2][0] * _e1169) + (_e1164.member_1[2][1] * _e1172)) + (_e1164.member_1[2][2] * _e1175))), array<f32, 3>(_e1045.member_2[0], _e1045.member_2[1], _e1045.member_2[2]), array<f32, 3>(_e1164.member_2[0], _e1164.member_2[1], _e1164.member_2[2]), ((((((_e1364 + _e1368) + _e1373) + (((_e1380 + _e1385) + _e1391) + ((_e1398 + _e1403) + _e1409))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
-                                        let _e1436 = local.member[0u][0u];
-                                        let _e1440 = local.member[0u][1u];
-                                        let _e1444 = local.member[0u][2u];
-                                        let _e1448 = local.member[1u][0u];
-                                        let _e1452 = local.member[1u][1u];
-                                        let _e1456 = local.member[1u][2u];
-                                        let _e1460 = local.member[2u][0u];
-                                        let _e1464 = local.member[2u][1u];
-                                        let _e1468 = local.member[2u][2u];
-                                        let _e1470 = local.member_3;
-                                        let _e1475 = local.member_4;
-                                        let _e1481 = local.member_1[0u];
-                                        if (_e1481 < 0f) {
-                                            phi_2036_ = -(_e1481);
-                                        } else {
-                                            phi_2036_ = _e1481;
-                                        }
-                                        let _e1485 = phi_2036_;
-                                        if (_e1436 < 0f) {
-                                            phi_2043_ = -(_e1436);
-                                        } else {
-                                            phi_2043_ = _e1436;
-                                        }
-                                        let _e1489 = phi_2043_;
-                                        if (_e1440 < 0f) {
-                                            phi_2049_ = -(_e1440);
-                                        } else {
-                                            phi_2049_ = _e1440;
-                                        }
-                                        let _e1493 = phi_2049_;
-                                        if (_e1444 < 0f) {
-                                            phi_2055_ = -(_e1444);
-                                        } else {
-                                            phi_2055_ = _e1444;
-                                        }
-                                        let _e1497 = phi_2055_;
-                                        let _e1504 = (_e1485 - (_e1470[0] + (((_e1489 * _e1475[0]) + (_e1493 * _e1475[1])) + (_e1497 * _e1475[2]))));
-                                        let _e1507 = local.member_1[1u];
-                                        if (_e1507 < 0f) {
-                                            phi_2074_ = -(_e1507);
-                                        } else {
-                                            phi_2074_ = _e1507;
-                                        }
-                                        let _e1511 = phi_2074_;
-                                        if (_e1448 < 0f) {
-                                            phi_2081_ = -(_e1448);
-                                        } else {
-                                            phi_2081_ = _e1448;
-                                        }
-                                        let _e1515 = phi_2081_;
-                                        if (_e1452 < 0f) {
-                                            phi_2087_ = -(_e1452);
-                                        } else {
-                                            phi_2087_ = _e1452;
-                                        }
-                                        let _e1519 = phi_2087_;
-                                        if (_e1456 < 0f) {
-                                            phi_2093_ = -(_e1456);
-                                        } else {
-                                            phi_2093_ = _e1456;
-                                        }
-                                        let _e1523 = phi_2093_;
-                                        let _e1530 = (_e1511 - (_e1470[1] + (((_e1515 * _e1475[0]) + (_e1519 * _e1475[1])) + (_e1523 * _e1475[2]))));
-                                        let _e1533 = local.member_1[2u];
-                                        if (_e1533 < 0f) {
-                                            phi_2112_ = -(_e1533);
-                                        } else {
-                                            phi_2112_ = _e1533;
-                                        }
-                                        let _e1537 = phi_2112_;
-                                        if (_e1460 < 0f) {
-                                            phi_2119_ = -(_e1460);
-                                        } else {
-                                            phi_2119_ = _e1460;
-                                        }
-                                        let _e1541 = phi_2119_;
-                                        if (_e1464 < 0f) {
-                                            phi_2125_ = -(_e1464);
-                                        } else {
-                                            phi_2125_ = _e1464;
-                                        }
-                                        let _e1545 = phi_2125_;
-                                        if (_e1468 < 0f) {
-                                            phi_2131_ = -(_e1468);
-                                        } else {
-                                            phi_2131_ = _e1468;
-                                        }
-                                        let _e1549 = phi_2131_;
-                                        let _e1556 = (_e1537 - (_e1470[2] + (((_e1541 * _e1475[0]) + (_e1545 * _e1475[1])) + (_e1549 * _e1475[2]))));
-                                        let _e1559 = local.member_2[0u];
-                                        if (_e1559 < 0f) {
-                                            phi_2150_ = -(_e1559);
-                                        } else {
-                                            phi_2150_ = _e1559;
-                                        }
-                                        let _e1563 = phi_2150_;
-                                        if (_e1436 < 0f) {
-                                            phi_2157_ = -(_e1436);
-                                        } else {
-                                            phi_2157_ = _e1436;
-                                        }
-                                        let _e1567 = phi_2157_;
-                                        if (_e1448 < 0f) {
-                                            phi_2163_ = -(_e1448);
-                                        } else {
-                                            phi_2163_ = _e1448;
-                                        }
-                                        let _e1571 = phi_2163_;
-                                        if (_e1460 < 0f) {
-                                            phi_2169_ = -(_e1460);
-                                        } else {
-                                            phi_2169_ = _e1460;
-                                        }
-                                        let _e1575 = phi_2169_;
-                                        let _e1582 = (_e1563 - (_e1475[0] + (((_e1567 * _e1470[0]) + (_e1571 * _e1470[1])) + (_e1575 * _e1470[2]))));
-                                        let _e1585 = local.member_2[1u];
-                                        if (_e1585 < 0f) {
-                                            phi_2188_ = -(_e1585);
-                                        } else {
-                                            phi_2188_ = _e1585;
-                                        }
-                                        let _e1589 = phi_2188_;
-                                        if (_e1440 < 0f) {
-                                            phi_2195_ = -(_e1440);
-                                        } else {
-                                            phi_2195_ = _e1440;
-                                        }
-                                        let _e1593 = phi_2195_;
-                                        if (_e1452 < 0f) {
-                                            phi_2201_ = -(_e1452);
-                                        } else {
-                                            phi_2201_ = _e1452;
-                                        }
-                                        let _e1597 = phi_2201_;
-                                        if (_e1464 < 0f) {
-                                            phi_2207_ = -(_e1464);
-                                        } else {
-                                            phi_2207_ = _e1464;
-                                        }
-                                        let _e1601 = phi_2207_;
-                                        let _e1608 = (_e1589 - (_e1475[1] + (((_e1593 * _e1470[0]) + (_e1597 * _e1470[1])) + (_e1601 * _e1470[2]))));
-                                        let _e1611 = local.member_2[2u];
-                                        if (_e1611 < 0f) {
-                                            phi_2226_ = -(_e1611);
-                                        } else {
-                                            phi_2226_ = _e1611;
-                                        }
-                                        let _e1615 = phi_2226_;
-                                        if (_e1444 < 0f) {
-                                            phi_2233_ = -(_e1444);
-                                        } else {
-                                            phi_2233_ = _e1444;
-                                        }
-                                        let _e1619 = phi_2233_;
-                                        if (_e1456 < 0f) {
-                                            phi_2239_ = -(_e1456);
-                                        } else {
-                                            phi_2239_ = _e1456;
-                                        }
-                                        let _e1623 = phi_2239_;
-                                        if (_e1468 < 0f) {
-                                            phi_2245_ = -(_e1468);
-                                        } else {
-                                            phi_2245_ = _e1468;
-                                        }
-                                        let _e1627 = phi_2245_;
-                                        let _e1634 = (_e1615 - (_e1475[2] + (((_e1619 * _e1470[0]) + (_e1623 * _e1470[1])) + (_e1627 * _e1470[2]))));
-                                        if (_e1504 > _e1530) {
-                                            phi_2260_ = _e1504;
-                                        } else {
-                                            phi_2260_ = _e1530;
-                                        }
-                                        let _e1637 = phi_2260_;
-                                        if (_e1637 > _e1556) {
-                                            phi_2265_ = _e1637;
-                                        } else {
-                                            phi_2265_ = _e1556;
-                                        }
-                                        let _e1640 = phi_2265_;
-                                        if (_e1582 > _e1608) {
-                                            phi_2270_ = _e1582;
-                                        } else {
-                                            phi_2270_ = _e1608;
-                                        }
-                                        let _e1643 = phi_2270_;
-                                        if (_e1643 > _e1634) {
-                                            phi_2275_ = _e1643;
-                                        } else {
-                                            phi_2275_ = _e1634;
-                                        }
-                                        let _e1646 = phi_2275_;
-                                        if (_e1640 > _e1646) {
-                                            phi_2280_ = _e1640;
-                                        } else {
-                                            phi_2280_ = _e1646;
-                                        }
-                                        let _e1649 = phi_2280_;
-                                        let _e1651 = local.member_5;
-                                        if (_e1649 > _e1651) {
+                                        let _e1124 = phi_1692_;
+                                        let _e1129 = (_e1124.member[0] - _e1014.member[0]);
+                                        let _e1132 = (_e1124.member[1] - _e1014.member[1]);
+                                        let _e1135 = (_e1124.member[2] - _e1014.member[2]);
+                                        local = type_27(array<array<f32, 3>, 3>(array<f32, 3>((((_e1124.member_1[0][0] * _e1014.member_1[0][0]) + (_e1124.member_1[0][1] * _e1014.member_1[0][1])) + (_e1124.member_1[0][2] * _e1014.member_1[0][2])), (((_e1124.member_1[1][0] * _e1014.member_1[0][0]) + (_e1124.member_1[1][1] * _e1014.member_1[0][1])) + (_e1124.member_1[1][2] * _e1014.member_1[0][2])), (((_e1124.member_1[2][0] * _e1014.member_1[0][0]) + (_e1124.member_1[2][1] * _e1014.member_1[0][1])) + (_e1124.member_1[2][2] * _e1014.member_1[0][2]))), array<f32, 3>((((_e1124.member_1[0][0] * _e1014.member_1[1][0]) + (_e1124.member_1[0][1] * _e1014.member_1[1][1])) + (_e1124.member_1[0][2] * _e1014.member_1[1][2])), (((_e1124.member_1[1][0] * _e1014.member_1[1][0]) + (_e1124.member_1[1][1] * _e1014.member_1[1][1])) + (_e1124.member_1[1][2] * _e1014.member_1[1][2])), (((_e1124.member_1[2][0] * _e1014.member_1[1][0]) + (_e1124.member_1[2][1] * _e1014.member_1[1][1])) + (_e1124.member_1[2][2] * _e1014.member_1[1][2]))), array<f32, 3>((((_e1124.member_1[0][0] * _e1014.member_1[2][0]) + (_e1124.member_1[0][1] * _e1014.member_1[2][1])) + (_e1124.member_1[0][2] * _e1014.member_1[2][2])), (((_e1124.member_1[1][0] * _e1014.member_1[2][0]) + (_e1124.member_1[1][1] * _e1014.member_1[2][1])) + (_e1124.member_1[1][2] * _e1014.member_1[2][2])), (((_e1124.member_1[2][0] * _e1014.member_1[2][0]) + (_e1124.member_1[2][1] * _e1014.member_1[2][1])) + (_e1124.member_1[2][2] * _e1014.member_1[2][2])))), array<f32, 3>((((_e1014.member_1[0][0] * _e1129) + (_e1014.member_1[0][1] * _e1132)) + (_e1014.member_1[0][2] * _e1135)), (((_e1014.member_1[1][0] * _e1129) + (_e1014.member_1[1][1] * _e1132)) + (_e1014.member_1[1][2] * _e1135)), (((_e1014.member_1[2][0] * _e1129) + (_e1014.member_1[2][1] * _e1132)) + (_e1014.member_1[2][2] * _e1135))), array<f32, 3>((((_e1124.member_1[0][0] * _e1129) + (_e1124.member_1[0][1] * _e1132)) + (_e1124.member_1[0][2] * _e1135)), (((_e1124.member_1[1][0] * _e1129) + (_e1124.member_1[1][1] * _e1132)) + (_e1124.member_1[1][2] * _e1135)), (((_e1124.member_1[2][0] * _e1129) + (_e1124.member_1[2][1] * _e1132)) + (_e1124.member_1[2][2] * _e1135))), array<f32, 3>(_e1014.member_2[0], _e1014.member_2[1], _e1014.member_2[2]), array<f32, 3>(_e1124.member_2[0], _e1124.member_2[1], _e1124.member_2[2]), ((((((select(_e1129, -(_e1129), (_e1129 < 0f)) + select(_e1132, -(_e1132), (_e1132 < 0f))) + select(_e1135, -(_e1135), (_e1135 < 0f))) + (((select(_e1014.member_2[0], -(_e1014.member_2[0]), (_e1014.member_2[0] < 0f)) + select(_e1014.member_2[1], -(_e1014.member_2[1]), (_e1014.member_2[1] < 0f))) + select(_e1014.member_2[2], -(_e1014.member_2[2]), (_e1014.member_2[2] < 0f))) + ((select(_e1124.member_2[0], -(_e1124.member_2[0]), (_e1124.member_2[0] < 0f)) + select(_e1124.member_2[1], -(_e1124.member_2[1]), (_e1124.member_2[1] < 0f))) + select(_e1124.member_2[2], -(_e1124.member_2[2]), (_e1124.member_2[2] < 0f))))) * 2f) * (0.000000059604645f * 128f)) + (0.000000000000000000000000000000000000011754944f * 128f)));
+                                        let _e1387 = local.member[0u][0u];
+                                        let _e1391 = local.member[0u][1u];
+                                        let _e1395 = local.member[0u][2u];
+                                        let _e1399 = local.member[1u][0u];
+                                        let _e1403 = local.member[1u][1u];
+                                        let _e1407 = local.member[1u][2u];
+                                        let _e1411 = local.member[2u][0u];
+                                        let _e1415 = local.member[2u][1u];
+                                        let _e1419 = local.member[2u][2u];
+                                        let _e1421 = local.member_3;
+                                        let _e1426 = local.member_4;
+                                        let _e1432 = local.member_1[0u];
+                                        let _e1451 = (select(_e1432, -(_e1432), (_e1432 < 0f)) - (_e1421[0] + (((select(_e1387, -(_e1387), (_e1387 < 0f)) * _e1426[0]) + (select(_e1391, -(_e1391), (_e1391 < 0f)) * _e1426[1])) + (select(_e1395, -(_e1395), (_e1395 < 0f)) * _e1426[2]))));
+                                        let _e1454 = local.member_1[1u];
+                                        let _e1473 = (select(_e1454, -(_e1454), (_e1454 < 0f)) - (_e1421[1] + (((select(_e1399, -(_e1399), (_e1399 < 0f)) * _e1426[0]) + (select(_e1403, -(_e1403), (_e1403 < 0f)) * _e1426[1])) + (select(_e1407, -(_e1407), (_e1407 < 0f)) * _e1426[2]))));
+                                        let _e1476 = local.member_1[2u];
+                                        let _e1495 = (select(_e1476, -(_e1476), (_e1476 < 0f)) - (_e1421[2] + (((select(_e1411, -(_e1411), (_e1411 < 0f)) * _e1426[0]) + (select(_e1415, -(_e1415), (_e1415 < 0f)) * _e1426[1])) + (select(_e1419, -(_e1419), (_e1419 < 0f)) * _e1426[2]))));
+                                        let _e1498 = local.member_2[0u];
+                                        let _e1517 = (select(_e1498, -(_e1498), (_e1498 < 0f)) - (_e1426[0] + (((select(_e1387, -(_e1387), (_e1387 < 0f)) * _e1421[0]) + (select(_e1399, -(_e1399), (_e1399 < 0f)) * _e1421[1])) + (select(_e1411, -(_e1411), (_e1411 < 0f)) * _e1421[2]))));
+                                        let _e1520 = local.member_2[1u];
+                                        let _e1539 = (select(_e1520, -(_e1520), (_e1520 < 0f)) - (_e1426[1] + (((select(_e1391, -(_e1391), (_e1391 < 0f)) * _e1421[0]) + (select(_e1403, -(_e1403), (_e1403 < 0f)) * _e1421[1])) + (select(_e1415, -(_e1415), (_e1415 < 0f)) * _e1421[2]))));
+                                        let _e1542 = local.member_2[2u];
+                                        let _e1561 = (select(_e1542, -(_e1542), (_e1542 < 0f)) - (_e1426[2] + (((select(_e1395, -(_e1395), (_e1395 < 0f)) * _e1421[0]) + (select(_e1407, -(_e1407), (_e1407 < 0f)) * _e1421[1])) + (select(_e1419, -(_e1419), (_e1419 < 0f)) * _e1421[2]))));
+                                        let _e1563 = select(_e1473, _e1451, (_e1451 > _e1473));
+                                        let _e1565 = select(_e1495, _e1563, (_e1563 > _e1495));
+                                        let _e1567 = select(_e1539, _e1517, (_e1517 > _e1539));
+                                        let _e1569 = select(_e1561, _e1567, (_e1567 > _e1561));
+                                        let _e1573 = local.member_5;
+                                        if (select(_e1569, _e1565, (_e1565 > _e1569)) > _e1573) {
                                             phi_3593_ = true;
                                         } else {
-                                            let _e1656 = local.member[1u][0u];
-                                            let _e1659 = local.member_1[2u];
-                                            let _e1664 = local.member[2u][0u];
-                                            let _e1667 = local.member_1[1u];
-                                            let _e1669 = ((_e1656 * _e1659) - (_e1664 * _e1667));
-                                            let _e1673 = local.member[2u][0u];
-                                            if (_e1673 < 0f) {
-                                                phi_2339_ = -(_e1673);
-                                            } else {
-                                                phi_2339_ = _e1673;
-                                            }
-                                            let _e1677 = phi_2339_;
-                                            let _e1680 = local.member_3[1u];
-                                            let _e1685 = local.member[1u][0u];
-                                            if (_e1685 < 0f) {
-                                                phi_2362_ = -(_e1685);
-                                            } else {
-                                                phi_2362_ = _e1685;
-                                            }
-                                            let _e1689 = phi_2362_;
-                                            let _e1692 = local.member_3[2u];
-                                            let _e1698 = local.member[0u][2u];
-                                            if (_e1698 < 0f) {
-                                                phi_2385_ = -(_e1698);
-                                            } else {
-                                                phi_2385_ = _e1698;
-                                            }
-                                            let _e1702 = phi_2385_;
-                                            let _e1705 = local.member_4[1u];
-                                            let _e1710 = local.member[0u][1u];
-                                            if (_e1710 < 0f) {
-                                                phi_2407_ = -(_e1710);
-                                            } else {
-                                                phi_2407_ = _e1710;
-                                            }
-                                            let _e1714 = phi_2407_;
-                                            let _e1717 = local.member_4[2u];
-                                            if (_e1669 < 0f) {
-                                                phi_2423_ = -(_e1669);
-                                            } else {
-                                                phi_2423_ = _e1669;
-                                            }
-                                            let _e1723 = phi_2423_;
-                                            let _e1725 = (_e1723 - (((_e1677 * _e1680) + (_e1689 * _e1692)) + ((_e1702 * _e1705) + (_e1714 * _e1717))));
-                                            let _e1729 = local.member[1u][1u];
-                                            let _e1732 = local.member_1[2u];
-                                            let _e1737 = local.member[2u][1u];
-                                            let _e1740 = local.member_1[1u];
-                                            let _e1742 = ((_e1729 * _e1732) - (_e1737 * _e1740));
-                                            let _e1746 = local.member[2u][1u];
-                                            if (_e1746 < 0f) {
-                                                phi_2478_ = -(_e1746);
-                                            } else {
-                                                phi_2478_ = _e1746;
-                                            }
-                                            let _e1750 = phi_2478_;
-                                            let _e1753 = local.member_3[1u];
-                                            let _e1758 = local.member[1u][1u];
-                                            if (_e1758 < 0f) {
-                                                phi_2501_ = -(_e1758);
-                                            } else {
-                                                phi_2501_ = _e1758;
-                                            }
-                                            let _e1762 = phi_2501_;
-                                            let _e1765 = local.member_3[2u];
-                                            let _e1771 = local.member[0u][0u];
-                                            if (_e1771 < 0f) {
-                                                phi_2524_ = -(_e1771);
-                                            } else {
-                                                phi_2524_ = _e1771;
-                                            }
-                                            let _e1775 = phi_2524_;
-                                            let _e1778 = local.member_4[2u];
-                                            let _e1783 = local.member[0u][2u];
-                                            if (_e1783 < 0f) {
-                                                phi_2546_ = -(_e1783);
-                                            } else {
-                                                phi_2546_ = _e1783;
-                                            }
-                                            let _e1787 = phi_2546_;
-                                            let _e1790 = local.member_4[0u];
-                                            if (_e1742 < 0f) {
-                                                phi_2562_ = -(_e1742);
-                                            } else {
-                                                phi_2562_ = _e1742;
-                                            }
-                                            let _e1796 = phi_2562_;
-                                            let _e1798 = (_e1796 - (((_e1750 * _e1753) + (_e1762 * _e1765)) + ((_e1775 * _e1778) + (_e1787 * _e1790))));
-                                            let _e1802 = local.member[1u][2u];
-                                            let _e1805 = local.member_1[2u];
-                                            let _e1810 = local.member[2u][2u];
-                                            let _e1813 = local.member_1[1u];
-                                            let _e1815 = ((_e1802 * _e1805) - (_e1810 * _e1813));
-                                            let _e1819 = local.member[2u][2u];
-                                            if (_e1819 < 0f) {
-                                                phi_2617_ = -(_e1819);
-                                            } else {
-                                                phi_2617_ = _e1819;
-                                            }
-                                            let _e1823 = phi_2617_;
-                                            let _e1826 = local.member_3[1u];
-                                            let _e1831 = local.member[1u][2u];
-                                            if (_e1831 < 0f) {
-                                                phi_2640_ = -(_e1831);
-                                            } else {
-                                                phi_2640_ = _e1831;
-                                            }
-                                            let _e1835 = phi_2640_;
-                                            let _e1838 = local.member_3[2u];
-                                            let _e1844 = local.member[0u][1u];
-                                            if (_e1844 < 0f) {
-                                                phi_2663_ = -(_e1844);
-                                            } else {
-                                                phi_2663_ = _e1844;
-                                            }
-                                            let _e1848 = phi_2663_;
-                                            let _e1851 = local.member_4[0u];
-                                            let _e1856 = local.member[0u][0u];
-                                            if (_e1856 < 0f) {
-                                                phi_2685_ = -(_e1856);
-                                            } else {
-                                                phi_2685_ = _e1856;
-                                            }
-                                            let _e1860 = phi_2685_;
-                                            let _e1863 = local.member_4[1u];
-                                            if (_e1815 < 0f) {
-                                                phi_2701_ = -(_e1815);
-                                            } else {
-                                                phi_2701_ = _e1815;
-                                            }
-                                            let _e1869 = phi_2701_;
-                                            let _e1871 = (_e1869 - (((_e1823 * _e1826) + (_e1835 * _e1838)) + ((_e1848 * _e1851) + (_e1860 * _e1863))));
-                                            let _e1875 = local.member[2u][0u];
-                                            let _e1878 = local.member_1[0u];
-                                            let _e1883 = local.member[0u][0u];
-                                            let _e1886 = local.member_1[2u];
-                                            let _e1888 = ((_e1875 * _e1878) - (_e1883 * _e1886));
-                                            let _e1892 = local.member[0u][0u];
-                                            if (_e1892 < 0f) {
-                                                phi_2756_ = -(_e1892);
-                                            } else {
-                                                phi_2756_ = _e1892;
-                                            }
-                                            let _e1896 = phi_2756_;
-                                            let _e1899 = local.member_3[2u];
-                                            let _e1904 = local.member[2u][0u];
-                                            if (_e1904 < 0f) {
-                                                phi_2779_ = -(_e1904);
-                                            } else {
-                                                phi_2779_ = _e1904;
-                                            }
-                                            let _e1908 = phi_2779_;
-                                            let _e1911 = local.member_3[0u];
-                                            let _e1917 = local.member[1u][2u];
-                                            if (_e1917 < 0f) {
-                                                phi_2803_ = -(_e1917);
-                                            } else {
-                                                phi_2803_ = _e1917;
-                                            }
-                                            let _e1921 = phi_2803_;
-                                            let _e1924 = local.member_4[1u];
-                                            let _e1929 = local.member[1u][1u];
-                                            if (_e1929 < 0f) {
-                                                phi_2826_ = -(_e1929);
-                                            } else {
-                                                phi_2826_ = _e1929;
-                                            }
-                                            let _e1933 = phi_2826_;
-                                            let _e1936 = local.member_4[2u];
-                                            if (_e1888 < 0f) {
-                                                phi_2842_ = -(_e1888);
-                                            } else {
-                                                phi_2842_ = _e1888;
-                                            }
-                                            let _e1942 = phi_2842_;
-                                            let _e1944 = (_e1942 - (((_e1896 * _e1899) + (_e1908 * _e1911)) + ((_e1921 * _e1924) + (_e1933 * _e1936))));
-                                            let _e1948 = local.member[2u][1u];
-                                            let _e1951 = local.member_1[0u];
-                                            let _e1956 = local.member[0u][1u];
-                                            let _e1959 = local.member_1[2u];
-                                            let _e1961 = ((_e1948 * _e1951) - (_e1956 * _e1959));
-                                            let _e1965 = local.member[0u][1u];
-                                            if (_e1965 < 0f) {
-                                                phi_2897_ = -(_e1965);
-                                            } else {
-                                                phi_2897_ = _e1965;
-                                            }
-                                            let _e1969 = phi_2897_;
-                                            let _e1972 = local.member_3[2u];
-                                            let _e1977 = local.member[2u][1u];
-                                            if (_e1977 < 0f) {
-                                                phi_2920_ = -(_e1977);
-                                            } else {
-                                                phi_2920_ = _e1977;
-                                            }
-                                            let _e1981 = phi_2920_;
-                                            let _e1984 = local.member_3[0u];
-                                            let _e1990 = local.member[1u][0u];
-                                            if (_e1990 < 0f) {
-                                                phi_2944_ = -(_e1990);
-                                            } else {
-                                                phi_2944_ = _e1990;
-                                            }
-                                            let _e1994 = phi_2944_;
-                                            let _e1997 = local.member_4[2u];
-                                            let _e2002 = local.member[1u][2u];
-                                            if (_e2002 < 0f) {
-                                                phi_2967_ = -(_e2002);
-                                            } else {
-                                                phi_2967_ = _e2002;
-                                            }
-                                            let _e2006 = phi_2967_;
-                                            let _e2009 = local.member_4[0u];
-                                            if (_e1961 < 0f) {
-                                                phi_2983_ = -(_e1961);
-                                            } else {
-                                                phi_2983_ = _e1961;
-                                            }
-                                            let _e2015 = phi_2983_;
-                                            let _e2017 = (_e2015 - (((_e1969 * _e1972) + (_e1981 * _e1984)) + ((_e1994 * _e1997) + (_e2006 * _e2009))));
-                                            let _e2021 = local.member[2u][2u];
-                                            let _e2024 = local.member_1[0u];
-                                            let _e2029 = local.member[0u][2u];
-                                            let _e2032 = local.member_1[2u];
-                                            let _e2034 = ((_e2021 * _e2024) - (_e2029 * _e2032));
-                                            let _e2038 = local.member[0u][2u];
-                                            if (_e2038 < 0f) {
-                                                phi_3038_ = -(_e2038);
-                                            } else {
-                                                phi_3038_ = _e2038;
-                                            }
-                                            let _e2042 = phi_3038_;
-                                            let _e2045 = local.member_3[2u];
-                                            let _e2050 = local.member[2u][2u];
-                                            if (_e2050 < 0f) {
-                                                phi_3061_ = -(_e2050);
-                                            } else {
-                                                phi_3061_ = _e2050;
-                                            }
-                                            let _e2054 = phi_3061_;
-                                            let _e2057 = local.member_3[0u];
-                                            let _e2063 = local.member[1u][1u];
-                                            if (_e2063 < 0f) {
-                                                phi_3085_ = -(_e2063);
-                                            } else {
-                                                phi_3085_ = _e2063;
-                                            }
-                                            let _e2067 = phi_3085_;
-                                            let _e2070 = local.member_4[0u];
-                                            let _e2075 = local.member[1u][0u];
-                                            if (_e2075 < 0f) {
-                                                phi_3108_ = -(_e2075);
-                                            } else {
-                                                phi_3108_ = _e2075;
-                                            }
-                                            let _e2079 = phi_3108_;
-                                            let _e2082 = local.member_4[1u];
-                                            if (_e2034 < 0f) {
-                                                phi_3124_ = -(_e2034);
-                                            } else {
-                                                phi_3124_ = _e2034;
-                                            }
-                                            let _e2088 = phi_3124_;
-                                            let _e2090 = (_e2088 - (((_e2042 * _e2045) + (_e2054 * _e2057)) + ((_e2067 * _e2070) + (_e2079 * _e2082))));
-                                            let _e2094 = local.member[0u][0u];
-                                            let _e2097 = local.member_1[1u];
-                                            let _e2102 = local.member[1u][0u];
-                                            let _e2105 = local.member_1[0u];
-                                            let _e2107 = ((_e2094 * _e2097) - (_e2102 * _e2105));
-                                            let _e2111 = local.member[1u][0u];
-                                            if (_e2111 < 0f) {
-                                                phi_3179_ = -(_e2111);
-                                            } else {
-                                                phi_3179_ = _e2111;
-                                            }
-                                            let _e2115 = phi_3179_;
-                                            let _e2118 = local.member_3[0u];
-                                            let _e2123 = local.member[0u][0u];
-                                            if (_e2123 < 0f) {
-                                                phi_3202_ = -(_e2123);
-                                            } else {
-                                                phi_3202_ = _e2123;
-                                            }
-                                            let _e2127 = phi_3202_;
-                                            let _e2130 = local.member_3[1u];
-                                            let _e2136 = local.member[2u][2u];
-                                            if (_e2136 < 0f) {
-                                                phi_3226_ = -(_e2136);
-                                            } else {
-                                                phi_3226_ = _e2136;
-                                            }
-                                            let _e2140 = phi_3226_;
-                                            let _e2143 = local.member_4[1u];
-                                            let _e2148 = local.member[2u][1u];
-                                            if (_e2148 < 0f) {
-                                                phi_3249_ = -(_e2148);
-                                            } else {
-                                                phi_3249_ = _e2148;
-                                            }
-                                            let _e2152 = phi_3249_;
-                                            let _e2155 = local.member_4[2u];
-                                            if (_e2107 < 0f) {
-                                                phi_3265_ = -(_e2107);
-                                            } else {
-                                                phi_3265_ = _e2107;
-                                            }
-                                            let _e2161 = phi_3265_;
-                                            let _e2163 = (_e2161 - (((_e2115 * _e2118) + (_e2127 * _e2130)) + ((_e2140 * _e2143) + (_e2152 * _e2155))));
-                                            let _e2167 = local.member[0u][1u];
-                                            let _e2170 = local.member_1[1u];
-                                            let _e2175 = local.member[1u][1u];
-                                            let _e2178 = local.member_1[0u];
-                                            let _e2180 = ((_e2167 * _e2170) - (_e2175 * _e2178));
-                                            let _e2184 = local.member[1u][1u];
-                                            if (_e2184 < 0f) {
-                                                phi_3320_ = -(_e2184);
-                                            } else {
-                                                phi_3320_ = _e2184;
-                                            }
-                                            let _e2188 = phi_3320_;
-                                            let _e2191 = local.member_3[0u];
-                                            let _e2196 = local.member[0u][1u];
-                                            if (_e2196 < 0f) {
-                                                phi_3343_ = -(_e2196);
-                                            } else {
-                                                phi_3343_ = _e2196;
-                                            }
-                                            let _e2200 = phi_3343_;
-                                            let _e2203 = local.member_3[1u];
-                                            let _e2209 = local.member[2u][0u];
-                                            if (_e2209 < 0f) {
-                                                phi_3367_ = -(_e2209);
-                                            } else {
-                                                phi_3367_ = _e2209;
-                                            }
-                                            let _e2213 = phi_3367_;
-                                            let _e2216 = local.member_4[2u];
-                                            let _e2221 = local.member[2u][2u];
-                                            if (_e2221 < 0f) {
-                                                phi_3390_ = -(_e2221);
-                                            } else {
-                                                phi_3390_ = _e2221;
-                                            }
-                                            let _e2225 = phi_3390_;
-                                            let _e2228 = local.member_4[0u];
-                                            if (_e2180 < 0f) {
-                                                phi_3406_ = -(_e2180);
-                                            } else {
-                                                phi_3406_ = _e2180;
-                                            }
-                                            let _e2234 = phi_3406_;
-                                            let _e2236 = (_e2234 - (((_e2188 * _e2191) + (_e2200 * _e2203)) + ((_e2213 * _e2216) + (_e2225 * _e2228))));
-                                            let _e2240 = local.member[0u][2u];
-                                            let _e2243 = local.member_1[1u];
-                                            let _e2248 = local.member[1u][2u];
-                                            let _e2251 = local.member_1[0u];
-                                            let _e2253 = ((_e2240 * _e2243) - (_e2248 * _e2251));
-                                            let _e2257 = local.member[1u][2u];
-                                            if (_e2257 < 0f) {
-                                                phi_3461_ = -(_e2257);
-                                            } else {
-                                                phi_3461_ = _e2257;
-                                            }
-                                            let _e2261 = phi_3461_;
-                                            let _e2264 = local.member_3[0u];
-                                            let _e2269 = local.member[0u][2u];
-                                            if (_e2269 < 0f) {
-                                                phi_3484_ = -(_e2269);
-                                            } else {
-                                                phi_3484_ = _e2269;
-                                            }
-                                            let _e2273 = phi_3484_;
-                                            let _e2276 = local.member_3[1u];
-                                            let _e2282 = local.member[2u][1u];
-                                            if (_e2282 < 0f) {
-                                                phi_3508_ = -(_e2282);
-                                            } else {
-                                                phi_3508_ = _e2282;
-                                            }
-                                            let _e2286 = phi_3508_;
-                                            let _e2289 = local.member_4[0u];
-                                            let _e2294 = local.member[2u][0u];
-                                            if (_e2294 < 0f) {
-                                                phi_3531_ = -(_e2294);
-                                            } else {
-                                                phi_3531_ = _e2294;
-                                            }
-                                            let _e2298 = phi_3531_;
-                                            let _e2301 = local.member_4[1u];
-                                            if (_e2253 < 0f) {
-                                                phi_3547_ = -(_e2253);
-                                            } else {
-                                                phi_3547_ = _e2253;
-                                            }
-                                            let _e2307 = phi_3547_;
-                                            let _e2309 = (_e2307 - (((_e2261 * _e2264) + (_e2273 * _e2276)) + ((_e2286 * _e2289) + (_e2298 * _e2301))));
-                                            if (_e1725 > _e1798) {
-                                                phi_3554_ = _e1725;
-                                            } else {
-                                                phi_3554_ = _e1798;
-                                            }
-                                            let _e2312 = phi_3554_;
-                                            if (_e2312 > _e1871) {
-                                                phi_3559_ = _e2312;
-                                            } else {
-                                                phi_3559_ = _e1871;
-                                            }
-                                            let _e2315 = phi_3559_;
-                                            if (_e1944 > _e2017) {
-                                                phi_3564_ = _e1944;
-                                            } else {
-                                                phi_3564_ = _e2017;
-                                            }
-                                            let _e2318 = phi_3564_;
-                                            if (_e2318 > _e2090) {
-                                                phi_3569_ = _e2318;
-                                            } else {
-                                                phi_3569_ = _e2090;
-                                            }
-                                            let _e2321 = phi_3569_;
-                                            if (_e2315 > _e2321) {
-                                                phi_3574_ = _e2315;
-                                            } else {
-                                                phi_3574_ = _e2321;
-                                            }
-                                            let _e2324 = phi_3574_;
-                                            if (_e2163 > _e2236) {
-                                                phi_3579_ = _e2163;
-                                            } else {
-                                                phi_3579_ = _e2236;
-                                            }
-                                            let _e2327 = phi_3579_;
-                                            if (_e2327 > _e2309) {
-                                                phi_3584_ = _e2327;
-                                            } else {
-                                                phi_3584_ = _e2309;
-                                            }
-                                            let _e2330 = phi_3584_;
-                                            if (_e2324 > _e2330) {
-                                                phi_3589_ = _e2324;
-                                            } else {
-                                                phi_3589_ = _e2330;
-                                            }
-                                            let _e2333 = phi_3589_;
-                                            let _e2335 = local.member_5;
-                                            phi_3593_ = (_e2333 > _e2335);
+                                            let _e1578 = local.member[1u][0u];
+                                            let _e1581 = local.member_1[2u];
+                                            let _e1586 = local.member[2u][0u];
+                                            let _e1589 = local.member_1[1u];
+                                            let _e1591 = ((_e1578 * _e1581) - (_e1586 * _e1589));
+                                            let _e1595 = local.member[2u][0u];
+                                            let _e1601 = local.member_3[1u];
+                                            let _e1606 = local.member[1u][0u];
+                                            let _e1612 = local.member_3[2u];
+                                            let _e1618 = local.member[0u][2u];
+                                            let _e1624 = local.member_4[1u];
+                                            let _e1629 = local.member[0u][1u];
+                                            let _e1635 = local.member_4[2u];
+                                            let _e1642 = (select(_e1591, -(_e1591), (_e1591 < 0f)) - (((select(_e1595, -(_e1595), (_e1595 < 0f)) * _e1601) + (select(_e1606, -(_e1606), (_e1606 < 0f)) * _e1612)) + ((select(_e1618, -(_e1618), (_e1618 < 0f)) * _e1624) + (select(_e1629, -(_e1629), (_e1629 < 0f)) * _e1635))));
+                                            let _e1646 = local.member[1u][1u];
+                                            let _e1649 = local.member_1[2u];
+                                            let _e1654 = local.member[2u][1u];
+                                            let _e1657 = local.member_1[1u];
+                                            let _e1659 = ((_e1646 * _e1649) - (_e1654 * _e1657));
+                                            let _e1663 = local.member[2u][1u];
+                                            let _e1669 = local.member_3[1u];
+                                            let _e1674 = local.member[1u][1u];
+                                            let _e1680 = local.member_3[2u];
+                                            let _e1686 = local.member[0u][0u];
+                                            let _e1692 = local.member_4[2u];
+                                            let _e1697 = local.member[0u][2u];
+                                            let _e1703 = local.member_4[0u];
+                                            let _e1710 = (select(_e1659, -(_e1659), (_e1659 < 0f)) - (((select(_e1663, -(_e1663), (_e1663 < 0f)) * _e1669) + (select(_e1674, -(_e1674), (_e1674 < 0f)) * _e1680)) + ((select(_e1686, -(_e1686), (_e1686 < 0f)) * _e1692) + (select(_e1697, -(_e1697), (_e1697 < 0f)) * _e1703))));
+                                            let _e1714 = local.member[1u][2u];
+                                            let _e1717 = local.member_1[2u];
+                                            let _e1722 = local.member[2u][2u];
+                                            let _e1725 = local.member_1[1u];
+                                            let _e1727 = ((_e1714 * _e1717) - (_e1722 * _e1725));
+                                            let _e1731 = local.member[2u][2u];
+                                            let _e1737 = local.member_3[1u];
+                                            let _e1742 = local.member[1u][2u];
+                                            let _e1748 = local.member_3[2u];
+                                            let _e1754 = local.member[0u][1u];
+                                            let _e1760 = local.member_4[0u];
+                                            let _e1765 = local.member[0u][0u];
+                                            let _e1771 = local.member_4[1u];
+                                            let _e1778 = (select(_e1727, -(_e1727), (_e1727 < 0f)) - (((select(_e1731, -(_e1731), (_e1731 < 0f)) * _e1737) + (select(_e1742, -(_e1742), (_e1742 < 0f)) * _e1748)) + ((select(_e1754, -(_e1754), (_e1754 < 0f)) * _e1760) + (select(_e1765, -(_e1765), (_e1765 < 0f)) * _e1771))));
+                                            let _e1782 = local.member[2u][0u];
+                                            let _e1785 = local.member_1[0u];
+                                            let _e1790 = local.member[0u][0u];
+                                            let _e1793 = local.member_1[2u];
+                                            let _e1795 = ((_e1782 * _e1785) - (_e1790 * _e1793));
+                                            let _e1799 = local.member[0u][0u];
+                                            let _e1805 = local.member_3[2u];
+                                            let _e1810 = local.member[2u][0u];
+                                            let _e1816 = local.member_3[0u];
+                                            let _e1822 = local.member[1u][2u];
+                                            let _e1828 = local.member_4[1u];
+                                            let _e1833 = local.member[1u][1u];
+                                            let _e1839 = local.member_4[2u];
+                                            let _e1846 = (select(_e1795, -(_e1795), (_e1795 < 0f)) - (((select(_e1799, -(_e1799), (_e1799 < 0f)) * _e1805) + (select(_e1810, -(_e1810), (_e1810 < 0f)) * _e1816)) + ((select(_e1822, -(_e1822), (_e1822 < 0f)) * _e1828) + (select(_e1833, -(_e1833), (_e1833 < 0f)) * _e1839))));
+                                            let _e1850 = local.member[2u][1u];
+                                            let _e1853 = local.member_1[0u];
+                                            let _e1858 = local.member[0u][1u];
+                                            let _e1861 = local.member_1[2u];
+                                            let _e1863 = ((_e1850 * _e1853) - (_e1858 * _e1861));
+                                            let _e1867 = local.member[0u][1u];
+                                            let _e1873 = local.member_3[2u];
+                                            let _e1878 = local.member[2u][1u];
+                                            let _e1884 = local.member_3[0u];
+                                            let _e1890 = local.member[1u][0u];
+                                            let _e1896 = local.member_4[2u];
+                                            let _e1901 = local.member[1u][2u];
+                                            let _e1907 = local.member_4[0u];
+                                            let _e1914 = (select(_e1863, -(_e1863), (_e1863 < 0f)) - (((select(_e1867, -(_e1867), (_e1867 < 0f)) * _e1873) + (select(_e1878, -(_e1878), (_e1878 < 0f)) * _e1884)) + ((select(_e1890, -(_e1890), (_e1890 < 0f)) * _e1896) + (select(_e1901, -(_e1901), (_e1901 < 0f)) * _e1907))));
+                                            let _e1918 = local.member[2u][2u];
+                                            let _e1921 = local.member_1[0u];
+                                            let _e1926 = local.member[0u][2u];
+                                            let _e1929 = local.member_1[2u];
+                                            let _e1931 = ((_e1918 * _e1921) - (_e1926 * _e1929));
+                                            let _e1935 = local.member[0u][2u];
+                                            let _e1941 = local.member_3[2u];
+                                            let _e1946 = local.member[2u][2u];
+                                            let _e1952 = local.member_3[0u];
+                                            let _e1958 = local.member[1u][1u];
+                                            let _e1964 = local.member_4[0u];
+                                            let _e1969 = local.member[1u][0u];
+                                            let _e1975 = local.member_4[1u];
+                                            let _e1982 = (select(_e1931, -(_e1931), (_e1931 < 0f)) - (((select(_e1935, -(_e1935), (_e1935 < 0f)) * _e1941) + (select(_e1946, -(_e1946), (_e1946 < 0f)) * _e1952)) + ((select(_e1958, -(_e1958), (_e1958 < 0f)) * _e1964) + (select(_e1969, -(_e1969), (_e1969 < 0f)) * _e1975))));
+                                            let _e1986 = local.member[0u][0u];
+                                            let _e1989 = local.member_1[1u];
+                                            let _e1994 = local.member[1u][0u];
+                                            let _e1997 = local.member_1[0u];
+                                            let _e1999 = ((_e1986 * _e1989) - (_e1994 * _e1997));
+                                            let _e2003 = local.member[1u][0u];
+                                            let _e2009 = local.member_3[0u];
+                                            let _e2014 = local.member[0u][0u];
+                                            let _e2020 = local.member_3[1u];
+                                            let _e2026 = local.member[2u][2u];
+                                            let _e2032 = local.member_4[1u];
+                                            let _e2037 = local.member[2u][1u];
+                                            let _e2043 = local.member_4[2u];
+                                            let _e2050 = (select(_e1999, -(_e1999), (_e1999 < 0f)) - (((select(_e2003, -(_e2003), (_e2003 < 0f)) * _e2009) + (select(_e2014, -(_e2014), (_e2014 < 0f)) * _e2020)) + ((select(_e2026, -(_e2026), (_e2026 < 0f)) * _e2032) + (select(_e2037, -(_e2037), (_e2037 < 0f)) * _e2043))));
+                                            let _e2054 = local.member[0u][1u];
+                                            let _e2057 = local.member_1[1u];
+                                            let _e2062 = local.member[1u][1u];
+                                            let _e2065 = local.member_1[0u];
+                                            let _e2067 = ((_e2054 * _e2057) - (_e2062 * _e2065));
+                                            let _e2071 = local.member[1u][1u];
+                                            let _e2077 = local.member_3[0u];
+                                            let _e2082 = local.member[0u][1u];
+                                            let _e2088 = local.member_3[1u];
+                                            let _e2094 = local.member[2u][0u];
+                                            let _e2100 = local.member_4[2u];
+                                            let _e2105 = local.member[2u][2u];
+                                            let _e2111 = local.member_4[0u];
+                                            let _e2118 = (select(_e2067, -(_e2067), (_e2067 < 0f)) - (((select(_e2071, -(_e2071), (_e2071 < 0f)) * _e2077) + (select(_e2082, -(_e2082), (_e2082 < 0f)) * _e2088)) + ((select(_e2094, -(_e2094), (_e2094 < 0f)) * _e2100) + (select(_e2105, -(_e2105), (_e2105 < 0f)) * _e2111))));
+                                            let _e2122 = local.member[0u][2u];
+                                            let _e2125 = local.member_1[1u];
+                                            let _e2130 = local.member[1u][2u];
+                                            let _e2133 = local.member_1[0u];
+                                            let _e2135 = ((_e2122 * _e2125) - (_e2130 * _e2133));
+                                            let _e2139 = local.member[1u][2u];
+                                            let _e2145 = local.member_3[0u];
+                                            let _e2150 = local.member[0u][2u];
+                                            let _e2156 = local.member_3[1u];
+                                            let _e2162 = local.member[2u][1u];
+                                            let _e2168 = local.member_4[0u];
+                                            let _e2173 = local.member[2u][0u];
+                                            let _e2179 = local.member_4[1u];
+                                            let _e2186 = (select(_e2135, -(_e2135), (_e2135 < 0f)) - (((select(_e2139, -(_e2139), (_e2139 < 0f)) * _e2145) + (select(_e2150, -(_e2150), (_e2150 < 0f)) * _e2156)) + ((select(_e2162, -(_e2162), (_e2162 < 0f)) * _e2168) + (select(_e2173, -(_e2173), (_e2173 < 0f)) * _e2179))));
+                                            let _e2188 = select(_e1710, _e1642, (_e1642 > _e1710));
+                                            let _e2190 = select(_e1778, _e2188, (_e2188 > _e1778));
+                                            let _e2192 = select(_e1914, _e1846, (_e1846 > _e1914));
+                                            let _e2194 = select(_e1982, _e2192, (_e2192 > _e1982));
+                                            let _e2196 = select(_e2194, _e2190, (_e2190 > _e2194));
+                                            let _e2198 = select(_e2118, _e2050, (_e2050 > _e2118));
+                                            let _e2200 = select(_e2186, _e2198, (_e2198 > _e2186));
+                                            let _e2204 = local.member_5;
+                                            phi_3593_ = (select(_e2200, _e2196, (_e2196 > _e2200)) > _e2204);
                                         }
-                                        let _e2338 = phi_3593_;
-                                        phi_3595_ = !(_e2338);
+                                        let _e2207 = phi_3593_;
+                                        phi_3595_ = !(_e2207);
                                         phi_3596_ = false;
                                     } else {
                                         phi_3595_ = bool();
                                         phi_3596_ = true;
                                     }
-                                    let _e2341 = phi_3595_;
-                                    let _e2343 = phi_3596_;
-                                    phi_3597_ = _e2341;
-                                    phi_3598_ = _e2343;
+                                    let _e2210 = phi_3595_;
+                                    let _e2212 = phi_3596_;
+                                    phi_3597_ = _e2210;
+                                    phi_3598_ = _e2212;
                                 }
-                                let _e2345 = phi_3597_;
-                                let _e2347 = phi_3598_;
-                                if _e2347 {
-                                    phi_3602_ = true;
+                                let _e2214 = phi_3597_;
+                                let _e2216 = phi_3598_;
+                                if select(_e2214, true, _e2216) {
                                 } else {
-                                    phi_3602_ = _e2345;
-                                }
-                                let _e2349 = phi_3602_;
-                                if _e2349 {
-                                } else {
-                                    local_1[_e908.member_1] = array<u32, 2>(4294967295u, 4294967295u);
+                                    local_1[_e891] = array<u32, 2>(4294967295u, 4294967295u);
                                 }
                             }
                         }
                         continue;
                         continuing {
-                            phi_1335_ = _e906;
-                            break if !(_e912);
+                            phi_1335_ = type_9(select(_e877.member, (_e877.member + 1u), _e880), select(_e877.member_1, _e877.member_1, _e880));
+                            break if !(_e893);
                         }
                     }
-                    let _e2352 = local_1;
-                    let _e2356 = array<u32, 2>(_e2352[0][0], _e2352[0][1]);
-                    let _e2360 = array<u32, 2>(_e2352[1][0], _e2352[1][1]);
-                    let _e2364 = array<u32, 2>(_e2352[2][0], _e2352[2][1]);
-                    let _e2368 = array<u32, 2>(_e2352[3][0], _e2352[3][1]);
-                    let _e2372 = params.member.member_2.member_4;
-                    if (_e2372 > 0u) {
-                        phi_3639_ = _e836.member;
+                    let _e2220 = local_1;
+                    let _e2224 = array<u32, 2>(_e2220[0][0], _e2220[0][1]);
+                    let _e2228 = array<u32, 2>(_e2220[1][0], _e2220[1][1]);
+                    let _e2232 = array<u32, 2>(_e2220[2][0], _e2220[2][1]);
+                    let _e2236 = array<u32, 2>(_e2220[3][0], _e2220[3][1]);
+                    let _e2240 = params.member.member_2.member_4;
+                    if (_e2240 > 0u) {
+                        phi_3639_ = _e823.member;
                     } else {
-                        phi_3639_ = array<array<u32, 2>, 4>(_e2356, _e2360, _e2364, _e2368);
+                        phi_3639_ = array<array<u32, 2>, 4>(_e2224, _e2228, _e2232, _e2236);
                     }
-                    let _e2376 = phi_3639_;
-                    if (_e2352[0][0] == 4294967295u) {
-                        phi_3663_ = 0u;
+                    let _e2244 = phi_3639_;
+                    let _e2252 = select(select(2u, 1u, select(true, select(true, false, (_e2220[0][1] >= _e318)), (_e2220[0][0] >= _e313))), 0u, (_e2220[0][0] == 4294967295u));
+                    let _e2253 = type_33(_e2224, _e2252);
+                    if (_e2252 == 0u) {
+                        if (_e2244[0][0] != 4294967295u) {
+                            phi_3675_ = type_33(_e2244[0], 3u);
+                        } else {
+                            phi_3675_ = _e2253;
+                        }
+                        let _e2259 = phi_3675_;
+                        phi_3676_ = _e2259;
                     } else {
-                        if (_e2352[0][0] >= _e333) {
-                            if (_e2352[0][1] >= _e338) {
-                                phi_3657_ = false;
-                            } else {
-                                phi_3657_ = true;
-                            }
-                            let _e2382 = phi_3657_;
-                            phi_3658_ = _e2382;
-                        } else {
-                            phi_3658_ = true;
-                        }
-                        let _e2384 = phi_3658_;
-                        if _e2384 {
-                            phi_3662_ = 1u;
-                        } else {
-                            phi_3662_ = 2u;
-                        }
-                        let _e2386 = phi_3662_;
-                        phi_3663_ = _e2386;
+                        phi_3676_ = _e2253;
                     }
-                    let _e2388 = phi_3663_;
-                    let _e2389 = type_33(_e2356, _e2388);
-                    if (_e2388 == 0u) {
-                        if (_e2376[0][0] != 4294967295u) {
-                            phi_3675_ = type_33(_e2376[0], 3u);
+                    let _e2261 = phi_3676_;
+                    let _e2269 = select(select(2u, 1u, select(true, select(true, false, (_e2220[1][1] >= _e318)), (_e2220[1][0] >= _e313))), 0u, (_e2220[1][0] == 4294967295u));
+                    let _e2270 = type_33(_e2228, _e2269);
+                    if (_e2269 == 0u) {
+                        if (_e2244[1][0] != 4294967295u) {
+                            phi_3712_ = type_33(_e2244[1], 3u);
                         } else {
-                            phi_3675_ = _e2389;
+                            phi_3712_ = _e2270;
                         }
-                        let _e2395 = phi_3675_;
-                        phi_3676_ = _e2395;
+                        let _e2276 = phi_3712_;
+                        phi_3713_ = _e2276;
                     } else {
-                        phi_3676_ = _e2389;
+                        phi_3713_ = _e2270;
                     }
-                    let _e2397 = phi_3676_;
-                    if (_e2352[1][0] == 4294967295u) {
-                        phi_3700_ = 0u;
+                    let _e2278 = phi_3713_;
+                    let _e2286 = select(select(2u, 1u, select(true, select(true, false, (_e2220[2][1] >= _e318)), (_e2220[2][0] >= _e313))), 0u, (_e2220[2][0] == 4294967295u));
+                    let _e2287 = type_33(_e2232, _e2286);
+                    if (_e2286 == 0u) {
+                        if (_e2244[2][0] != 4294967295u) {
+                            phi_3749_ = type_33(_e2244[2], 3u);
+                        } else {
+                            phi_3749_ = _e2287;
+                        }
+                        let _e2293 = phi_3749_;
+                        phi_3750_ = _e2293;
                     } else {
-                        if (_e2352[1][0] >= _e333) {
-                            if (_e2352[1][1] >= _e338) {
-                                phi_3694_ = false;
-                            } else {
-                                phi_3694_ = true;
-                            }
-                            let _e2403 = phi_3694_;
-                            phi_3695_ = _e2403;
-                        } else {
-                            phi_3695_ = true;
-                        }
-                        let _e2405 = phi_3695_;
-                        if _e2405 {
-                            phi_3699_ = 1u;
-                        } else {
-                            phi_3699_ = 2u;
-                        }
-                        let _e2407 = phi_3699_;
-                        phi_3700_ = _e2407;
+                        phi_3750_ = _e2287;
                     }
-                    let _e2409 = phi_3700_;
-                    let _e2410 = type_33(_e2360, _e2409);
-                    if (_e2409 == 0u) {
-                        if (_e2376[1][0] != 4294967295u) {
-                            phi_3712_ = type_33(_e2376[1], 3u);
+                    let _e2295 = phi_3750_;
+                    let _e2303 = select(select(2u, 1u, select(true, select(true, false, (_e2220[3][1] >= _e318)), (_e2220[3][0] >= _e313))), 0u, (_e2220[3][0] == 4294967295u));
+                    let _e2304 = type_33(_e2236, _e2303);
+                    if (_e2303 == 0u) {
+                        if (_e2244[3][0] != 4294967295u) {
+                            phi_3786_ = type_33(_e2244[3], 3u);
                         } else {
-                            phi_3712_ = _e2410;
+                            phi_3786_ = _e2304;
                         }
-                        let _e2416 = phi_3712_;
-                        phi_3713_ = _e2416;
+                        let _e2310 = phi_3786_;
+                        phi_3787_ = _e2310;
                     } else {
-                        phi_3713_ = _e2410;
+                        phi_3787_ = _e2304;
                     }
-                    let _e2418 = phi_3713_;
-                    if (_e2352[2][0] == 4294967295u) {
-                        phi_3737_ = 0u;
+                    let _e2312 = phi_3787_;
+                    if (select(select(2u, 1u, select(true, select(true, false, (_e298[1] >= _e318)), (_e298[0] >= _e313))), 0u, (_e298[0] == 4294967295u)) == 2u) {
+                        phi_3815_ = type_33(_e298, 2u);
                     } else {
-                        if (_e2352[2][0] >= _e333) {
-                            if (_e2352[2][1] >= _e338) {
-                                phi_3731_ = false;
-                            } else {
-                                phi_3731_ = true;
-                            }
-                            let _e2424 = phi_3731_;
-                            phi_3732_ = _e2424;
-                        } else {
-                            phi_3732_ = true;
-                        }
-                        let _e2426 = phi_3732_;
-                        if _e2426 {
-                            phi_3736_ = 1u;
-                        } else {
-                            phi_3736_ = 2u;
-                        }
-                        let _e2428 = phi_3736_;
-                        phi_3737_ = _e2428;
+                        phi_3815_ = _e2261;
                     }
-                    let _e2430 = phi_3737_;
-                    let _e2431 = type_33(_e2364, _e2430);
-                    if (_e2430 == 0u) {
-                        if (_e2376[2][0] != 4294967295u) {
-                            phi_3749_ = type_33(_e2376[2], 3u);
-                        } else {
-                            phi_3749_ = _e2431;
-                        }
-                        let _e2437 = phi_3749_;
-                        phi_3750_ = _e2437;
-                    } else {
-                        phi_3750_ = _e2431;
-                    }
-                    let _e2439 = phi_3750_;
-                    if (_e2352[3][0] == 4294967295u) {
-                        phi_3774_ = 0u;
-                    } else {
-                        if (_e2352[3][0] >= _e333) {
-                            if (_e2352[3][1] >= _e338) {
-                                phi_3768_ = false;
-                            } else {
-                                phi_3768_ = true;
-                            }
-                            let _e2445 = phi_3768_;
-                            phi_3769_ = _e2445;
-                        } else {
-                            phi_3769_ = true;
-                        }
-                        let _e2447 = phi_3769_;
-                        if _e2447 {
-                            phi_3773_ = 1u;
-                        } else {
-                            phi_3773_ = 2u;
-                        }
-                        let _e2449 = phi_3773_;
-                        phi_3774_ = _e2449;
-                    }
-                    let _e2451 = phi_3774_;
-                    let _e2452 = type_33(_e2368, _e2451);
-                    if (_e2451 == 0u) {
-                        if (_e2376[3][0] != 4294967295u) {
-                            phi_3786_ = type_33(_e2376[3], 3u);
-                        } else {
-                            phi_3786_ = _e2452;
-                        }
-                        let _e2458 = phi_3786_;
-                        phi_3787_ = _e2458;
-                    } else {
-                        phi_3787_ = _e2452;
-                    }
-                    let _e2460 = phi_3787_;
-                    if (_e316[0] == 4294967295u) {
-                        phi_3809_ = 0u;
-                    } else {
-                        if (_e316[0] >= _e333) {
-                            if (_e316[1] >= _e338) {
-                                phi_3803_ = false;
-                            } else {
-                                phi_3803_ = true;
-                            }
-                            let _e2468 = phi_3803_;
-                            phi_3804_ = _e2468;
-                        } else {
-                            phi_3804_ = true;
-                        }
-                        let _e2470 = phi_3804_;
-                        if _e2470 {
-                            phi_3808_ = 1u;
-                        } else {
-                            phi_3808_ = 2u;
-                        }
-                        let _e2472 = phi_3808_;
-                        phi_3809_ = _e2472;
-                    }
-                    let _e2474 = phi_3809_;
-                    if (_e2474 == 2u) {
-                        phi_3815_ = type_33(_e316, 2u);
-                    } else {
-                        phi_3815_ = _e2397;
-                    }
-                    let _e2478 = phi_3815_;
-                    phi_3816_ = _e2478;
-                    phi_3817_ = _e2460;
-                    phi_3818_ = _e2439;
-                    phi_3819_ = _e2418;
+                    let _e2326 = phi_3815_;
+                    phi_3816_ = _e2326;
+                    phi_3817_ = _e2312;
+                    phi_3818_ = _e2295;
+                    phi_3819_ = _e2278;
                 } else {
                     phi_3816_ = type_33(array<u32, 2>(4294967295u, 4294967295u), 0u);
                     phi_3817_ = type_33(array<u32, 2>(4294967295u, 4294967295u), 0u);
                     phi_3818_ = type_33(array<u32, 2>(4294967295u, 4294967295u), 0u);
                     phi_3819_ = type_33(array<u32, 2>(4294967295u, 4294967295u), 0u);
                 }
-                let _e2480 = phi_3816_;
-                let _e2482 = phi_3817_;
-                let _e2484 = phi_3818_;
-                let _e2486 = phi_3819_;
-                if (_e94.member_11 == 1u) {
-                    if (_e94.member_4 > 0u) {
-                        phi_3878_ = (((select(0u, 1u, (_e2480.member_1 >= 2u)) + select(0u, 1u, (_e2486.member_1 >= 2u))) + select(0u, 1u, (_e2484.member_1 >= 2u))) + select(0u, 1u, (_e2482.member_1 >= 2u)));
-                    } else {
-                        phi_3878_ = 0u;
-                    }
-                    let _e2671 = phi_3878_;
-                    let _e2674 = ((((select(0u, 1u, (_e2480.member_1 == 1u)) + select(0u, 1u, (_e2486.member_1 == 1u))) + select(0u, 1u, (_e2484.member_1 == 1u))) + select(0u, 1u, (_e2482.member_1 == 1u))) | ((((select(0u, 1u, (_e2480.member_1 == 2u)) + select(0u, 1u, (_e2486.member_1 == 2u))) + select(0u, 1u, (_e2484.member_1 == 2u))) + select(0u, 1u, (_e2482.member_1 == 2u))) << bitcast<u32>(16i)));
-                    sums[_e79] = _e2674;
+                let _e2328 = phi_3816_;
+                let _e2330 = phi_3817_;
+                let _e2332 = phi_3818_;
+                let _e2334 = phi_3819_;
+                if (_e92.member_11 == 1u) {
+                    let _e2513 = select(0u, (((select(0u, 1u, (_e2328.member_1 >= 2u)) + select(0u, 1u, (_e2334.member_1 >= 2u))) + select(0u, 1u, (_e2332.member_1 >= 2u))) + select(0u, 1u, (_e2330.member_1 >= 2u))), (_e92.member_4 > 0u));
+                    let _e2516 = ((((select(0u, 1u, (_e2328.member_1 == 1u)) + select(0u, 1u, (_e2334.member_1 == 1u))) + select(0u, 1u, (_e2332.member_1 == 1u))) + select(0u, 1u, (_e2330.member_1 == 1u))) | ((((select(0u, 1u, (_e2328.member_1 == 2u)) + select(0u, 1u, (_e2334.member_1 == 2u))) + select(0u, 1u, (_e2332.member_1 == 2u))) + select(0u, 1u, (_e2330.member_1 == 2u))) << bitcast<u32>(16i)));
+                    sums[_e77] = _e2516;
                     phi_3885_ = type_9(0u, 7u);
                     phi_3888_ = 0u;
                     phi_3890_ = 1u;
-                    phi_3892_ = _e2674;
+                    phi_3892_ = _e2516;
                     phi_3889_ = 128u;
                     loop {
-                        let _e2677 = phi_3885_;
-                        let _e2679 = phi_3888_;
-                        let _e2681 = phi_3890_;
-                        let _e2683 = phi_3892_;
-                        let _e2685 = phi_3889_;
-                        local_2 = _e2683;
-                        if (_e2677.member < _e2677.member_1) {
-                            phi_3886_ = type_9((_e2677.member + 1u), _e2677.member_1);
-                            phi_3915_ = type_9(1u, _e2677.member);
-                        } else {
-                            phi_3886_ = _e2677;
-                            phi_3915_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e2697 = phi_3886_;
-                        let _e2699 = phi_3915_;
-                        let _e2702 = (bitcast<i32>(_e2699.member) != 0i);
-                        if _e2702 {
+                        let _e2519 = phi_3885_;
+                        let _e2521 = phi_3888_;
+                        let _e2523 = phi_3890_;
+                        let _e2525 = phi_3892_;
+                        let _e2527 = phi_3889_;
+                        local_2 = _e2525;
+                        let _e2530 = (_e2519.member < _e2519.member_1);
+                        let _e2541 = (bitcast<i32>(select(0u, 1u, _e2530)) != 0i);
+                        if _e2541 {
                             workgroupBarrier();
-                            if (_e79 >= _e2681) {
-                                let _e2707 = sums[((_e2679 + _e79) - _e2681)];
-                                phi_3931_ = (_e2683 + _e2707);
+                            if (_e77 >= _e2523) {
+                                let _e2546 = sums[((_e2521 + _e77) - _e2523)];
+                                phi_3931_ = (_e2525 + _e2546);
                             } else {
-                                phi_3931_ = _e2683;
+                                phi_3931_ = _e2525;
                             }
-                            let _e2710 = phi_3931_;
-                            sums[(_e2685 + _e79)] = _e2710;
-                            phi_3891_ = (_e2681 * 2u);
-                            phi_3893_ = _e2710;
+                            let _e2549 = phi_3931_;
+                            sums[(_e2527 + _e77)] = _e2549;
+                            phi_3891_ = (_e2523 * 2u);
+                            phi_3893_ = _e2549;
                         } else {
                             phi_3891_ = u32();
                             phi_3893_ = u32();
                         }
-                        let _e2715 = phi_3891_;
-                        let _e2717 = phi_3893_;
+                        let _e2554 = phi_3891_;
+                        let _e2556 = phi_3893_;
                         continue;
                         continuing {
-                            phi_3885_ = _e2697;
-                            phi_3888_ = _e2685;
-                            phi_3890_ = _e2715;
-                            phi_3892_ = _e2717;
-                            phi_3889_ = _e2679;
-                            break if !(_e2702);
+                            phi_3885_ = type_9(select(_e2519.member, (_e2519.member + 1u), _e2530), select(_e2519.member_1, _e2519.member_1, _e2530));
+                            phi_3888_ = _e2527;
+                            phi_3890_ = _e2554;
+                            phi_3892_ = _e2556;
+                            phi_3889_ = _e2521;
+                            break if !(_e2541);
                         }
                     }
                     workgroupBarrier();
-                    let _e2720 = local_2;
-                    let _e2721 = (_e2720 - _e2674);
-                    if (_e79 == 0u) {
-                        let _e2724 = sums[255u];
-                        atomicStore((&shared_[6u]), (_e2724 & 65535u));
-                        atomicStore((&shared_[7u]), (_e2724 >> bitcast<u32>(16i)));
+                    let _e2559 = local_2;
+                    let _e2560 = (_e2559 - _e2516);
+                    if (_e77 == 0u) {
+                        let _e2563 = sums[255u];
+                        atomicStore((&shared_[6u]), (_e2563 & 65535u));
+                        atomicStore((&shared_[7u]), (_e2563 >> bitcast<u32>(16i)));
                     }
-                    if (_e94.member_4 > 0u) {
-                        sums[_e79] = _e2671;
+                    if (_e92.member_4 > 0u) {
+                        sums[_e77] = _e2513;
                         phi_3958_ = type_9(0u, 7u);
                         phi_3961_ = 0u;
                         phi_3963_ = 1u;
-                        phi_3965_ = _e2671;
+                        phi_3965_ = _e2513;
                         phi_3962_ = 128u;
                         loop {
-                            let _e2734 = phi_3958_;
-                            let _e2736 = phi_3961_;
-                            let _e2738 = phi_3963_;
-                            let _e2740 = phi_3965_;
-                            let _e2742 = phi_3962_;
-                            local_3 = _e2740;
-                            if (_e2734.member < _e2734.member_1) {
-                                phi_3959_ = type_9((_e2734.member + 1u), _e2734.member_1);
-                                phi_3988_ = type_9(1u, _e2734.member);
-                            } else {
-                                phi_3959_ = _e2734;
-                                phi_3988_ = type_9(0u, type_9().member_1);
-                            }
-                            let _e2754 = phi_3959_;
-                            let _e2756 = phi_3988_;
-                            let _e2759 = (bitcast<i32>(_e2756.member) != 0i);
-                            if _e2759 {
+                            let _e2573 = phi_3958_;
+                            let _e2575 = phi_3961_;
+                            let _e2577 = phi_3963_;
+                            let _e2579 = phi_3965_;
+                            let _e2581 = phi_3962_;
+                            local_3 = _e2579;
+                            let _e2584 = (_e2573.member < _e2573.member_1);
+                            let _e2595 = (bitcast<i32>(select(0u, 1u, _e2584)) != 0i);
+                            if _e2595 {
                                 workgroupBarrier();
-                                if (_e79 >= _e2738) {
-                                    let _e2764 = sums[((_e2736 + _e79) - _e2738)];
-                                    phi_4004_ = (_e2740 + _e2764);
+                                if (_e77 >= _e2577) {
+                                    let _e2600 = sums[((_e2575 + _e77) - _e2577)];
+                                    phi_4004_ = (_e2579 + _e2600);
                                 } else {
-                                    phi_4004_ = _e2740;
+                                    phi_4004_ = _e2579;
                                 }
-                                let _e2767 = phi_4004_;
-                                sums[(_e2742 + _e79)] = _e2767;
-                                phi_3964_ = (_e2738 * 2u);
-                                phi_3966_ = _e2767;
+                                let _e2603 = phi_4004_;
+                                sums[(_e2581 + _e77)] = _e2603;
+                                phi_3964_ = (_e2577 * 2u);
+                                phi_3966_ = _e2603;
                             } else {
                                 phi_3964_ = u32();
                                 phi_3966_ = u32();
                             }
-                            let _e2772 = phi_3964_;
-                            let _e2774 = phi_3966_;
+                            let _e2608 = phi_3964_;
+                            let _e2610 = phi_3966_;
                             continue;
                             continuing {
-                                phi_3958_ = _e2754;
-                                phi_3961_ = _e2742;
-                                phi_3963_ = _e2772;
-                                phi_3965_ = _e2774;
-                                phi_3962_ = _e2736;
-                                break if !(_e2759);
+                                phi_3958_ = type_9(select(_e2573.member, (_e2573.member + 1u), _e2584), select(_e2573.member_1, _e2573.member_1, _e2584));
+                                phi_3961_ = _e2581;
+                                phi_3963_ = _e2608;
+                                phi_3965_ = _e2610;
+                                phi_3962_ = _e2575;
+                                break if !(_e2595);
                             }
                         }
                         workgroupBarrier();
-                        let _e2777 = local_3;
-                        if (_e79 == 0u) {
-                            let _e2781 = sums[255u];
-                            atomicStore((&shared_[8u]), _e2781);
+                        let _e2613 = local_3;
+                        if (_e77 == 0u) {
+                            let _e2617 = sums[255u];
+                            atomicStore((&shared_[8u]), _e2617);
                         }
-                        phi_4018_ = (_e2777 - _e2671);
+                        phi_4018_ = (_e2613 - _e2513);
                     } else {
                         phi_4018_ = 0u;
                     }
-                    let _e2784 = phi_4018_;
-                    let _e2785 = (_e2721 & 65535u);
-                    let _e2787 = (_e2721 >> bitcast<u32>(16i));
-                    if (_e2480.member_1 == 1u) {
-                        phi_4026_ = _e2785;
-                    } else {
-                        phi_4026_ = _e2787;
-                    }
-                    let _e2791 = phi_4026_;
-                    let _e2796 = (_e2785 + select(0u, 1u, (_e2480.member_1 == 1u)));
-                    let _e2800 = (_e2787 + select(0u, 1u, (_e2480.member_1 == 2u)));
-                    let _e2804 = (_e2784 + select(0u, 1u, (_e2480.member_1 >= 2u)));
-                    if (_e2486.member_1 == 1u) {
-                        phi_4045_ = _e2796;
-                    } else {
-                        phi_4045_ = _e2800;
-                    }
-                    let _e2808 = phi_4045_;
-                    let _e2813 = (_e2796 + select(0u, 1u, (_e2486.member_1 == 1u)));
-                    let _e2817 = (_e2800 + select(0u, 1u, (_e2486.member_1 == 2u)));
-                    let _e2821 = (_e2804 + select(0u, 1u, (_e2486.member_1 >= 2u)));
-                    if (_e2484.member_1 == 1u) {
-                        phi_4064_ = _e2813;
-                    } else {
-                        phi_4064_ = _e2817;
-                    }
-                    let _e2825 = phi_4064_;
-                    if (_e2482.member_1 == 1u) {
-                        phi_4083_ = (_e2813 + select(0u, 1u, (_e2484.member_1 == 1u)));
-                    } else {
-                        phi_4083_ = (_e2817 + select(0u, 1u, (_e2484.member_1 == 2u)));
-                    }
-                    let _e2842 = phi_4083_;
-                    phi_4241_ = type_34(array<u32, 2>(_e2791, _e2784), array<u32, 2>(_e2808, _e2804), array<u32, 2>(_e2825, _e2821), array<u32, 2>(_e2842, (_e2821 + select(0u, 1u, (_e2484.member_1 >= 2u)))));
+                    let _e2620 = phi_4018_;
+                    let _e2621 = (_e2560 & 65535u);
+                    let _e2623 = (_e2560 >> bitcast<u32>(16i));
+                    let _e2631 = (_e2621 + select(0u, 1u, (_e2328.member_1 == 1u)));
+                    let _e2635 = (_e2623 + select(0u, 1u, (_e2328.member_1 == 2u)));
+                    let _e2639 = (_e2620 + select(0u, 1u, (_e2328.member_1 >= 2u)));
+                    let _e2647 = (_e2631 + select(0u, 1u, (_e2334.member_1 == 1u)));
+                    let _e2651 = (_e2635 + select(0u, 1u, (_e2334.member_1 == 2u)));
+                    let _e2655 = (_e2639 + select(0u, 1u, (_e2334.member_1 >= 2u)));
+                    phi_4241_ = type_34(array<u32, 2>(select(_e2623, _e2621, (_e2328.member_1 == 1u)), _e2620), array<u32, 2>(select(_e2635, _e2631, (_e2334.member_1 == 1u)), _e2639), array<u32, 2>(select(_e2651, _e2647, (_e2332.member_1 == 1u)), _e2655), array<u32, 2>(select((_e2651 + select(0u, 1u, (_e2332.member_1 == 2u))), (_e2647 + select(0u, 1u, (_e2332.member_1 == 1u))), (_e2330.member_1 == 1u)), (_e2655 + select(0u, 1u, (_e2332.member_1 >= 2u)))));
                 } else {
-                    let _e2526 = (((select(0u, 1u, (_e2480.member_1 == 1u)) + select(0u, 1u, (_e2486.member_1 == 1u))) + select(0u, 1u, (_e2484.member_1 == 1u))) + select(0u, 1u, (_e2482.member_1 == 1u)));
-                    let _e2530 = (((select(0u, 1u, (_e2480.member_1 == 2u)) + select(0u, 1u, (_e2486.member_1 == 2u))) + select(0u, 1u, (_e2484.member_1 == 2u))) + select(0u, 1u, (_e2482.member_1 == 2u)));
-                    if (_e94.member_4 > 0u) {
-                        phi_4139_ = (((select(0u, 1u, (_e2480.member_1 >= 2u)) + select(0u, 1u, (_e2486.member_1 >= 2u))) + select(0u, 1u, (_e2484.member_1 >= 2u))) + select(0u, 1u, (_e2482.member_1 >= 2u)));
-                    } else {
-                        phi_4139_ = 0u;
-                    }
-                    let _e2537 = phi_4139_;
-                    if (_e2526 > 0u) {
-                        let _e2540 = atomicAdd((&shared_[6u]), _e2526);
-                        phi_4149_ = array<u32, 3>(_e2540, 0u, 0u);
+                    let _e2374 = (((select(0u, 1u, (_e2328.member_1 == 1u)) + select(0u, 1u, (_e2334.member_1 == 1u))) + select(0u, 1u, (_e2332.member_1 == 1u))) + select(0u, 1u, (_e2330.member_1 == 1u)));
+                    let _e2378 = (((select(0u, 1u, (_e2328.member_1 == 2u)) + select(0u, 1u, (_e2334.member_1 == 2u))) + select(0u, 1u, (_e2332.member_1 == 2u))) + select(0u, 1u, (_e2330.member_1 == 2u)));
+                    let _e2384 = select(0u, (((select(0u, 1u, (_e2328.member_1 >= 2u)) + select(0u, 1u, (_e2334.member_1 >= 2u))) + select(0u, 1u, (_e2332.member_1 >= 2u))) + select(0u, 1u, (_e2330.member_1 >= 2u))), (_e92.member_4 > 0u));
+                    if (_e2374 > 0u) {
+                        let _e2387 = atomicAdd((&shared_[6u]), _e2374);
+                        phi_4149_ = array<u32, 3>(_e2387, 0u, 0u);
                     } else {
                         phi_4149_ = array<u32, 3>(0u, 0u, 0u);
                     }
-                    let _e2543 = phi_4149_;
-                    if (_e2530 > 0u) {
-                        let _e2546 = atomicAdd((&shared_[7u]), _e2530);
-                        phi_4158_ = array<u32, 3>(_e2543[0], _e2546, _e2543[2]);
+                    let _e2390 = phi_4149_;
+                    if (_e2378 > 0u) {
+                        let _e2393 = atomicAdd((&shared_[7u]), _e2378);
+                        phi_4158_ = array<u32, 3>(_e2390[0], _e2393, _e2390[2]);
                     } else {
-                        phi_4158_ = _e2543;
+                        phi_4158_ = _e2390;
                     }
-                    let _e2551 = phi_4158_;
-                    if (_e2537 > 0u) {
-                        let _e2554 = atomicAdd((&shared_[8u]), _e2537);
-                        phi_4167_ = array<u32, 3>(_e2551[0], _e2551[1], _e2554);
+                    let _e2398 = phi_4158_;
+                    if (_e2384 > 0u) {
+                        let _e2401 = atomicAdd((&shared_[8u]), _e2384);
+                        phi_4167_ = array<u32, 3>(_e2398[0], _e2398[1], _e2401);
                     } else {
-                        phi_4167_ = _e2551;
+                        phi_4167_ = _e2398;
                     }
-                    let _e2559 = phi_4167_;
-                    if (_e2480.member_1 == 1u) {
-                        phi_4175_ = _e2559[0];
-                    } else {
-                        phi_4175_ = _e2559[1];
-                    }
-                    let _e2565 = phi_4175_;
-                    let _e2572 = (_e2559[0] + select(0u, 1u, (_e2480.member_1 == 1u)));
-                    let _e2577 = (_e2559[1] + select(0u, 1u, (_e2480.member_1 == 2u)));
-                    let _e2582 = (_e2559[2] + select(0u, 1u, (_e2480.member_1 >= 2u)));
-                    if (_e2486.member_1 == 1u) {
-                        phi_4200_ = _e2572;
-                    } else {
-                        phi_4200_ = _e2577;
-                    }
-                    let _e2586 = phi_4200_;
-                    let _e2591 = (_e2572 + select(0u, 1u, (_e2486.member_1 == 1u)));
-                    let _e2595 = (_e2577 + select(0u, 1u, (_e2486.member_1 == 2u)));
-                    let _e2599 = (_e2582 + select(0u, 1u, (_e2486.member_1 >= 2u)));
-                    if (_e2484.member_1 == 1u) {
-                        phi_4219_ = _e2591;
-                    } else {
-                        phi_4219_ = _e2595;
-                    }
-                    let _e2603 = phi_4219_;
-                    if (_e2482.member_1 == 1u) {
-                        phi_4238_ = (_e2591 + select(0u, 1u, (_e2484.member_1 == 1u)));
-                    } else {
-                        phi_4238_ = (_e2595 + select(0u, 1u, (_e2484.member_1 == 2u)));
-                    }
-                    let _e2620 = phi_4238_;
-                    phi_4241_ = type_34(array<u32, 2>(_e2565, _e2559[2]), array<u32, 2>(_e2586, _e2582), array<u32, 2>(_e2603, _e2599), array<u32, 2>(_e2620, (_e2599 + select(0u, 1u, (_e2484.member_1 >= 2u)))));
+                    let _e2406 = phi_4167_;
+                    let _e2418 = (_e2406[0] + select(0u, 1u, (_e2328.member_1 == 1u)));
+                    let _e2423 = (_e2406[1] + select(0u, 1u, (_e2328.member_1 == 2u)));
+                    let _e2428 = (_e2406[2] + select(0u, 1u, (_e2328.member_1 >= 2u)));
+                    let _e2436 = (_e2418 + select(0u, 1u, (_e2334.member_1 == 1u)));
+                    let _e2440 = (_e2423 + select(0u, 1u, (_e2334.member_1 == 2u)));
+                    let _e2444 = (_e2428 + select(0u, 1u, (_e2334.member_1 >= 2u)));
+                    phi_4241_ = type_34(array<u32, 2>(select(_e2406[1], _e2406[0], (_e2328.member_1 == 1u)), _e2406[2]), array<u32, 2>(select(_e2423, _e2418, (_e2334.member_1 == 1u)), _e2428), array<u32, 2>(select(_e2440, _e2436, (_e2332.member_1 == 1u)), _e2444), array<u32, 2>(select((_e2440 + select(0u, 1u, (_e2332.member_1 == 2u))), (_e2436 + select(0u, 1u, (_e2332.member_1 == 1u))), (_e2330.member_1 == 1u)), (_e2444 + select(0u, 1u, (_e2332.member_1 >= 2u)))));
                 }
-                let _e2846 = phi_4241_;
+                let _e2678 = phi_4241_;
                 workgroupBarrier();
-                if (_e79 == 0u) {
-                    let _e2849 = atomicLoad((&shared_[6u]));
-                    let _e2851 = atomicLoad((&shared_[7u]));
-                    let _e2853 = atomicLoad((&shared_[8u]));
-                    let _e2855 = atomicLoad((&shared_[1u]));
-                    let _e2857 = atomicLoad((&shared_[2u]));
-                    let _e2859 = atomicLoad((&shared_[15u]));
-                    atomicStore((&shared_[15u]), (_e2859 + 1u));
-                    let _e2863 = atomicLoad((&shared_[16u]));
-                    atomicStore((&shared_[16u]), ((_e2863 + _e2855) + _e2857));
-                    let _e2868 = atomicLoad((&shared_[0u]));
-                    let _e2869 = (_e2868 - _e2855);
-                    let _e2871 = (_e94.member_10 - _e2869);
-                    if (_e2871 < _e2849) {
-                        phi_4285_ = _e2871;
-                    } else {
-                        phi_4285_ = _e2849;
-                    }
-                    let _e2874 = phi_4285_;
-                    atomicStore((&shared_[9u]), _e2869);
-                    atomicStore((&shared_[10u]), _e2874);
-                    atomicStore((&shared_[0u]), (_e2869 + _e2874));
-                    if (_e2849 > _e2874) {
-                        let _e2880 = (_e2849 - _e2874);
-                        if (_e94.member_13 == 0u) {
+                if (_e77 == 0u) {
+                    let _e2681 = atomicLoad((&shared_[6u]));
+                    let _e2683 = atomicLoad((&shared_[7u]));
+                    let _e2685 = atomicLoad((&shared_[8u]));
+                    let _e2687 = atomicLoad((&shared_[1u]));
+                    let _e2689 = atomicLoad((&shared_[2u]));
+                    let _e2691 = atomicLoad((&shared_[15u]));
+                    atomicStore((&shared_[15u]), (_e2691 + 1u));
+                    let _e2695 = atomicLoad((&shared_[16u]));
+                    atomicStore((&shared_[16u]), ((_e2695 + _e2687) + _e2689));
+                    let _e2700 = atomicLoad((&shared_[0u]));
+                    let _e2701 = (_e2700 - _e2687);
+                    let _e2703 = (_e92.member_10 - _e2701);
+                    let _e2705 = select(_e2681, _e2703, (_e2703 < _e2681));
+                    atomicStore((&shared_[9u]), _e2701);
+                    atomicStore((&shared_[10u]), _e2705);
+                    atomicStore((&shared_[0u]), (_e2701 + _e2705));
+                    if (_e2681 > _e2705) {
+                        let _e2711 = (_e2681 - _e2705);
+                        if (_e92.member_13 == 0u) {
                         } else {
-                            let _e2884 = atomicMax((&control.member[1536u]), 4294967295u);
+                            let _e2715 = atomicMax((&control.member[1536u]), 4294967295u);
                         }
-                        let _e2887 = atomicAdd((&control.member[(_e96.member_1 + 1u)]), _e2880);
-                        let _e2890 = atomicMax((&nodes.member[0u]), (_e2887 + _e2880));
-                        if ((_e2887 + _e2880) < _e2887) {
-                            let _e2894 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e2718 = atomicAdd((&control.member[(_e94.member_1 + 1u)]), _e2711);
+                        let _e2721 = atomicMax((&nodes.member[0u]), (_e2718 + _e2711));
+                        if ((_e2718 + _e2711) < _e2718) {
+                            let _e2725 = atomicAdd((&nodes.member[2u]), 1u);
                         }
-                        atomicStore((&shared_[11u]), _e2887);
+                        atomicStore((&shared_[11u]), _e2718);
                     }
-                    if (_e2851 > 0u) {
-                        let _e2898 = atomicAdd((&pairs.member[0u]), _e2851);
-                        if ((_e2898 + _e2851) < _e2898) {
-                            let _e2902 = atomicAdd((&pairs.member[2u]), 1u);
+                    if (_e2683 > 0u) {
+                        let _e2729 = atomicAdd((&pairs.member[0u]), _e2683);
+                        if ((_e2729 + _e2683) < _e2729) {
+                            let _e2733 = atomicAdd((&pairs.member[2u]), 1u);
                         }
-                        atomicStore((&shared_[12u]), _e2898);
+                        atomicStore((&shared_[12u]), _e2729);
                     }
-                    if (_e2853 > 0u) {
-                        let _e2906 = atomicAdd((&control.member[1537u]), _e2853);
-                        if ((_e2906 + _e2853) < _e2906) {
-                            let _e2910 = atomicAdd((&control.member[1538u]), 1u);
+                    if (_e2685 > 0u) {
+                        let _e2737 = atomicAdd((&control.member[1537u]), _e2685);
+                        if ((_e2737 + _e2685) < _e2737) {
+                            let _e2741 = atomicAdd((&control.member[1538u]), 1u);
                         }
-                        atomicStore((&shared_[13u]), _e2906);
+                        atomicStore((&shared_[13u]), _e2737);
                     }
                 }
                 workgroupBarrier();
-                if (_e2480.member_1 == 1u) {
-                    let _e2974 = atomicLoad((&shared_[10u]));
-                    if (_e2846.member[0] < _e2974) {
-                        let _e2994 = atomicLoad((&shared_[9u]));
-                        let _e2997 = (2u * (_e2994 + _e2846.member[0]));
-                        stack[_e2997] = _e2480.member[0];
-                        stack[(_e2997 + 1u)] = _e2480.member[1];
+                if (_e2328.member_1 == 1u) {
+                    let _e2804 = atomicLoad((&shared_[10u]));
+                    if (_e2678.member[0] < _e2804) {
+                        let _e2824 = atomicLoad((&shared_[9u]));
+                        let _e2827 = (2u * (_e2824 + _e2678.member[0]));
+                        stack[_e2827] = _e2328.member[0];
+                        stack[(_e2827 + 1u)] = _e2328.member[1];
                     } else {
-                        let _e2978 = atomicLoad((&shared_[11u]));
-                        let _e2981 = ((_e2978 + _e2846.member[0]) - _e2974);
-                        if (_e2981 < _e94.member_3) {
-                            let _e2984 = (_e107 + _e2981);
-                            if (_e2984 < 4294967295u) {
-                                let _e2988 = (2u * _e2984);
-                                atomicStore((&nodes.member[(4u + _e2988)]), _e2480.member[0]);
-                                atomicStore((&nodes.member[(_e2988 + 5u)]), _e2480.member[1]);
+                        let _e2808 = atomicLoad((&shared_[11u]));
+                        let _e2811 = ((_e2808 + _e2678.member[0]) - _e2804);
+                        if (_e2811 < _e92.member_3) {
+                            let _e2814 = (_e104 + _e2811);
+                            if (_e2814 < 4294967295u) {
+                                let _e2818 = (2u * _e2814);
+                                atomicStore((&nodes.member[(4u + _e2818)]), _e2328.member[0]);
+                                atomicStore((&nodes.member[(_e2818 + 5u)]), _e2328.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e2480.member_1 == 0u) {
+                    if (_e2328.member_1 == 0u) {
                     } else {
-                        if (_e2480.member_1 == 2u) {
-                            let _e2922 = a.member[_e2480.member[0]];
-                            let _e2926 = b.member[_e2480.member[1]];
-                            let _e2930 = params.member.member_2.member;
-                            if (_e2930 == 1u) {
-                                if (_e2922.member_1 < _e2926.member_1) {
-                                    phi_4471_ = type_9(_e2922.member_1, _e2926.member_1);
-                                } else {
-                                    phi_4471_ = type_9(_e2926.member_1, _e2922.member_1);
-                                }
-                                let _e2937 = phi_4471_;
-                                phi_4476_ = _e2937;
+                        if (_e2328.member_1 == 2u) {
+                            let _e2753 = a.member[_e2328.member[0]];
+                            let _e2757 = b.member[_e2328.member[1]];
+                            let _e2761 = params.member.member_2.member;
+                            if (_e2761 == 1u) {
+                                let _e2764 = (_e2753.member_1 < _e2757.member_1);
+                                phi_4476_ = type_9(select(_e2757.member_1, _e2753.member_1, _e2764), select(_e2753.member_1, _e2757.member_1, _e2764));
                             } else {
-                                phi_4476_ = type_9(_e2922.member_1, _e2926.member_1);
+                                phi_4476_ = type_9(_e2753.member_1, _e2757.member_1);
                             }
-                            let _e2939 = phi_4476_;
-                            let _e2943 = params.member.member_1;
-                            let _e2946 = atomicLoad((&shared_[12u]));
-                            let _e2948 = (_e2946 + _e2846.member[0]);
-                            if (_e2948 < _e2943.member_3) {
-                                let _e2950 = (2u * _e2948);
-                                atomicStore((&pairs.member[(4u + _e2950)]), _e2939.member);
-                                atomicStore((&pairs.member[(_e2950 + 5u)]), _e2939.member_1);
+                            let _e2769 = phi_4476_;
+                            let _e2773 = params.member.member_1;
+                            let _e2776 = atomicLoad((&shared_[12u]));
+                            let _e2778 = (_e2776 + _e2678.member[0]);
+                            if (_e2778 < _e2773.member_3) {
+                                let _e2780 = (2u * _e2778);
+                                atomicStore((&pairs.member[(4u + _e2780)]), _e2769.member);
+                                atomicStore((&pairs.member[(_e2780 + 5u)]), _e2769.member_1);
                             }
                         }
-                        if (_e94.member_4 > 0u) {
-                            let _e2958 = atomicLoad((&shared_[13u]));
-                            let _e2960 = (_e2958 + _e2846.member[1]);
-                            if (_e2960 < _e94.member_4) {
-                                let _e2967 = (2u * ((_e94.member_5 * _e94.member_4) + _e2960));
-                                front.member[_e2967] = _e2480.member[0];
-                                front.member[(_e2967 + 1u)] = _e2480.member[1];
+                        if (_e92.member_4 > 0u) {
+                            let _e2788 = atomicLoad((&shared_[13u]));
+                            let _e2790 = (_e2788 + _e2678.member[1]);
+                            if (_e2790 < _e92.member_4) {
+                                let _e2797 = (2u * ((_e92.member_5 * _e92.member_4) + _e2790));
+                                front.member[_e2797] = _e2328.member[0];
+                                front.member[(_e2797 + 1u)] = _e2328.member[1];
                             }
                         }
                     }
                 }
-                if (_e2486.member_1 == 1u) {
-                    let _e3065 = atomicLoad((&shared_[10u]));
-                    if (_e2846.member_1[0] < _e3065) {
-                        let _e3085 = atomicLoad((&shared_[9u]));
-                        let _e3088 = (2u * (_e3085 + _e2846.member_1[0]));
-                        stack[_e3088] = _e2486.member[0];
-                        stack[(_e3088 + 1u)] = _e2486.member[1];
+                if (_e2334.member_1 == 1u) {
+                    let _e2894 = atomicLoad((&shared_[10u]));
+                    if (_e2678.member_1[0] < _e2894) {
+                        let _e2914 = atomicLoad((&shared_[9u]));
+                        let _e2917 = (2u * (_e2914 + _e2678.member_1[0]));
+                        stack[_e2917] = _e2334.member[0];
+                        stack[(_e2917 + 1u)] = _e2334.member[1];
                     } else {
-                        let _e3069 = atomicLoad((&shared_[11u]));
-                        let _e3072 = ((_e3069 + _e2846.member_1[0]) - _e3065);
-                        if (_e3072 < _e94.member_3) {
-                            let _e3075 = (_e107 + _e3072);
-                            if (_e3075 < 4294967295u) {
-                                let _e3079 = (2u * _e3075);
-                                atomicStore((&nodes.member[(4u + _e3079)]), _e2486.member[0]);
-                                atomicStore((&nodes.member[(_e3079 + 5u)]), _e2486.member[1]);
+                        let _e2898 = atomicLoad((&shared_[11u]));
+                        let _e2901 = ((_e2898 + _e2678.member_1[0]) - _e2894);
+                        if (_e2901 < _e92.member_3) {
+                            let _e2904 = (_e104 + _e2901);
+                            if (_e2904 < 4294967295u) {
+                                let _e2908 = (2u * _e2904);
+                                atomicStore((&nodes.member[(4u + _e2908)]), _e2334.member[0]);
+                                atomicStore((&nodes.member[(_e2908 + 5u)]), _e2334.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e2486.member_1 == 0u) {
+                    if (_e2334.member_1 == 0u) {
                     } else {
-                        if (_e2486.member_1 == 2u) {
-                            let _e3013 = a.member[_e2486.member[0]];
-                            let _e3017 = b.member[_e2486.member[1]];
-                            let _e3021 = params.member.member_2.member;
-                            if (_e3021 == 1u) {
-                                if (_e3013.member_1 < _e3017.member_1) {
-                                    phi_4635_ = type_9(_e3013.member_1, _e3017.member_1);
-                                } else {
-                                    phi_4635_ = type_9(_e3017.member_1, _e3013.member_1);
-                                }
-                                let _e3028 = phi_4635_;
-                                phi_4640_ = _e3028;
+                        if (_e2334.member_1 == 2u) {
+                            let _e2843 = a.member[_e2334.member[0]];
+                            let _e2847 = b.member[_e2334.member[1]];
+                            let _e2851 = params.member.member_2.member;
+                            if (_e2851 == 1u) {
+                                let _e2854 = (_e2843.member_1 < _e2847.member_1);
+                                phi_4640_ = type_9(select(_e2847.member_1, _e2843.member_1, _e2854), select(_e2843.member_1, _e2847.member_1, _e2854));
                             } else {
-                                phi_4640_ = type_9(_e3013.member_1, _e3017.member_1);
+                                phi_4640_ = type_9(_e2843.member_1, _e2847.member_1);
                             }
-                            let _e3030 = phi_4640_;
-                            let _e3034 = params.member.member_1;
-                            let _e3037 = atomicLoad((&shared_[12u]));
-                            let _e3039 = (_e3037 + _e2846.member_1[0]);
-                            if (_e3039 < _e3034.member_3) {
-                                let _e3041 = (2u * _e3039);
-                                atomicStore((&pairs.member[(4u + _e3041)]), _e3030.member);
-                                atomicStore((&pairs.member[(_e3041 + 5u)]), _e3030.member_1);
+                            let _e2859 = phi_4640_;
+                            let _e2863 = params.member.member_1;
+                            let _e2866 = atomicLoad((&shared_[12u]));
+                            let _e2868 = (_e2866 + _e2678.member_1[0]);
+                            if (_e2868 < _e2863.member_3) {
+                                let _e2870 = (2u * _e2868);
+                                atomicStore((&pairs.member[(4u + _e2870)]), _e2859.member);
+                                atomicStore((&pairs.member[(_e2870 + 5u)]), _e2859.member_1);
                             }
                         }
-                        if (_e94.member_4 > 0u) {
-                            let _e3049 = atomicLoad((&shared_[13u]));
-                            let _e3051 = (_e3049 + _e2846.member_1[1]);
-                            if (_e3051 < _e94.member_4) {
-                                let _e3058 = (2u * ((_e94.member_5 * _e94.member_4) + _e3051));
-                                front.member[_e3058] = _e2486.member[0];
-                                front.member[(_e3058 + 1u)] = _e2486.member[1];
+                        if (_e92.member_4 > 0u) {
+                            let _e2878 = atomicLoad((&shared_[13u]));
+                            let _e2880 = (_e2878 + _e2678.member_1[1]);
+                            if (_e2880 < _e92.member_4) {
+                                let _e2887 = (2u * ((_e92.member_5 * _e92.member_4) + _e2880));
+                                front.member[_e2887] = _e2334.member[0];
+                                front.member[(_e2887 + 1u)] = _e2334.member[1];
                             }
                         }
                     }
                 }
-                if (_e2484.member_1 == 1u) {
-                    let _e3156 = atomicLoad((&shared_[10u]));
-                    if (_e2846.member_2[0] < _e3156) {
-                        let _e3176 = atomicLoad((&shared_[9u]));
-                        let _e3179 = (2u * (_e3176 + _e2846.member_2[0]));
-                        stack[_e3179] = _e2484.member[0];
-                        stack[(_e3179 + 1u)] = _e2484.member[1];
+                if (_e2332.member_1 == 1u) {
+                    let _e2984 = atomicLoad((&shared_[10u]));
+                    if (_e2678.member_2[0] < _e2984) {
+                        let _e3004 = atomicLoad((&shared_[9u]));
+                        let _e3007 = (2u * (_e3004 + _e2678.member_2[0]));
+                        stack[_e3007] = _e2332.member[0];
+                        stack[(_e3007 + 1u)] = _e2332.member[1];
                     } else {
-                        let _e3160 = atomicLoad((&shared_[11u]));
-                        let _e3163 = ((_e3160 + _e2846.member_2[0]) - _e3156);
-                        if (_e3163 < _e94.member_3) {
-                            let _e3166 = (_e107 + _e3163);
-                            if (_e3166 < 4294967295u) {
-                                let _e3170 = (2u * _e3166);
-                                atomicStore((&nodes.member[(4u + _e3170)]), _e2484.member[0]);
-                                atomicStore((&nodes.member[(_e3170 + 5u)]), _e2484.member[1]);
+                        let _e2988 = atomicLoad((&shared_[11u]));
+                        let _e2991 = ((_e2988 + _e2678.member_2[0]) - _e2984);
+                        if (_e2991 < _e92.member_3) {
+                            let _e2994 = (_e104 + _e2991);
+                            if (_e2994 < 4294967295u) {
+                                let _e2998 = (2u * _e2994);
+                                atomicStore((&nodes.member[(4u + _e2998)]), _e2332.member[0]);
+                                atomicStore((&nodes.member[(_e2998 + 5u)]), _e2332.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e2484.member_1 == 0u) {
+                    if (_e2332.member_1 == 0u) {
                     } else {
-                        if (_e2484.member_1 == 2u) {
-                            let _e3104 = a.member[_e2484.member[0]];
-                            let _e3108 = b.member[_e2484.member[1]];
-                            let _e3112 = params.member.member_2.member;
-                            if (_e3112 == 1u) {
-                                if (_e3104.member_1 < _e3108.member_1) {
-                                    phi_4799_ = type_9(_e3104.member_1, _e3108.member_1);
-                                } else {
-                                    phi_4799_ = type_9(_e3108.member_1, _e3104.member_1);
-                                }
-                                let _e3119 = phi_4799_;
-                                phi_4804_ = _e3119;
+                        if (_e2332.member_1 == 2u) {
+                            let _e2933 = a.member[_e2332.member[0]];
+                            let _e2937 = b.member[_e2332.member[1]];
+                            let _e2941 = params.member.member_2.member;
+                            if (_e2941 == 1u) {
+                                let _e2944 = (_e2933.member_1 < _e2937.member_1);
+                                phi_4804_ = type_9(select(_e2937.member_1, _e2933.member_1, _e2944), select(_e2933.member_1, _e2937.member_1, _e2944));
                             } else {
-                                phi_4804_ = type_9(_e3104.member_1, _e3108.member_1);
+                                phi_4804_ = type_9(_e2933.member_1, _e2937.member_1);
                             }
-                            let _e3121 = phi_4804_;
-                            let _e3125 = params.member.member_1;
-                            let _e3128 = atomicLoad((&shared_[12u]));
-                            let _e3130 = (_e3128 + _e2846.member_2[0]);
-                            if (_e3130 < _e3125.member_3) {
-                                let _e3132 = (2u * _e3130);
-                                atomicStore((&pairs.member[(4u + _e3132)]), _e3121.member);
-                                atomicStore((&pairs.member[(_e3132 + 5u)]), _e3121.member_1);
+                            let _e2949 = phi_4804_;
+                            let _e2953 = params.member.member_1;
+                            let _e2956 = atomicLoad((&shared_[12u]));
+                            let _e2958 = (_e2956 + _e2678.member_2[0]);
+                            if (_e2958 < _e2953.member_3) {
+                                let _e2960 = (2u * _e2958);
+                                atomicStore((&pairs.member[(4u + _e2960)]), _e2949.member);
+                                atomicStore((&pairs.member[(_e2960 + 5u)]), _e2949.member_1);
                             }
                         }
-                        if (_e94.member_4 > 0u) {
-                            let _e3140 = atomicLoad((&shared_[13u]));
-                            let _e3142 = (_e3140 + _e2846.member_2[1]);
-                            if (_e3142 < _e94.member_4) {
-                                let _e3149 = (2u * ((_e94.member_5 * _e94.member_4) + _e3142));
-                                front.member[_e3149] = _e2484.member[0];
-                                front.member[(_e3149 + 1u)] = _e2484.member[1];
+                        if (_e92.member_4 > 0u) {
+                            let _e2968 = atomicLoad((&shared_[13u]));
+                            let _e2970 = (_e2968 + _e2678.member_2[1]);
+                            if (_e2970 < _e92.member_4) {
+                                let _e2977 = (2u * ((_e92.member_5 * _e92.member_4) + _e2970));
+                                front.member[_e2977] = _e2332.member[0];
+                                front.member[(_e2977 + 1u)] = _e2332.member[1];
                             }
                         }
                     }
                 }
-                if (_e2482.member_1 == 1u) {
-                    let _e3247 = atomicLoad((&shared_[10u]));
-                    if (_e2846.member_3[0] < _e3247) {
-                        let _e3267 = atomicLoad((&shared_[9u]));
-                        let _e3270 = (2u * (_e3267 + _e2846.member_3[0]));
-                        stack[_e3270] = _e2482.member[0];
-                        stack[(_e3270 + 1u)] = _e2482.member[1];
+                if (_e2330.member_1 == 1u) {
+                    let _e3074 = atomicLoad((&shared_[10u]));
+                    if (_e2678.member_3[0] < _e3074) {
+                        let _e3094 = atomicLoad((&shared_[9u]));
+                        let _e3097 = (2u * (_e3094 + _e2678.member_3[0]));
+                        stack[_e3097] = _e2330.member[0];
+                        stack[(_e3097 + 1u)] = _e2330.member[1];
                     } else {
-                        let _e3251 = atomicLoad((&shared_[11u]));
-                        let _e3254 = ((_e3251 + _e2846.member_3[0]) - _e3247);
-                        if (_e3254 < _e94.member_3) {
-                            let _e3257 = (_e107 + _e3254);
-                            if (_e3257 < 4294967295u) {
-                                let _e3261 = (2u * _e3257);
-                                atomicStore((&nodes.member[(4u + _e3261)]), _e2482.member[0]);
-                                atomicStore((&nodes.member[(_e3261 + 5u)]), _e2482.member[1]);
+                        let _e3078 = atomicLoad((&shared_[11u]));
+                        let _e3081 = ((_e3078 + _e2678.member_3[0]) - _e3074);
+                        if (_e3081 < _e92.member_3) {
+                            let _e3084 = (_e104 + _e3081);
+                            if (_e3084 < 4294967295u) {
+                                let _e3088 = (2u * _e3084);
+                                atomicStore((&nodes.member[(4u + _e3088)]), _e2330.member[0]);
+                                atomicStore((&nodes.member[(_e3088 + 5u)]), _e2330.member[1]);
                             }
                         }
                     }
                 } else {
-                    if (_e2482.member_1 == 0u) {
+                    if (_e2330.member_1 == 0u) {
                     } else {
-                        if (_e2482.member_1 == 2u) {
-                            let _e3195 = a.member[_e2482.member[0]];
-                            let _e3199 = b.member[_e2482.member[1]];
-                            let _e3203 = params.member.member_2.member;
-                            if (_e3203 == 1u) {
-                                if (_e3195.member_1 < _e3199.member_1) {
-                                    phi_4963_ = type_9(_e3195.member_1, _e3199.member_1);
-                                } else {
-                                    phi_4963_ = type_9(_e3199.member_1, _e3195.member_1);
-                                }
-                                let _e3210 = phi_4963_;
-                                phi_4968_ = _e3210;
+                        if (_e2330.member_1 == 2u) {
+                            let _e3023 = a.member[_e2330.member[0]];
+                            let _e3027 = b.member[_e2330.member[1]];
+                            let _e3031 = params.member.member_2.member;
+                            if (_e3031 == 1u) {
+                                let _e3034 = (_e3023.member_1 < _e3027.member_1);
+                                phi_4968_ = type_9(select(_e3027.member_1, _e3023.member_1, _e3034), select(_e3023.member_1, _e3027.member_1, _e3034));
                             } else {
-                                phi_4968_ = type_9(_e3195.member_1, _e3199.member_1);
+                                phi_4968_ = type_9(_e3023.member_1, _e3027.member_1);
                             }
-                            let _e3212 = phi_4968_;
-                            let _e3216 = params.member.member_1;
-                            let _e3219 = atomicLoad((&shared_[12u]));
-                            let _e3221 = (_e3219 + _e2846.member_3[0]);
-                            if (_e3221 < _e3216.member_3) {
-                                let _e3223 = (2u * _e3221);
-                                atomicStore((&pairs.member[(4u + _e3223)]), _e3212.member);
-                                atomicStore((&pairs.member[(_e3223 + 5u)]), _e3212.member_1);
+                            let _e3039 = phi_4968_;
+                            let _e3043 = params.member.member_1;
+                            let _e3046 = atomicLoad((&shared_[12u]));
+                            let _e3048 = (_e3046 + _e2678.member_3[0]);
+                            if (_e3048 < _e3043.member_3) {
+                                let _e3050 = (2u * _e3048);
+                                atomicStore((&pairs.member[(4u + _e3050)]), _e3039.member);
+                                atomicStore((&pairs.member[(_e3050 + 5u)]), _e3039.member_1);
                             }
                         }
-                        if (_e94.member_4 > 0u) {
-                            let _e3231 = atomicLoad((&shared_[13u]));
-                            let _e3233 = (_e3231 + _e2846.member_3[1]);
-                            if (_e3233 < _e94.member_4) {
-                                let _e3240 = (2u * ((_e94.member_5 * _e94.member_4) + _e3233));
-                                front.member[_e3240] = _e2482.member[0];
-                                front.member[(_e3240 + 1u)] = _e2482.member[1];
+                        if (_e92.member_4 > 0u) {
+                            let _e3058 = atomicLoad((&shared_[13u]));
+                            let _e3060 = (_e3058 + _e2678.member_3[1]);
+                            if (_e3060 < _e92.member_4) {
+                                let _e3067 = (2u * ((_e92.member_5 * _e92.member_4) + _e3060));
+                                front.member[_e3067] = _e2330.member[0];
+                                front.member[(_e3067 + 1u)] = _e2330.member[1];
                             }
                         }
                     }
                 }
                 phi_5021_ = true;
             }
-            let _e3277 = phi_5021_;
-            phi_5022_ = _e3277;
+            let _e3104 = phi_5021_;
+            phi_5022_ = _e3104;
         } else {
             phi_5022_ = false;
         }
-        let _e3279 = phi_5022_;
+        let _e3106 = phi_5022_;
         continue;
         continuing {
-            phi_254_ = _e128;
-            break if !(_e3279);
+            phi_254_ = type_9(select(_e113.member, (_e113.member + 1u), _e116), select(_e113.member_1, _e113.member_1, _e116));
+            break if !(_e3106);
         }
     }
-    if (_e79 == 0u) {
-        if (_e94.member_6 == 0u) {
-            if (_e92 < _e104) {
-                phi_5045_ = ((((_e104 - 1u) - _e92) >> bitcast<u32>((_e94.member_7 & 31u))) + 1u);
-            } else {
-                phi_5045_ = 0u;
-            }
-            let _e3293 = phi_5045_;
-            let _e3295 = atomicLoad((&shared_[5u]));
-            phi_5050_ = (_e3293 - _e3295);
+    if (_e77 == 0u) {
+        if (_e92.member_6 == 0u) {
+            let _e3121 = atomicLoad((&shared_[5u]));
+            phi_5050_ = (select(0u, ((((_e101 - 1u) - _e90) >> bitcast<u32>((_e92.member_7 & 31u))) + 1u), (_e90 < _e101)) - _e3121);
         } else {
             phi_5050_ = 0u;
         }
-        let _e3298 = phi_5050_;
-        atomicStore((&shared_[14u]), _e3298);
-        let _e3301 = atomicLoad((&shared_[0u]));
-        let _e3302 = (_e3301 + _e3298);
-        if (_e94.member_6 == 2u) {
-            let _e3329 = (((_e104 + (1u << bitcast<u32>((_e94.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e94.member_7 & 31u)));
-            let _e3330 = (_e92 * _e3329);
-            if (_e104 < _e3330) {
-                phi_5076_ = _e104;
-            } else {
-                phi_5076_ = _e3330;
-            }
-            let _e3333 = phi_5076_;
-            let _e3334 = (_e104 - _e3333);
-            if (_e3334 < _e3329) {
-                phi_5082_ = _e3334;
-            } else {
-                phi_5082_ = _e3329;
-            }
-            let _e3337 = phi_5082_;
-            let _e3344 = ((1540u + (2u * (1u << bitcast<u32>((_e94.member_7 & 31u))))) + (2u * _e92));
-            let _e3346 = atomicLoad((&shared_[0u]));
-            atomicStore((&control.member[_e3344]), _e3346);
-            let _e3350 = atomicLoad((&shared_[5u]));
-            atomicStore((&control.member[(_e3344 + 1u)]), (_e3337 - _e3350));
+        let _e3124 = phi_5050_;
+        atomicStore((&shared_[14u]), _e3124);
+        let _e3127 = atomicLoad((&shared_[0u]));
+        let _e3128 = (_e3127 + _e3124);
+        if (_e92.member_6 == 2u) {
+            let _e3155 = (((_e101 + (1u << bitcast<u32>((_e92.member_7 & 31u)))) - 1u) >> bitcast<u32>((_e92.member_7 & 31u)));
+            let _e3156 = (_e90 * _e3155);
+            let _e3159 = (_e101 - select(_e3156, _e101, (_e101 < _e3156)));
+            let _e3168 = ((1540u + (2u * (1u << bitcast<u32>((_e92.member_7 & 31u))))) + (2u * _e90));
+            let _e3170 = atomicLoad((&shared_[0u]));
+            atomicStore((&control.member[_e3168]), _e3170);
+            let _e3174 = atomicLoad((&shared_[5u]));
+            atomicStore((&control.member[(_e3168 + 1u)]), (select(_e3155, _e3159, (_e3159 < _e3155)) - _e3174));
         } else {
-            if (_e3302 > 0u) {
-                if (_e94.member_13 == 0u) {
+            if (_e3128 > 0u) {
+                if (_e92.member_13 == 0u) {
                 } else {
-                    let _e3309 = atomicMax((&control.member[1536u]), 4294967295u);
+                    let _e3135 = atomicMax((&control.member[1536u]), 4294967295u);
                 }
-                let _e3312 = atomicAdd((&control.member[(_e96.member_1 + 1u)]), _e3302);
-                let _e3315 = atomicMax((&nodes.member[0u]), (_e3312 + _e3302));
-                if ((_e3312 + _e3302) < _e3312) {
-                    let _e3319 = atomicAdd((&nodes.member[2u]), 1u);
+                let _e3138 = atomicAdd((&control.member[(_e94.member_1 + 1u)]), _e3128);
+                let _e3141 = atomicMax((&nodes.member[0u]), (_e3138 + _e3128));
+                if ((_e3138 + _e3128) < _e3138) {
+                    let _e3145 = atomicAdd((&nodes.member[2u]), 1u);
                 }
-                atomicStore((&shared_[17u]), _e3312);
+                atomicStore((&shared_[17u]), _e3138);
             }
         }
-        let _e3356 = atomicLoad((&shared_[15u]));
-        let _e3358 = atomicAdd((&control.member[(1540u + (2u * _e92))]), _e3356);
-        let _e3362 = atomicLoad((&shared_[16u]));
-        let _e3364 = atomicAdd((&control.member[((2u * _e92) + 1541u)]), _e3362);
+        let _e3180 = atomicLoad((&shared_[15u]));
+        let _e3182 = atomicAdd((&control.member[(1540u + (2u * _e90))]), _e3180);
+        let _e3186 = atomicLoad((&shared_[16u]));
+        let _e3188 = atomicAdd((&control.member[((2u * _e90) + 1541u)]), _e3186);
     }
     workgroupBarrier();
-    let _e3366 = atomicLoad((&shared_[0u]));
-    let _e3368 = atomicLoad((&shared_[17u]));
-    let _e3370 = atomicLoad((&shared_[14u]));
+    let _e3190 = atomicLoad((&shared_[0u]));
+    let _e3192 = atomicLoad((&shared_[17u]));
+    let _e3194 = atomicLoad((&shared_[14u]));
     phi_5170_ = type_9(0u, 8u);
     loop {
-        let _e3372 = phi_5170_;
-        if (_e3372.member < _e3372.member_1) {
-            phi_5171_ = type_9((_e3372.member + 1u), _e3372.member_1);
-            phi_5194_ = type_9(1u, _e3372.member);
-        } else {
-            phi_5171_ = _e3372;
-            phi_5194_ = type_9(0u, type_9().member_1);
-        }
-        let _e3384 = phi_5171_;
-        let _e3386 = phi_5194_;
-        let _e3390 = (bitcast<i32>(_e3386.member) != 0i);
-        if _e3390 {
-            let _e3392 = ((_e3386.member_1 * 128u) + _e79);
-            if (_e3392 < _e3366) {
-                let _e3396 = stack[(2u * _e3392)];
-                let _e3400 = stack[((2u * _e3392) + 1u)];
-                if (_e94.member_6 == 2u) {
-                    let _e3432 = ((((((1540u + (2u * (1u << bitcast<u32>((_e94.member_7 & 31u))))) + (2u * (1u << bitcast<u32>((_e94.member_7 & 31u))))) + (1u << bitcast<u32>((_e94.member_7 & 31u)))) + 1u) + (_e92 * 2048u)) + (2u * _e3392));
-                    atomicStore((&control.member[_e3432]), _e3396);
-                    atomicStore((&control.member[(_e3432 + 1u)]), _e3400);
+        let _e3196 = phi_5170_;
+        let _e3199 = (_e3196.member < _e3196.member_1);
+        let _e3212 = (bitcast<i32>(select(0u, 1u, _e3199)) != 0i);
+        if _e3212 {
+            let _e3214 = ((select(type_9().member_1, _e3196.member, _e3199) * 128u) + _e77);
+            if (_e3214 < _e3190) {
+                let _e3218 = stack[(2u * _e3214)];
+                let _e3222 = stack[((2u * _e3214) + 1u)];
+                if (_e92.member_6 == 2u) {
+                    let _e3254 = ((((((1540u + (2u * (1u << bitcast<u32>((_e92.member_7 & 31u))))) + (2u * (1u << bitcast<u32>((_e92.member_7 & 31u))))) + (1u << bitcast<u32>((_e92.member_7 & 31u)))) + 1u) + (_e90 * 2048u)) + (2u * _e3214));
+                    atomicStore((&control.member[_e3254]), _e3218);
+                    atomicStore((&control.member[(_e3254 + 1u)]), _e3222);
                 } else {
-                    let _e3403 = (_e3368 + _e3392);
-                    if (_e3403 < _e94.member_3) {
-                        let _e3406 = (_e107 + _e3403);
-                        if (_e3406 < 4294967295u) {
-                            let _e3408 = (2u * _e3406);
-                            atomicStore((&nodes.member[(4u + _e3408)]), _e3396);
-                            atomicStore((&nodes.member[(_e3408 + 5u)]), _e3400);
+                    let _e3225 = (_e3192 + _e3214);
+                    if (_e3225 < _e92.member_3) {
+                        let _e3228 = (_e104 + _e3225);
+                        if (_e3228 < 4294967295u) {
+                            let _e3230 = (2u * _e3228);
+                            atomicStore((&nodes.member[(4u + _e3230)]), _e3218);
+                            atomicStore((&nodes.member[(_e3230 + 5u)]), _e3222);
                         }
                     }
                 }
@@ -2674,105 +1401,83 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         continue;
         continuing {
-            phi_5170_ = _e3384;
-            break if !(_e3390);
+            phi_5170_ = type_9(select(_e3196.member, (_e3196.member + 1u), _e3199), select(_e3196.member_1, _e3196.member_1, _e3199));
+            break if !(_e3212);
         }
     }
-    let _e3438 = atomicLoad((&shared_[5u]));
-    let _e3439 = (_e3370 / 128u);
-    if ((_e3370 % 128u) > 0u) {
-        phi_5285_ = (_e3439 + 1u);
-    } else {
-        phi_5285_ = _e3439;
-    }
-    let _e3444 = phi_5285_;
-    phi_5288_ = type_9(0u, _e3444);
+    let _e3260 = atomicLoad((&shared_[5u]));
+    let _e3261 = (_e3194 / 128u);
+    phi_5288_ = type_9(0u, select(_e3261, (_e3261 + 1u), ((_e3194 % 128u) > 0u)));
     loop {
-        let _e3447 = phi_5288_;
-        if (_e3447.member < _e3447.member_1) {
-            phi_5289_ = type_9((_e3447.member + 1u), _e3447.member_1);
-            phi_5312_ = type_9(1u, _e3447.member);
-        } else {
-            phi_5289_ = _e3447;
-            phi_5312_ = type_9(0u, type_9().member_1);
-        }
-        let _e3459 = phi_5289_;
-        let _e3461 = phi_5312_;
-        let _e3465 = (bitcast<i32>(_e3461.member) != 0i);
-        if _e3465 {
-            let _e3467 = ((_e3461.member_1 * 128u) + _e79);
-            if (_e3467 < _e3370) {
-                let _e3476 = (2u * ((_e105 + _e92) + ((_e3438 + _e3467) << bitcast<u32>((_e94.member_7 & 31u)))));
-                let _e3479 = atomicLoad((&nodes.member[(4u + _e3476)]));
-                let _e3482 = atomicLoad((&nodes.member[(_e3476 + 5u)]));
-                let _e3484 = ((_e3368 + _e3366) + _e3467);
-                if (_e3484 < _e94.member_3) {
-                    let _e3487 = (_e107 + _e3484);
-                    if (_e3487 < 4294967295u) {
-                        let _e3489 = (2u * _e3487);
-                        atomicStore((&nodes.member[(4u + _e3489)]), _e3479);
-                        atomicStore((&nodes.member[(_e3489 + 5u)]), _e3482);
+        let _e3268 = phi_5288_;
+        let _e3271 = (_e3268.member < _e3268.member_1);
+        let _e3284 = (bitcast<i32>(select(0u, 1u, _e3271)) != 0i);
+        if _e3284 {
+            let _e3286 = ((select(type_9().member_1, _e3268.member, _e3271) * 128u) + _e77);
+            if (_e3286 < _e3194) {
+                let _e3295 = (2u * ((_e102 + _e90) + ((_e3260 + _e3286) << bitcast<u32>((_e92.member_7 & 31u)))));
+                let _e3298 = atomicLoad((&nodes.member[(4u + _e3295)]));
+                let _e3301 = atomicLoad((&nodes.member[(_e3295 + 5u)]));
+                let _e3303 = ((_e3192 + _e3190) + _e3286);
+                if (_e3303 < _e92.member_3) {
+                    let _e3306 = (_e104 + _e3303);
+                    if (_e3306 < 4294967295u) {
+                        let _e3308 = (2u * _e3306);
+                        atomicStore((&nodes.member[(4u + _e3308)]), _e3298);
+                        atomicStore((&nodes.member[(_e3308 + 5u)]), _e3301);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_5288_ = _e3459;
-            break if !(_e3465);
+            phi_5288_ = type_9(select(_e3268.member, (_e3268.member + 1u), _e3271), select(_e3268.member_1, _e3268.member_1, _e3271));
+            break if !(_e3284);
         }
     }
-    if (_e94.member_6 == 1u) {
-        if (_e3438 == 0u) {
-            phi_5393_ = type_9(0u, _e104);
+    if (_e92.member_6 == 1u) {
+        if (_e3260 == 0u) {
+            phi_5393_ = type_9(0u, _e101);
             loop {
-                let _e3500 = phi_5393_;
-                if (_e3500.member < _e3500.member_1) {
-                    phi_5394_ = type_9((_e3500.member + 1u), _e3500.member_1);
-                    phi_5417_ = type_9(1u, _e3500.member);
-                } else {
-                    phi_5394_ = _e3500;
-                    phi_5417_ = type_9(0u, type_9().member_1);
-                }
-                let _e3512 = phi_5394_;
-                let _e3514 = phi_5417_;
-                if (bitcast<i32>(_e3514.member) != 0i) {
-                    let _e3520 = atomicAdd((&control.member[(512u + _e96.member_1)]), 1u);
-                    if (_e3520 >= _e104) {
+                let _e3319 = phi_5393_;
+                let _e3322 = (_e3319.member < _e3319.member_1);
+                if (bitcast<i32>(select(0u, 1u, _e3322)) != 0i) {
+                    let _e3336 = atomicAdd((&control.member[(512u + _e94.member_1)]), 1u);
+                    if (_e3336 >= _e101) {
                         phi_5509_ = false;
                     } else {
-                        let _e3523 = (2u * (_e105 + _e3520));
-                        let _e3526 = atomicLoad((&nodes.member[(4u + _e3523)]));
-                        let _e3529 = atomicLoad((&nodes.member[(_e3523 + 5u)]));
-                        if (_e94.member_13 == 0u) {
+                        let _e3339 = (2u * (_e102 + _e3336));
+                        let _e3342 = atomicLoad((&nodes.member[(4u + _e3339)]));
+                        let _e3345 = atomicLoad((&nodes.member[(_e3339 + 5u)]));
+                        if (_e92.member_13 == 0u) {
                         } else {
-                            let _e3533 = atomicMax((&control.member[1536u]), 4294967295u);
+                            let _e3349 = atomicMax((&control.member[1536u]), 4294967295u);
                         }
-                        let _e3536 = atomicAdd((&control.member[(_e96.member_1 + 1u)]), 1u);
-                        let _e3539 = atomicMax((&nodes.member[0u]), (_e3536 + 1u));
-                        if ((_e3536 + 1u) < _e3536) {
-                            let _e3543 = atomicAdd((&nodes.member[2u]), 1u);
+                        let _e3352 = atomicAdd((&control.member[(_e94.member_1 + 1u)]), 1u);
+                        let _e3355 = atomicMax((&nodes.member[0u]), (_e3352 + 1u));
+                        if ((_e3352 + 1u) < _e3352) {
+                            let _e3359 = atomicAdd((&nodes.member[2u]), 1u);
                         }
-                        if (_e3536 < _e94.member_3) {
-                            let _e3546 = (_e107 + _e3536);
-                            if (_e3546 < 4294967295u) {
-                                let _e3548 = (2u * _e3546);
-                                atomicStore((&nodes.member[(4u + _e3548)]), _e3526);
-                                atomicStore((&nodes.member[(_e3548 + 5u)]), _e3529);
+                        if (_e3352 < _e92.member_3) {
+                            let _e3362 = (_e104 + _e3352);
+                            if (_e3362 < 4294967295u) {
+                                let _e3364 = (2u * _e3362);
+                                atomicStore((&nodes.member[(4u + _e3364)]), _e3342);
+                                atomicStore((&nodes.member[(_e3364 + 5u)]), _e3345);
                             }
                         }
                         phi_5509_ = true;
                     }
-                    let _e3554 = phi_5509_;
-                    phi_5510_ = _e3554;
+                    let _e3370 = phi_5509_;
+                    phi_5510_ = _e3370;
                 } else {
                     phi_5510_ = false;
                 }
-                let _e3556 = phi_5510_;
+                let _e3372 = phi_5510_;
                 continue;
                 continuing {
-                    phi_5393_ = _e3512;
-                    break if !(_e3556);
+                    phi_5393_ = type_9(select(_e3319.member, (_e3319.member + 1u), _e3322), select(_e3319.member_1, _e3319.member_1, _e3322));
+                    break if !(_e3372);
                 }
             }
         }

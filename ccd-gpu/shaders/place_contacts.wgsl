@@ -63,20 +63,15 @@ var<storage> ranks: type_11;
 var<storage, read_write> slots: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_99_: u32;
     var phi_115_: type_9;
     var phi_118_: u32;
     var phi_120_: u32;
     var phi_122_: u32;
     var phi_119_: u32;
-    var phi_116_: type_9;
-    var phi_145_: type_9;
     var phi_161_: u32;
     var phi_121_: u32;
     var phi_123_: u32;
     var local: u32;
-    var phi_187_: u32;
-    var phi_192_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -84,104 +79,80 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e21 = id_2;
-    let _e22 = n_2;
-    let _e23 = lane_2;
-    let _e35 = ((((_e21.y * _e22.x) + _e21.x) * 256u) + _e23);
-    let _e39 = params.member.member.member[0u];
-    let _e42 = params.member.member.member[1u];
-    let _e43 = (_e39 + _e42);
-    let _e44 = (_e43 / 256u);
-    if ((_e43 % 256u) > 0u) {
-        phi_99_ = (_e44 + 1u);
-    } else {
-        phi_99_ = _e44;
-    }
-    let _e49 = phi_99_;
-    let _e53 = table.member[((256u * _e49) + _e23)];
-    sums[_e23] = _e53;
+    let _e20 = id_2;
+    let _e21 = n_2;
+    let _e22 = lane_2;
+    let _e34 = ((((_e20.y * _e21.x) + _e20.x) * 256u) + _e22);
+    let _e38 = params.member.member.member[0u];
+    let _e41 = params.member.member.member[1u];
+    let _e42 = (_e38 + _e41);
+    let _e43 = (_e42 / 256u);
+    let _e47 = select(_e43, (_e43 + 1u), ((_e42 % 256u) > 0u));
+    let _e51 = table.member[((256u * _e47) + _e22)];
+    sums[_e22] = _e51;
     phi_115_ = type_9(0u, 8u);
     phi_118_ = 0u;
     phi_120_ = 1u;
-    phi_122_ = _e53;
+    phi_122_ = _e51;
     phi_119_ = 256u;
     loop {
-        let _e56 = phi_115_;
-        let _e58 = phi_118_;
-        let _e60 = phi_120_;
-        let _e62 = phi_122_;
-        let _e64 = phi_119_;
-        local = _e62;
-        if (_e56.member < _e56.member_1) {
-            phi_116_ = type_9((_e56.member + 1u), _e56.member_1);
-            phi_145_ = type_9(1u, _e56.member);
-        } else {
-            phi_116_ = _e56;
-            phi_145_ = type_9(0u, type_9().member_1);
-        }
-        let _e76 = phi_116_;
-        let _e78 = phi_145_;
-        let _e81 = (bitcast<i32>(_e78.member) != 0i);
-        if _e81 {
+        let _e54 = phi_115_;
+        let _e56 = phi_118_;
+        let _e58 = phi_120_;
+        let _e60 = phi_122_;
+        let _e62 = phi_119_;
+        local = _e60;
+        let _e65 = (_e54.member < _e54.member_1);
+        let _e76 = (bitcast<i32>(select(0u, 1u, _e65)) != 0i);
+        if _e76 {
             workgroupBarrier();
-            if (_e23 >= _e60) {
-                let _e86 = sums[((_e58 + _e23) - _e60)];
-                phi_161_ = (_e62 + _e86);
+            if (_e22 >= _e58) {
+                let _e81 = sums[((_e56 + _e22) - _e58)];
+                phi_161_ = (_e60 + _e81);
             } else {
-                phi_161_ = _e62;
+                phi_161_ = _e60;
             }
-            let _e89 = phi_161_;
-            sums[(_e64 + _e23)] = _e89;
-            phi_121_ = (_e60 * 2u);
-            phi_123_ = _e89;
+            let _e84 = phi_161_;
+            sums[(_e62 + _e22)] = _e84;
+            phi_121_ = (_e58 * 2u);
+            phi_123_ = _e84;
         } else {
             phi_121_ = u32();
             phi_123_ = u32();
         }
-        let _e94 = phi_121_;
-        let _e96 = phi_123_;
+        let _e89 = phi_121_;
+        let _e91 = phi_123_;
         continue;
         continuing {
-            phi_115_ = _e76;
-            phi_118_ = _e64;
-            phi_120_ = _e94;
-            phi_122_ = _e96;
-            phi_119_ = _e58;
-            break if !(_e81);
+            phi_115_ = type_9(select(_e54.member, (_e54.member + 1u), _e65), select(_e54.member_1, _e54.member_1, _e65));
+            phi_118_ = _e62;
+            phi_120_ = _e89;
+            phi_122_ = _e91;
+            phi_119_ = _e56;
+            break if !(_e76);
         }
     }
     workgroupBarrier();
-    let _e99 = local;
-    starts[_e23] = (_e99 - _e53);
+    let _e94 = local;
+    starts[_e22] = (_e94 - _e51);
     workgroupBarrier();
-    let _e104 = params.member.member_1.member;
-    let _e107 = params.member.member_1.member_2;
-    let _e109 = contacts.member[0u];
-    if (_e107 < _e109) {
-        phi_187_ = _e107;
-    } else {
-        phi_187_ = _e109;
-    }
-    let _e112 = phi_187_;
-    if (_e112 < _e104) {
-        phi_192_ = _e112;
-    } else {
-        phi_192_ = _e104;
-    }
-    let _e115 = phi_192_;
-    if (_e35 < _e115) {
-        let _e118 = (7u * _e35);
-        let _e121 = contacts.member[(4u + _e118)];
-        let _e124 = params.member.member.member[0u];
-        let _e128 = contacts.member[(_e118 + 6u)];
-        let _e129 = ((_e121 * _e124) + _e128);
-        if (_e49 == 0u) {
+    let _e99 = params.member.member_1.member;
+    let _e102 = params.member.member_1.member_2;
+    let _e104 = contacts.member[0u];
+    let _e106 = select(_e104, _e102, (_e102 < _e104));
+    if (_e34 < select(_e99, _e106, (_e106 < _e99))) {
+        let _e111 = (7u * _e34);
+        let _e114 = contacts.member[(4u + _e111)];
+        let _e117 = params.member.member.member[0u];
+        let _e121 = contacts.member[(_e111 + 6u)];
+        let _e122 = ((_e114 * _e117) + _e121);
+        if (_e47 == 0u) {
             return;
         }
-        let _e133 = starts[(_e129 / _e49)];
-        let _e135 = table.member[_e129];
-        let _e138 = ranks.member[_e35];
-        slots.member[((_e133 + _e135) + _e138)] = _e35;
+        let _e126 = starts[(_e122 / _e47)];
+        let _e128 = table.member[_e122];
+        let _e131 = ranks.member[_e34];
+        slots.member[((_e126 + _e128) + _e131)] = _e34;
     }
     return;
 }

@@ -103,55 +103,24 @@ var<workgroup> masks: array<atomic<u32>, 8>;
 fn function_(lane_1: u32) {
     var phi_127_: type_8;
     var phi_130_: u32;
-    var phi_128_: type_8;
-    var phi_153_: type_8;
-    var phi_177_: u32;
     var phi_131_: u32;
     var local: u32;
-    var phi_192_: u32;
     var local_1: u32;
     var phi_260_: type_17;
     var phi_284_: u32;
     var phi_310_: type_8;
     var phi_313_: u32;
-    var phi_311_: type_8;
-    var phi_336_: type_8;
-    var phi_354_: u32;
     var local_2: u32;
     var phi_366_: u32;
     var phi_377_: u32;
-    var phi_405_: u32;
-    var phi_413_: u32;
     var phi_417_: type_8;
     var phi_420_: type_19;
-    var phi_418_: type_8;
-    var phi_443_: type_8;
-    var phi_470_: f32;
-    var phi_477_: f32;
-    var phi_485_: f32;
-    var phi_492_: f32;
-    var phi_500_: f32;
-    var phi_507_: f32;
-    var phi_536_: bool;
-    var phi_540_: bool;
     var phi_541_: bool;
-    var phi_546_: type_19;
     var phi_547_: type_19;
     var phi_421_: type_19;
     var local_3: type_19;
     var phi_549_: u32;
     var phi_551_: u32;
-    var phi_574_: u32;
-    var phi_575_: u32;
-    var phi_576_: u32;
-    var phi_577_: bool;
-    var phi_581_: u32;
-    var phi_677_: f32;
-    var phi_684_: f32;
-    var phi_691_: f32;
-    var phi_699_: f32;
-    var phi_706_: f32;
-    var phi_713_: f32;
     var phi_717_: type_16;
     var phi_718_: u32;
     var phi_719_: u32;
@@ -163,9 +132,6 @@ fn function_(lane_1: u32) {
     var phi_745_: type_8;
     var phi_748_: u32;
     var phi_750_: u32;
-    var phi_746_: type_8;
-    var phi_773_: type_8;
-    var phi_791_: u32;
     var phi_749_: u32;
     var phi_751_: u32;
     var local_4: u32;
@@ -189,342 +155,176 @@ fn function_(lane_1: u32) {
         local = _e57;
         local_1 = _e57;
         local_2 = _e57;
-        if (_e55.member < _e55.member_1) {
-            phi_128_ = type_8((_e55.member + 1u), _e55.member_1);
-            phi_153_ = type_8(1u, _e55.member);
-        } else {
-            phi_128_ = _e55;
-            phi_153_ = type_8(0u, type_8().member_1);
-        }
-        let _e69 = phi_128_;
-        let _e71 = phi_153_;
-        let _e75 = (bitcast<i32>(_e71.member) != 0i);
-        if _e75 {
-            let _e78 = counts.member[(_e71.member_1 + 1u)];
-            if (_e78 > 0u) {
-                phi_177_ = (_e71.member_1 + 1u);
-            } else {
-                phi_177_ = _e57;
-            }
-            let _e82 = phi_177_;
-            phi_131_ = _e82;
+        let _e60 = (_e55.member < _e55.member_1);
+        let _e71 = select(type_8().member_1, _e55.member, _e60);
+        let _e73 = (bitcast<i32>(select(0u, 1u, _e60)) != 0i);
+        if _e73 {
+            let _e76 = counts.member[(_e71 + 1u)];
+            phi_131_ = select(_e57, (_e71 + 1u), (_e76 > 0u));
         } else {
             phi_131_ = u32();
         }
-        let _e84 = phi_131_;
+        let _e81 = phi_131_;
         continue;
         continuing {
-            phi_127_ = _e69;
-            phi_130_ = _e84;
-            break if !(_e75);
+            phi_127_ = type_8(select(_e55.member, (_e55.member + 1u), _e60), select(_e55.member_1, _e55.member_1, _e60));
+            phi_130_ = _e81;
+            break if !(_e73);
         }
     }
-    let _e87 = local;
-    let _e89 = counts.member[_e87];
-    if (256u < _e89) {
-        phi_192_ = 256u;
-    } else {
-        phi_192_ = _e89;
-    }
-    let _e92 = phi_192_;
-    if (_e35 < _e92) {
-        let _e95 = local_1;
-        let _e97 = ((_e95 % 2u) == 1u);
-        if _e97 {
-            let _e122 = odd_clusters.member[_e35];
-            phi_260_ = type_17(array<f32, 3>(bitcast<f32>(_e122.member.x), bitcast<f32>(_e122.member.y), bitcast<f32>(_e122.member.z)), _e122.member.w, array<f32, 3>(bitcast<f32>(_e122.member_1.x), bitcast<f32>(_e122.member_1.y), bitcast<f32>(_e122.member_1.z)), _e122.member_1.w);
+    let _e84 = local;
+    let _e86 = counts.member[_e84];
+    let _e88 = select(_e86, 256u, (256u < _e86));
+    if (_e35 < _e88) {
+        let _e91 = local_1;
+        let _e93 = ((_e91 % 2u) == 1u);
+        if _e93 {
+            let _e118 = odd_clusters.member[_e35];
+            phi_260_ = type_17(array<f32, 3>(bitcast<f32>(_e118.member.x), bitcast<f32>(_e118.member.y), bitcast<f32>(_e118.member.z)), _e118.member.w, array<f32, 3>(bitcast<f32>(_e118.member_1.x), bitcast<f32>(_e118.member_1.y), bitcast<f32>(_e118.member_1.z)), _e118.member_1.w);
         } else {
-            let _e99 = even_clusters.member[_e35];
-            phi_260_ = type_17(array<f32, 3>(bitcast<f32>(_e99.member.x), bitcast<f32>(_e99.member.y), bitcast<f32>(_e99.member.z)), _e99.member.w, array<f32, 3>(bitcast<f32>(_e99.member_1.x), bitcast<f32>(_e99.member_1.y), bitcast<f32>(_e99.member_1.z)), _e99.member_1.w);
+            let _e95 = even_clusters.member[_e35];
+            phi_260_ = type_17(array<f32, 3>(bitcast<f32>(_e95.member.x), bitcast<f32>(_e95.member.y), bitcast<f32>(_e95.member.z)), _e95.member.w, array<f32, 3>(bitcast<f32>(_e95.member_1.x), bitcast<f32>(_e95.member_1.y), bitcast<f32>(_e95.member_1.z)), _e95.member_1.w);
         }
-        let _e145 = phi_260_;
-        if _e97 {
-            let _e149 = odd_names.member[_e35];
-            phi_284_ = _e149;
+        let _e141 = phi_260_;
+        if _e93 {
+            let _e145 = odd_names.member[_e35];
+            phi_284_ = _e145;
         } else {
-            let _e147 = even_names.member[_e35];
-            phi_284_ = _e147;
+            let _e143 = even_names.member[_e35];
+            phi_284_ = _e143;
         }
-        let _e151 = phi_284_;
-        boxes[_e35] = type_16(array<f32, 3>(_e145.member[0], _e145.member[1], _e145.member[2]), array<f32, 3>(_e145.member_2[0], _e145.member_2[1], _e145.member_2[2]));
-        nodes[_e35] = _e145.member_1;
-        leaves[_e35] = _e145.member_3;
-        names[_e35] = _e151;
+        let _e147 = phi_284_;
+        boxes[_e35] = type_16(array<f32, 3>(_e141.member[0], _e141.member[1], _e141.member[2]), array<f32, 3>(_e141.member_2[0], _e141.member_2[1], _e141.member_2[2]));
+        nodes[_e35] = _e141.member_1;
+        leaves[_e35] = _e141.member_3;
+        names[_e35] = _e147;
     }
     workgroupBarrier();
-    let _e171 = params.member.member_1.member;
-    phi_310_ = type_8(0u, _e171);
-    phi_313_ = _e92;
+    let _e167 = params.member.member_1.member;
+    phi_310_ = type_8(0u, _e167);
+    phi_313_ = _e88;
     loop {
-        let _e174 = phi_310_;
-        let _e176 = phi_313_;
-        if (_e174.member < _e174.member_1) {
-            phi_311_ = type_8((_e174.member + 1u), _e174.member_1);
-            phi_336_ = type_8(1u, _e174.member);
-        } else {
-            phi_311_ = _e174;
-            phi_336_ = type_8(0u, type_8().member_1);
-        }
-        let _e188 = phi_311_;
-        let _e190 = phi_336_;
-        let _e194 = (bitcast<i32>(_e190.member) != 0i);
-        if _e194 {
-            let _e195 = (_e35 < _e176);
-            if _e195 {
-                if ((_e35 ^ 1u) < _e176) {
-                    phi_354_ = (_e35 ^ 1u);
-                } else {
-                    phi_354_ = _e35;
-                }
-                let _e200 = phi_354_;
-                let _e202 = local_2;
+        let _e170 = phi_310_;
+        let _e172 = phi_313_;
+        let _e175 = (_e170.member < _e170.member_1);
+        let _e188 = (bitcast<i32>(select(0u, 1u, _e175)) != 0i);
+        if _e188 {
+            let _e189 = (_e35 < _e172);
+            if _e189 {
+                let _e195 = local_2;
                 if (_e49 > 1u) {
-                    let _e205 = (_e49 - 1u);
-                    phi_366_ = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e205)), 32u, (_e205 == 0u)));
+                    let _e198 = (_e49 - 1u);
+                    phi_366_ = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e198)), 32u, (_e198 == 0u)));
                 } else {
                     phi_366_ = 0u;
                 }
-                let _e213 = phi_366_;
-                if (_e176 > 1u) {
-                    let _e215 = (_e176 - 1u);
-                    phi_377_ = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e215)), 32u, (_e215 == 0u)));
+                let _e206 = phi_366_;
+                if (_e172 > 1u) {
+                    let _e208 = (_e172 - 1u);
+                    phi_377_ = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e208)), 32u, (_e208 == 0u)));
                 } else {
                     phi_377_ = 0u;
                 }
-                let _e223 = phi_377_;
-                if ((_e202 + _e190.member_1) >= (6u * ((_e213 - _e223) + 1u))) {
-                    phi_549_ = _e200;
+                let _e216 = phi_377_;
+                if ((_e195 + select(type_8().member_1, _e170.member, _e175)) >= (6u * ((_e206 - _e216) + 1u))) {
+                    phi_549_ = select(_e35, (_e35 ^ 1u), ((_e35 ^ 1u) < _e172));
                 } else {
-                    let _e229 = boxes[_e35];
-                    let _e240 = params.member.member_2.member_1;
-                    if (_e35 < _e240) {
-                        phi_405_ = _e35;
-                    } else {
-                        phi_405_ = _e240;
-                    }
-                    let _e243 = phi_405_;
-                    let _e246 = ((_e35 + _e240) + 1u);
-                    if (_e176 < _e246) {
-                        phi_413_ = _e176;
-                    } else {
-                        phi_413_ = _e246;
-                    }
-                    let _e249 = phi_413_;
-                    phi_417_ = type_8((_e35 - _e243), _e249);
+                    let _e222 = boxes[_e35];
+                    let _e233 = params.member.member_2.member_1;
+                    let _e238 = ((_e35 + _e233) + 1u);
+                    phi_417_ = type_8((_e35 - select(_e233, _e35, (_e35 < _e233))), select(_e238, _e172, (_e172 < _e238)));
                     phi_420_ = type_19(_e35, 300000000000000000000000000000000000000f);
                     loop {
-                        let _e253 = phi_417_;
-                        let _e255 = phi_420_;
-                        local_3 = _e255;
-                        if (_e253.member < _e253.member_1) {
-                            phi_418_ = type_8((_e253.member + 1u), _e253.member_1);
-                            phi_443_ = type_8(1u, _e253.member);
-                        } else {
-                            phi_418_ = _e253;
-                            phi_443_ = type_8(0u, type_8().member_1);
-                        }
-                        let _e267 = phi_418_;
-                        let _e269 = phi_443_;
-                        let _e273 = (bitcast<i32>(_e269.member) != 0i);
-                        if _e273 {
-                            let _e275 = boxes[_e269.member_1];
-                            if (_e229.member_1[0] > _e275.member_1[0]) {
-                                phi_470_ = _e229.member_1[0];
-                            } else {
-                                phi_470_ = _e275.member_1[0];
-                            }
-                            let _e286 = phi_470_;
-                            if (_e229.member[0] < _e275.member[0]) {
-                                phi_477_ = _e229.member[0];
-                            } else {
-                                phi_477_ = _e275.member[0];
-                            }
-                            let _e289 = phi_477_;
-                            let _e290 = (_e286 - _e289);
-                            if (_e229.member_1[1] > _e275.member_1[1]) {
-                                phi_485_ = _e229.member_1[1];
-                            } else {
-                                phi_485_ = _e275.member_1[1];
-                            }
-                            let _e293 = phi_485_;
-                            if (_e229.member[1] < _e275.member[1]) {
-                                phi_492_ = _e229.member[1];
-                            } else {
-                                phi_492_ = _e275.member[1];
-                            }
-                            let _e296 = phi_492_;
-                            let _e297 = (_e293 - _e296);
-                            if (_e229.member_1[2] > _e275.member_1[2]) {
-                                phi_500_ = _e229.member_1[2];
-                            } else {
-                                phi_500_ = _e275.member_1[2];
-                            }
-                            let _e300 = phi_500_;
-                            if (_e229.member[2] < _e275.member[2]) {
-                                phi_507_ = _e229.member[2];
-                            } else {
-                                phi_507_ = _e275.member[2];
-                            }
-                            let _e303 = phi_507_;
-                            let _e304 = (_e300 - _e303);
-                            let _e309 = (((_e290 * _e297) + (_e297 * _e304)) + (_e304 * _e290));
-                            if (_e269.member_1 != _e35) {
-                                if (_e309 < _e255.member_1) {
+                        let _e244 = phi_417_;
+                        let _e246 = phi_420_;
+                        local_3 = _e246;
+                        let _e249 = (_e244.member < _e244.member_1);
+                        let _e260 = select(type_8().member_1, _e244.member, _e249);
+                        let _e262 = (bitcast<i32>(select(0u, 1u, _e249)) != 0i);
+                        if _e262 {
+                            let _e264 = boxes[_e260];
+                            let _e277 = (select(_e264.member_1[0], _e222.member_1[0], (_e222.member_1[0] > _e264.member_1[0])) - select(_e264.member[0], _e222.member[0], (_e222.member[0] < _e264.member[0])));
+                            let _e282 = (select(_e264.member_1[1], _e222.member_1[1], (_e222.member_1[1] > _e264.member_1[1])) - select(_e264.member[1], _e222.member[1], (_e222.member[1] < _e264.member[1])));
+                            let _e287 = (select(_e264.member_1[2], _e222.member_1[2], (_e222.member_1[2] > _e264.member_1[2])) - select(_e264.member[2], _e222.member[2], (_e222.member[2] < _e264.member[2])));
+                            let _e292 = (((_e277 * _e282) + (_e282 * _e287)) + (_e287 * _e277));
+                            if (_e260 != _e35) {
+                                if (_e292 < _e246.member_1) {
                                     phi_541_ = true;
                                 } else {
-                                    if (_e309 == _e255.member_1) {
-                                        if (_e255.member == _e35) {
-                                            phi_536_ = true;
-                                        } else {
-                                            phi_536_ = ((_e35 ^ _e269.member_1) < (_e35 ^ _e255.member));
-                                        }
-                                        let _e321 = phi_536_;
-                                        phi_540_ = _e321;
-                                    } else {
-                                        phi_540_ = false;
-                                    }
-                                    let _e323 = phi_540_;
-                                    phi_541_ = _e323;
+                                    phi_541_ = select(false, select(((_e35 ^ _e260) < (_e35 ^ _e246.member)), true, (_e246.member == _e35)), (_e292 == _e246.member_1));
                                 }
-                                let _e325 = phi_541_;
-                                if _e325 {
-                                    phi_546_ = type_19(_e269.member_1, _e309);
-                                } else {
-                                    phi_546_ = _e255;
-                                }
-                                let _e328 = phi_546_;
-                                phi_547_ = _e328;
+                                let _e306 = phi_541_;
+                                phi_547_ = type_19(select(_e246.member, _e260, _e306), select(_e246.member_1, _e292, _e306));
                             } else {
-                                phi_547_ = _e255;
+                                phi_547_ = _e246;
                             }
-                            let _e330 = phi_547_;
-                            phi_421_ = _e330;
+                            let _e313 = phi_547_;
+                            phi_421_ = _e313;
                         } else {
                             phi_421_ = type_19();
                         }
-                        let _e332 = phi_421_;
+                        let _e315 = phi_421_;
                         continue;
                         continuing {
-                            phi_417_ = _e267;
-                            phi_420_ = _e332;
-                            break if !(_e273);
+                            phi_417_ = type_8(select(_e244.member, (_e244.member + 1u), _e249), select(_e244.member_1, _e244.member_1, _e249));
+                            phi_420_ = _e315;
+                            break if !(_e262);
                         }
                     }
-                    let _e335 = local_3;
-                    phi_549_ = _e335.member;
+                    let _e318 = local_3;
+                    phi_549_ = _e318.member;
                 }
-                let _e338 = phi_549_;
-                neighbours[_e35] = _e338;
-                phi_551_ = _e338;
+                let _e321 = phi_549_;
+                neighbours[_e35] = _e321;
+                phi_551_ = _e321;
             } else {
                 phi_551_ = _e35;
             }
-            let _e341 = phi_551_;
+            let _e324 = phi_551_;
             if (_e35 < 8u) {
                 atomicStore((&masks[_e35]), 0u);
             }
             workgroupBarrier();
-            if _e195 {
-                let _e345 = neighbours[_e341];
-                if (_e35 == _e341) {
-                    phi_576_ = u32();
-                    phi_577_ = true;
+            if _e189 {
+                let _e328 = neighbours[_e324];
+                let _e329 = (_e35 == _e324);
+                let _e330 = (_e328 != _e35);
+                let _e336 = select(select(select(select(2u, 1u, (_e35 < _e324)), u32(), _e330), u32(), _e329), 0u, select(_e330, true, _e329));
+                let _e340 = boxes[_e35];
+                let _e353 = nodes[_e35];
+                let _e355 = leaves[_e35];
+                let _e357 = names[_e35];
+                if (_e336 == 1u) {
+                    let _e360 = names[_e324];
+                    let _e361 = (_e360 - 1u);
+                    let _e363 = leaves[_e324];
+                    let _e365 = nodes[_e324];
+                    let _e366 = (_e361 * 4u);
+                    let _e367 = (_e353 * 4u);
+                    let _e368 = (_e365 * 4u);
+                    joins.member[_e367] = _e361;
+                    joins.member[(_e367 + 1u)] = 0u;
+                    joins.member[_e368] = _e361;
+                    joins.member[(_e368 + 1u)] = _e355;
+                    joins.member[(_e366 + 2u)] = _e355;
+                    joins.member[(_e366 + 3u)] = (_e355 + _e363);
+                    let _e381 = boxes[_e324];
+                    phi_717_ = type_16(array<f32, 3>(select(_e381.member[0], _e340.member[0], (_e340.member[0] < _e381.member[0])), select(_e381.member[1], _e340.member[1], (_e340.member[1] < _e381.member[1])), select(_e381.member[2], _e340.member[2], (_e340.member[2] < _e381.member[2]))), array<f32, 3>(select(_e381.member_1[0], _e340.member_1[0], (_e340.member_1[0] > _e381.member_1[0])), select(_e381.member_1[1], _e340.member_1[1], (_e340.member_1[1] > _e381.member_1[1])), select(_e381.member_1[2], _e340.member_1[2], (_e340.member_1[2] > _e381.member_1[2]))));
+                    phi_718_ = (_e355 + _e363);
+                    phi_719_ = _e361;
                 } else {
-                    let _e347 = (_e345 != _e35);
-                    if _e347 {
-                        phi_575_ = u32();
-                    } else {
-                        if (_e35 < _e341) {
-                            phi_574_ = 1u;
-                        } else {
-                            phi_574_ = 2u;
-                        }
-                        let _e350 = phi_574_;
-                        phi_575_ = _e350;
-                    }
-                    let _e352 = phi_575_;
-                    phi_576_ = _e352;
-                    phi_577_ = _e347;
+                    phi_717_ = type_16(array<f32, 3>(_e340.member[0], _e340.member[1], _e340.member[2]), array<f32, 3>(_e340.member_1[0], _e340.member_1[1], _e340.member_1[2]));
+                    phi_718_ = _e355;
+                    phi_719_ = _e353;
                 }
-                let _e354 = phi_576_;
-                let _e356 = phi_577_;
-                if _e356 {
-                    phi_581_ = 0u;
-                } else {
-                    phi_581_ = _e354;
-                }
-                let _e358 = phi_581_;
-                let _e362 = boxes[_e35];
-                let _e375 = nodes[_e35];
-                let _e377 = leaves[_e35];
-                let _e379 = names[_e35];
-                if (_e358 == 1u) {
-                    let _e382 = names[_e341];
-                    let _e383 = (_e382 - 1u);
-                    let _e385 = leaves[_e341];
-                    let _e387 = nodes[_e341];
-                    let _e388 = (_e383 * 4u);
-                    let _e389 = (_e375 * 4u);
-                    let _e390 = (_e387 * 4u);
-                    joins.member[_e389] = _e383;
-                    joins.member[(_e389 + 1u)] = 0u;
-                    joins.member[_e390] = _e383;
-                    joins.member[(_e390 + 1u)] = _e377;
-                    joins.member[(_e388 + 2u)] = _e377;
-                    joins.member[(_e388 + 3u)] = (_e377 + _e385);
-                    let _e403 = boxes[_e341];
-                    if (_e362.member[0] < _e403.member[0]) {
-                        phi_677_ = _e362.member[0];
-                    } else {
-                        phi_677_ = _e403.member[0];
-                    }
-                    let _e414 = phi_677_;
-                    if (_e362.member[1] < _e403.member[1]) {
-                        phi_684_ = _e362.member[1];
-                    } else {
-                        phi_684_ = _e403.member[1];
-                    }
-                    let _e417 = phi_684_;
-                    if (_e362.member[2] < _e403.member[2]) {
-                        phi_691_ = _e362.member[2];
-                    } else {
-                        phi_691_ = _e403.member[2];
-                    }
-                    let _e420 = phi_691_;
-                    if (_e362.member_1[0] > _e403.member_1[0]) {
-                        phi_699_ = _e362.member_1[0];
-                    } else {
-                        phi_699_ = _e403.member_1[0];
-                    }
-                    let _e424 = phi_699_;
-                    if (_e362.member_1[1] > _e403.member_1[1]) {
-                        phi_706_ = _e362.member_1[1];
-                    } else {
-                        phi_706_ = _e403.member_1[1];
-                    }
-                    let _e427 = phi_706_;
-                    if (_e362.member_1[2] > _e403.member_1[2]) {
-                        phi_713_ = _e362.member_1[2];
-                    } else {
-                        phi_713_ = _e403.member_1[2];
-                    }
-                    let _e430 = phi_713_;
-                    phi_717_ = type_16(array<f32, 3>(_e414, _e417, _e420), array<f32, 3>(_e424, _e427, _e430));
-                    phi_718_ = (_e377 + _e385);
-                    phi_719_ = _e383;
-                } else {
-                    phi_717_ = type_16(array<f32, 3>(_e362.member[0], _e362.member[1], _e362.member[2]), array<f32, 3>(_e362.member_1[0], _e362.member_1[1], _e362.member_1[2]));
-                    phi_718_ = _e377;
-                    phi_719_ = _e375;
-                }
-                let _e435 = phi_717_;
-                let _e437 = phi_718_;
-                let _e439 = phi_719_;
-                phi_720_ = _e435;
-                phi_721_ = _e379;
-                phi_722_ = _e437;
-                phi_723_ = _e439;
-                phi_724_ = !((_e358 == 2u));
+                let _e407 = phi_717_;
+                let _e409 = phi_718_;
+                let _e411 = phi_719_;
+                phi_720_ = _e407;
+                phi_721_ = _e357;
+                phi_722_ = _e409;
+                phi_723_ = _e411;
+                phi_724_ = !((_e336 == 2u));
             } else {
                 phi_720_ = type_16(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
                 phi_721_ = 0u;
@@ -532,92 +332,79 @@ fn function_(lane_1: u32) {
                 phi_723_ = 0u;
                 phi_724_ = false;
             }
-            let _e441 = phi_720_;
-            let _e443 = phi_721_;
-            let _e445 = phi_722_;
-            let _e447 = phi_723_;
-            let _e449 = phi_724_;
-            if _e449 {
-                let _e456 = atomicOr((&masks[(_e35 / 32u)]), (1u << bitcast<u32>(((_e35 % 32u) & 31u))));
+            let _e413 = phi_720_;
+            let _e415 = phi_721_;
+            let _e417 = phi_722_;
+            let _e419 = phi_723_;
+            let _e421 = phi_724_;
+            if _e421 {
+                let _e428 = atomicOr((&masks[(_e35 / 32u)]), (1u << bitcast<u32>(((_e35 % 32u) & 31u))));
             }
             workgroupBarrier();
-            let _e459 = atomicLoad((&masks[(_e35 / 32u)]));
+            let _e431 = atomicLoad((&masks[(_e35 / 32u)]));
             phi_745_ = type_8(0u, 8u);
-            phi_748_ = countOneBits((_e459 & ((1u << bitcast<u32>(((_e35 % 32u) & 31u))) - 1u)));
+            phi_748_ = countOneBits((_e431 & ((1u << bitcast<u32>(((_e35 % 32u) & 31u))) - 1u)));
             phi_750_ = 0u;
             loop {
-                let _e468 = phi_745_;
-                let _e470 = phi_748_;
-                let _e472 = phi_750_;
-                local_4 = _e470;
-                local_5 = _e470;
-                local_6 = _e470;
-                local_7 = _e470;
-                local_8 = _e472;
-                if (_e468.member < _e468.member_1) {
-                    phi_746_ = type_8((_e468.member + 1u), _e468.member_1);
-                    phi_773_ = type_8(1u, _e468.member);
-                } else {
-                    phi_746_ = _e468;
-                    phi_773_ = type_8(0u, type_8().member_1);
-                }
-                let _e484 = phi_746_;
-                let _e486 = phi_773_;
-                let _e490 = (bitcast<i32>(_e486.member) != 0i);
-                if _e490 {
-                    let _e492 = atomicLoad((&masks[_e486.member_1]));
-                    let _e493 = countOneBits(_e492);
-                    if (_e486.member_1 < (_e35 / 32u)) {
-                        phi_791_ = (_e470 + _e493);
-                    } else {
-                        phi_791_ = _e470;
-                    }
-                    let _e499 = phi_791_;
-                    phi_749_ = _e499;
-                    phi_751_ = (_e472 + _e493);
+                let _e440 = phi_745_;
+                let _e442 = phi_748_;
+                let _e444 = phi_750_;
+                local_4 = _e442;
+                local_5 = _e442;
+                local_6 = _e442;
+                local_7 = _e442;
+                local_8 = _e444;
+                let _e447 = (_e440.member < _e440.member_1);
+                let _e458 = select(type_8().member_1, _e440.member, _e447);
+                let _e460 = (bitcast<i32>(select(0u, 1u, _e447)) != 0i);
+                if _e460 {
+                    let _e462 = atomicLoad((&masks[_e458]));
+                    let _e463 = countOneBits(_e462);
+                    phi_749_ = select(_e442, (_e442 + _e463), (_e458 < (_e35 / 32u)));
+                    phi_751_ = (_e444 + _e463);
                 } else {
                     phi_749_ = u32();
                     phi_751_ = u32();
                 }
-                let _e501 = phi_749_;
-                let _e503 = phi_751_;
+                let _e470 = phi_749_;
+                let _e472 = phi_751_;
                 continue;
                 continuing {
-                    phi_745_ = _e484;
-                    phi_748_ = _e501;
-                    phi_750_ = _e503;
-                    break if !(_e490);
+                    phi_745_ = type_8(select(_e440.member, (_e440.member + 1u), _e447), select(_e440.member_1, _e440.member_1, _e447));
+                    phi_748_ = _e470;
+                    phi_750_ = _e472;
+                    break if !(_e460);
                 }
             }
-            if _e449 {
-                let _e506 = local_4;
-                boxes[_e506] = type_16(array<f32, 3>(_e441.member[0], _e441.member[1], _e441.member[2]), array<f32, 3>(_e441.member_1[0], _e441.member_1[1], _e441.member_1[2]));
-                let _e520 = local_5;
-                nodes[_e520] = _e447;
-                let _e523 = local_6;
-                leaves[_e523] = _e445;
-                let _e526 = local_7;
-                names[_e526] = _e443;
+            if _e421 {
+                let _e475 = local_4;
+                boxes[_e475] = type_16(array<f32, 3>(_e413.member[0], _e413.member[1], _e413.member[2]), array<f32, 3>(_e413.member_1[0], _e413.member_1[1], _e413.member_1[2]));
+                let _e489 = local_5;
+                nodes[_e489] = _e419;
+                let _e492 = local_6;
+                leaves[_e492] = _e417;
+                let _e495 = local_7;
+                names[_e495] = _e415;
             }
             workgroupBarrier();
-            let _e611 = local_8;
-            phi_314_ = _e611;
+            let _e546 = local_8;
+            phi_314_ = _e546;
         } else {
             phi_314_ = u32();
         }
-        let _e529 = phi_314_;
+        let _e498 = phi_314_;
         continue;
         continuing {
-            phi_310_ = _e188;
-            phi_313_ = _e529;
-            break if !(_e194);
+            phi_310_ = type_8(select(_e170.member, (_e170.member + 1u), _e175), select(_e170.member_1, _e170.member_1, _e175));
+            phi_313_ = _e498;
+            break if !(_e188);
         }
     }
     if (_e35 == 0u) {
-        let _e533 = nodes[0u];
-        let _e534 = (_e533 * 4u);
-        joins.member[_e534] = 4294967295u;
-        joins.member[(_e534 + 1u)] = 0u;
+        let _e502 = nodes[0u];
+        let _e503 = (_e502 * 4u);
+        joins.member[_e503] = 4294967295u;
+        joins.member[(_e503 + 1u)] = 0u;
     }
     return;
 }

@@ -105,22 +105,13 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_3: type_19;
     var local_4: type_19;
     var phi_129_: type_9;
-    var phi_130_: type_9;
-    var phi_153_: type_9;
-    var phi_179_: u32;
-    var phi_205_: u32;
     var phi_239_: type_9;
     var phi_242_: f32;
-    var phi_240_: type_9;
-    var phi_265_: type_9;
-    var phi_295_: f32;
     var phi_243_: f32;
     var local_5: f32;
     var local_6: f32;
     var phi_305_: f32;
     var phi_373_: type_9;
-    var phi_374_: type_9;
-    var phi_397_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -139,128 +130,89 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_129_ = type_9(0u, 3u);
         loop {
             let _e57 = phi_129_;
-            if (_e57.member < _e57.member_1) {
-                phi_130_ = type_9((_e57.member + 1u), _e57.member_1);
-                phi_153_ = type_9(1u, _e57.member);
-            } else {
-                phi_130_ = _e57;
-                phi_153_ = type_9(0u, type_9().member_1);
-            }
-            let _e69 = phi_130_;
-            let _e71 = phi_153_;
-            let _e75 = (bitcast<i32>(_e71.member) != 0i);
-            if _e75 {
-                let _e77 = bounds.member[_e71.member_1];
-                let _e78 = ~(_e77);
-                if ((_e78 >> bitcast<u32>(31i)) == 1u) {
-                    phi_179_ = (_e78 & 2147483647u);
-                } else {
-                    phi_179_ = ~(_e78);
-                }
-                let _e85 = phi_179_;
-                local_1.member[_e71.member_1] = bitcast<f32>(_e85);
-                let _e91 = bounds.member[(3u + _e71.member_1)];
-                if ((_e91 >> bitcast<u32>(31i)) == 1u) {
-                    phi_205_ = (_e91 & 2147483647u);
-                } else {
-                    phi_205_ = ~(_e91);
-                }
-                let _e98 = phi_205_;
-                local_1.member_1[_e71.member_1] = bitcast<f32>(_e98);
+            let _e60 = (_e57.member < _e57.member_1);
+            let _e71 = select(type_9().member_1, _e57.member, _e60);
+            let _e73 = (bitcast<i32>(select(0u, 1u, _e60)) != 0i);
+            if _e73 {
+                let _e75 = bounds.member[_e71];
+                let _e76 = ~(_e75);
+                local_1.member[_e71] = bitcast<f32>(select(~(_e76), (_e76 & 2147483647u), ((_e76 >> bitcast<u32>(31i)) == 1u)));
+                let _e88 = bounds.member[(3u + _e71)];
+                local_1.member_1[_e71] = bitcast<f32>(select(~(_e88), (_e88 & 2147483647u), ((_e88 >> bitcast<u32>(31i)) == 1u)));
             }
             continue;
             continuing {
-                phi_129_ = _e69;
-                break if !(_e75);
+                phi_129_ = type_9(select(_e57.member, (_e57.member + 1u), _e60), select(_e57.member_1, _e57.member_1, _e60));
+                break if !(_e73);
             }
         }
-        let _e103 = local_1;
-        local_3 = _e103;
+        let _e99 = local_1;
+        local_3 = _e99;
         phi_239_ = type_9(0u, 3u);
         phi_242_ = 0f;
         loop {
-            let _e105 = phi_239_;
-            let _e107 = phi_242_;
-            local_5 = _e107;
-            local_6 = _e107;
-            if (_e105.member < _e105.member_1) {
-                phi_240_ = type_9((_e105.member + 1u), _e105.member_1);
-                phi_265_ = type_9(1u, _e105.member);
-            } else {
-                phi_240_ = _e105;
-                phi_265_ = type_9(0u, type_9().member_1);
-            }
-            let _e119 = phi_240_;
-            let _e121 = phi_265_;
-            let _e125 = (bitcast<i32>(_e121.member) != 0i);
-            if _e125 {
-                let _e128 = local_3.member_1[_e121.member_1];
-                let _e132 = local_3.member[_e121.member_1];
-                let _e134 = ((_e128 * 0.5f) - (_e132 * 0.5f));
-                if (_e134 > _e107) {
-                    phi_295_ = _e134;
-                } else {
-                    phi_295_ = _e107;
-                }
-                let _e137 = phi_295_;
-                phi_243_ = _e137;
+            let _e101 = phi_239_;
+            let _e103 = phi_242_;
+            local_5 = _e103;
+            local_6 = _e103;
+            let _e106 = (_e101.member < _e101.member_1);
+            let _e117 = select(type_9().member_1, _e101.member, _e106);
+            let _e119 = (bitcast<i32>(select(0u, 1u, _e106)) != 0i);
+            if _e119 {
+                let _e122 = local_3.member_1[_e117];
+                let _e126 = local_3.member[_e117];
+                let _e128 = ((_e122 * 0.5f) - (_e126 * 0.5f));
+                phi_243_ = select(_e103, _e128, (_e128 > _e103));
             } else {
                 phi_243_ = f32();
             }
-            let _e139 = phi_243_;
+            let _e132 = phi_243_;
             continue;
             continuing {
-                phi_239_ = _e119;
-                phi_242_ = _e139;
-                break if !(_e125);
+                phi_239_ = type_9(select(_e101.member, (_e101.member + 1u), _e106), select(_e101.member_1, _e101.member_1, _e106));
+                phi_242_ = _e132;
+                break if !(_e119);
             }
         }
-        let _e142 = local_5;
-        if (_e142 > 0.000000000000000000000000000001f) {
-            let _e146 = local_6;
-            phi_305_ = ((0.5f * 1024f) / _e146);
+        let _e135 = local_5;
+        if (_e135 > 0.000000000000000000000000000001f) {
+            let _e139 = local_6;
+            phi_305_ = ((0.5f * 1024f) / _e139);
         } else {
             phi_305_ = 0f;
         }
-        let _e149 = phi_305_;
-        let _e151 = local_3.member;
-        local_2 = type_20(_e151, _e149, (1024f - 1f));
-        let _e157 = params.member.member.member_2[_e50];
-        let _e160 = order.member[(_e157 + _e47)];
-        let _e162 = boxes.member[_e160];
-        local_4 = type_19(array<f32, 3>(_e162.member.x, _e162.member.y, _e162.member_1.x), array<f32, 3>(_e162.member_1.y, _e162.member_2.x, _e162.member_2.y));
+        let _e142 = phi_305_;
+        let _e144 = local_3.member;
+        local_2 = type_20(_e144, _e142, (1024f - 1f));
+        let _e150 = params.member.member.member_2[_e50];
+        let _e153 = order.member[(_e150 + _e47)];
+        let _e155 = boxes.member[_e153];
+        local_4 = type_19(array<f32, 3>(_e155.member.x, _e155.member.y, _e155.member_1.x), array<f32, 3>(_e155.member_1.y, _e155.member_2.x, _e155.member_2.y));
         local = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         phi_373_ = type_9(0u, 3u);
         loop {
-            let _e179 = phi_373_;
-            if (_e179.member < _e179.member_1) {
-                phi_374_ = type_9((_e179.member + 1u), _e179.member_1);
-                phi_397_ = type_9(1u, _e179.member);
-            } else {
-                phi_374_ = _e179;
-                phi_397_ = type_9(0u, type_9().member_1);
-            }
-            let _e191 = phi_374_;
-            let _e193 = phi_397_;
-            let _e197 = (bitcast<i32>(_e193.member) != 0i);
-            if _e197 {
-                let _e200 = local_2.member[_e193.member_1];
-                let _e201 = (_e200 * 0.5f);
-                let _e204 = local_4.member[_e193.member_1];
-                let _e208 = local_2.member_1;
-                local.member[_e193.member_1] = (((_e204 * 0.5f) - _e201) * _e208);
-                let _e214 = local_4.member_1[_e193.member_1];
-                let _e218 = local_2.member_1;
-                local.member_1[_e193.member_1] = (((_e214 * 0.5f) - _e201) * _e218);
+            let _e172 = phi_373_;
+            let _e175 = (_e172.member < _e172.member_1);
+            let _e186 = select(type_9().member_1, _e172.member, _e175);
+            let _e188 = (bitcast<i32>(select(0u, 1u, _e175)) != 0i);
+            if _e188 {
+                let _e191 = local_2.member[_e186];
+                let _e192 = (_e191 * 0.5f);
+                let _e195 = local_4.member[_e186];
+                let _e199 = local_2.member_1;
+                local.member[_e186] = (((_e195 * 0.5f) - _e192) * _e199);
+                let _e205 = local_4.member_1[_e186];
+                let _e209 = local_2.member_1;
+                local.member_1[_e186] = (((_e205 * 0.5f) - _e192) * _e209);
             }
             continue;
             continuing {
-                phi_373_ = _e191;
-                break if !(_e197);
+                phi_373_ = type_9(select(_e172.member, (_e172.member + 1u), _e175), select(_e172.member_1, _e172.member_1, _e175));
+                break if !(_e188);
             }
         }
-        let _e223 = local;
-        clusters.member[_e47] = type_24(vec4<u32>(bitcast<u32>(_e223.member[0]), bitcast<u32>(_e223.member[1]), bitcast<u32>(_e223.member[2]), ((_e54 - 1u) + _e47)), vec4<u32>(bitcast<u32>(_e223.member_1[0]), bitcast<u32>(_e223.member_1[1]), bitcast<u32>(_e223.member_1[2]), 1u));
+        let _e214 = local;
+        clusters.member[_e47] = type_24(vec4<u32>(bitcast<u32>(_e214.member[0]), bitcast<u32>(_e214.member[1]), bitcast<u32>(_e214.member[2]), ((_e54 - 1u) + _e47)), vec4<u32>(bitcast<u32>(_e214.member_1[0]), bitcast<u32>(_e214.member_1[1]), bitcast<u32>(_e214.member_1[2]), 1u));
         names.member[_e47] = _e47;
     }
     if (_e47 == 0u) {

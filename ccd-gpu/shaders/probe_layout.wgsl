@@ -105,29 +105,13 @@ fn function_(lane_1: u32) {
     var local: type_13;
     var local_1: type_14;
     var phi_141_: type_8;
-    var phi_142_: type_8;
-    var phi_165_: type_8;
     var phi_188_: type_8;
-    var phi_189_: type_8;
-    var phi_212_: type_8;
     var phi_263_: type_8;
-    var phi_264_: type_8;
-    var phi_287_: type_8;
     var phi_358_: type_8;
-    var phi_359_: type_8;
-    var phi_382_: type_8;
     var phi_441_: type_8;
-    var phi_442_: type_8;
-    var phi_465_: type_8;
     var phi_475_: type_8;
-    var phi_476_: type_8;
-    var phi_499_: type_8;
     var phi_606_: type_8;
-    var phi_607_: type_8;
-    var phi_630_: type_8;
     var phi_665_: type_8;
-    var phi_666_: type_8;
-    var phi_689_: type_8;
     var lane_2: u32;
 
     lane_2 = lane_1;
@@ -136,255 +120,199 @@ fn function_(lane_1: u32) {
         phi_141_ = type_8(0u, 3u);
         loop {
             let _e71 = phi_141_;
-            if (_e71.member < _e71.member_1) {
-                phi_142_ = type_8((_e71.member + 1u), _e71.member_1);
-                phi_165_ = type_8(1u, _e71.member);
-            } else {
-                phi_142_ = _e71;
-                phi_165_ = type_8(0u, type_8().member_1);
-            }
-            let _e83 = phi_142_;
-            let _e85 = phi_165_;
-            let _e89 = (bitcast<i32>(_e85.member) != 0i);
-            if _e89 {
-                let _e93 = params.member.member.member[_e85.member_1];
-                words.member[_e85.member_1] = _e93;
+            let _e74 = (_e71.member < _e71.member_1);
+            let _e85 = select(type_8().member_1, _e71.member, _e74);
+            let _e87 = (bitcast<i32>(select(0u, 1u, _e74)) != 0i);
+            if _e87 {
+                let _e91 = params.member.member.member[_e85];
+                words.member[_e85] = _e91;
             }
             continue;
             continuing {
-                phi_141_ = _e83;
-                break if !(_e89);
+                phi_141_ = type_8(select(_e71.member, (_e71.member + 1u), _e74), select(_e71.member_1, _e71.member_1, _e74));
+                break if !(_e87);
             }
         }
-        let _e98 = params.member.member.member_1;
-        words.member[3u] = _e98;
+        let _e96 = params.member.member.member_1;
+        words.member[3u] = _e96;
         phi_188_ = type_8(0u, 4u);
         loop {
-            let _e101 = phi_188_;
-            if (_e101.member < _e101.member_1) {
-                phi_189_ = type_8((_e101.member + 1u), _e101.member_1);
-                phi_212_ = type_8(1u, _e101.member);
-            } else {
-                phi_189_ = _e101;
-                phi_212_ = type_8(0u, type_8().member_1);
-            }
-            let _e113 = phi_189_;
-            let _e115 = phi_212_;
-            let _e119 = (bitcast<i32>(_e115.member) != 0i);
-            if _e119 {
-                let _e124 = params.member.member.member_2[_e115.member_1];
-                words.member[(4u + _e115.member_1)] = _e124;
+            let _e99 = phi_188_;
+            let _e102 = (_e99.member < _e99.member_1);
+            let _e113 = select(type_8().member_1, _e99.member, _e102);
+            let _e115 = (bitcast<i32>(select(0u, 1u, _e102)) != 0i);
+            if _e115 {
+                let _e120 = params.member.member.member_2[_e113];
+                words.member[(4u + _e113)] = _e120;
             }
             continue;
             continuing {
-                phi_188_ = _e113;
-                break if !(_e119);
+                phi_188_ = type_8(select(_e99.member, (_e99.member + 1u), _e102), select(_e99.member_1, _e99.member_1, _e102));
+                break if !(_e115);
             }
         }
-        let _e129 = params.member.member.member_3;
-        words.member[8u] = bitcast<u32>(_e129);
-        let _e134 = params.member.member.member_4;
-        words.member[9u] = bitcast<u32>(_e134);
-        let _e139 = params.member.member.member_5;
-        words.member[10u] = bitcast<u32>(_e139);
-        let _e144 = params.member.member.member_6;
-        words.member[11u] = bitcast<u32>(_e144);
-        let _e150 = params.member.member.member_7[0u];
-        words.member[12u] = _e150;
-        let _e155 = params.member.member.member_7[1u];
-        words.member[13u] = _e155;
+        let _e125 = params.member.member.member_3;
+        words.member[8u] = bitcast<u32>(_e125);
+        let _e130 = params.member.member.member_4;
+        words.member[9u] = bitcast<u32>(_e130);
+        let _e135 = params.member.member.member_5;
+        words.member[10u] = bitcast<u32>(_e135);
+        let _e140 = params.member.member.member_6;
+        words.member[11u] = bitcast<u32>(_e140);
+        let _e146 = params.member.member.member_7[0u];
+        words.member[12u] = _e146;
+        let _e151 = params.member.member.member_7[1u];
+        words.member[13u] = _e151;
         phi_263_ = type_8(0u, 3u);
         loop {
-            let _e158 = phi_263_;
-            if (_e158.member < _e158.member_1) {
-                phi_264_ = type_8((_e158.member + 1u), _e158.member_1);
-                phi_287_ = type_8(1u, _e158.member);
-            } else {
-                phi_264_ = _e158;
-                phi_287_ = type_8(0u, type_8().member_1);
-            }
-            let _e170 = phi_264_;
-            let _e172 = phi_287_;
-            let _e176 = (bitcast<i32>(_e172.member) != 0i);
-            if _e176 {
-                let _e183 = params.member.member.member_8[_e172.member_1][0u];
-                words.member[(14u + (2u * _e172.member_1))] = _e183;
-                let _e191 = params.member.member.member_8[_e172.member_1][1u];
-                words.member[(15u + (2u * _e172.member_1))] = _e191;
+            let _e154 = phi_263_;
+            let _e157 = (_e154.member < _e154.member_1);
+            let _e168 = select(type_8().member_1, _e154.member, _e157);
+            let _e170 = (bitcast<i32>(select(0u, 1u, _e157)) != 0i);
+            if _e170 {
+                let _e177 = params.member.member.member_8[_e168][0u];
+                words.member[(14u + (2u * _e168))] = _e177;
+                let _e185 = params.member.member.member_8[_e168][1u];
+                words.member[(15u + (2u * _e168))] = _e185;
             }
             continue;
             continuing {
-                phi_263_ = _e170;
-                break if !(_e176);
+                phi_263_ = type_8(select(_e154.member, (_e154.member + 1u), _e157), select(_e154.member_1, _e154.member_1, _e157));
+                break if !(_e170);
             }
         }
-        let _e197 = params.member.member.member_9[0u];
-        words.member[20u] = _e197;
-        let _e202 = params.member.member.member_9[1u];
-        words.member[21u] = _e202;
-        let _e207 = params.member.member.member_10[0u];
-        words.member[22u] = _e207;
-        let _e212 = params.member.member.member_10[1u];
-        words.member[23u] = _e212;
-        let _e216 = params.member.member.member_11;
-        words.member[24u] = bitcast<u32>(_e216);
-        let _e221 = params.member.member.member_12;
-        words.member[25u] = bitcast<u32>(_e221);
-        let _e226 = params.member.member.member_13;
-        words.member[26u] = bitcast<u32>(_e226);
+        let _e191 = params.member.member.member_9[0u];
+        words.member[20u] = _e191;
+        let _e196 = params.member.member.member_9[1u];
+        words.member[21u] = _e196;
+        let _e201 = params.member.member.member_10[0u];
+        words.member[22u] = _e201;
+        let _e206 = params.member.member.member_10[1u];
+        words.member[23u] = _e206;
+        let _e210 = params.member.member.member_11;
+        words.member[24u] = bitcast<u32>(_e210);
+        let _e215 = params.member.member.member_12;
+        words.member[25u] = bitcast<u32>(_e215);
+        let _e220 = params.member.member.member_13;
+        words.member[26u] = bitcast<u32>(_e220);
         phi_358_ = type_8(0u, 2u);
         loop {
-            let _e230 = phi_358_;
-            if (_e230.member < _e230.member_1) {
-                phi_359_ = type_8((_e230.member + 1u), _e230.member_1);
-                phi_382_ = type_8(1u, _e230.member);
-            } else {
-                phi_359_ = _e230;
-                phi_382_ = type_8(0u, type_8().member_1);
-            }
-            let _e242 = phi_359_;
-            let _e244 = phi_382_;
-            let _e248 = (bitcast<i32>(_e244.member) != 0i);
-            if _e248 {
-                let _e253 = params.member.member.member_14[_e244.member_1];
-                words.member[(27u + _e244.member_1)] = _e253;
-                let _e259 = params.member.member.member_15[_e244.member_1];
-                words.member[(29u + _e244.member_1)] = _e259;
-                let _e265 = params.member.member.member_16[_e244.member_1];
-                words.member[(31u + _e244.member_1)] = _e265;
+            let _e224 = phi_358_;
+            let _e227 = (_e224.member < _e224.member_1);
+            let _e238 = select(type_8().member_1, _e224.member, _e227);
+            let _e240 = (bitcast<i32>(select(0u, 1u, _e227)) != 0i);
+            if _e240 {
+                let _e245 = params.member.member.member_14[_e238];
+                words.member[(27u + _e238)] = _e245;
+                let _e251 = params.member.member.member_15[_e238];
+                words.member[(29u + _e238)] = _e251;
+                let _e257 = params.member.member.member_16[_e238];
+                words.member[(31u + _e238)] = _e257;
             }
             continue;
             continuing {
-                phi_358_ = _e242;
-                break if !(_e248);
+                phi_358_ = type_8(select(_e224.member, (_e224.member + 1u), _e227), select(_e224.member_1, _e224.member_1, _e227));
+                break if !(_e240);
             }
         }
-        let _e269 = params.member.member_1.member;
-        words.member[33u] = _e269;
-        let _e272 = params.member.member_1.member_1;
-        words.member[34u] = _e272;
-        let _e275 = params.member.member_1.member_2;
-        words.member[35u] = _e275;
-        let _e278 = params.member.member_1.member_3;
-        words.member[36u] = _e278;
+        let _e261 = params.member.member_1.member;
+        words.member[33u] = _e261;
+        let _e264 = params.member.member_1.member_1;
+        words.member[34u] = _e264;
+        let _e267 = params.member.member_1.member_2;
+        words.member[35u] = _e267;
+        let _e270 = params.member.member_1.member_3;
+        words.member[36u] = _e270;
         phi_441_ = type_8(0u, 8u);
         loop {
-            let _e281 = phi_441_;
-            if (_e281.member < _e281.member_1) {
-                phi_442_ = type_8((_e281.member + 1u), _e281.member_1);
-                phi_465_ = type_8(1u, _e281.member);
-            } else {
-                phi_442_ = _e281;
-                phi_465_ = type_8(0u, type_8().member_1);
-            }
-            let _e293 = phi_442_;
-            let _e295 = phi_465_;
-            let _e299 = (bitcast<i32>(_e295.member) != 0i);
-            if _e299 {
+            let _e273 = phi_441_;
+            let _e276 = (_e273.member < _e273.member_1);
+            let _e287 = select(type_8().member_1, _e273.member, _e276);
+            let _e289 = (bitcast<i32>(select(0u, 1u, _e276)) != 0i);
+            if _e289 {
                 phi_475_ = type_8(0u, 4u);
                 loop {
-                    let _e301 = phi_475_;
-                    if (_e301.member < _e301.member_1) {
-                        phi_476_ = type_8((_e301.member + 1u), _e301.member_1);
-                        phi_499_ = type_8(1u, _e301.member);
-                    } else {
-                        phi_476_ = _e301;
-                        phi_499_ = type_8(0u, type_8().member_1);
-                    }
-                    let _e313 = phi_476_;
-                    let _e315 = phi_499_;
-                    let _e319 = (bitcast<i32>(_e315.member) != 0i);
-                    if _e319 {
-                        let _e326 = params.member.member_2.member[_e295.member_1][_e315.member_1];
-                        words.member[((37u + (4u * _e295.member_1)) + _e315.member_1)] = _e326;
+                    let _e291 = phi_475_;
+                    let _e294 = (_e291.member < _e291.member_1);
+                    let _e305 = select(type_8().member_1, _e291.member, _e294);
+                    let _e307 = (bitcast<i32>(select(0u, 1u, _e294)) != 0i);
+                    if _e307 {
+                        let _e314 = params.member.member_2.member[_e287][_e305];
+                        words.member[((37u + (4u * _e287)) + _e305)] = _e314;
                     }
                     continue;
                     continuing {
-                        phi_475_ = _e313;
-                        break if !(_e319);
+                        phi_475_ = type_8(select(_e291.member, (_e291.member + 1u), _e294), select(_e291.member_1, _e291.member_1, _e294));
+                        break if !(_e307);
                     }
                 }
             }
             continue;
             continuing {
-                phi_441_ = _e293;
-                break if !(_e299);
+                phi_441_ = type_8(select(_e273.member, (_e273.member + 1u), _e276), select(_e273.member_1, _e273.member_1, _e276));
+                break if !(_e289);
             }
         }
-        let _e331 = params.member.member_2.member_1;
-        words.member[69u] = _e331;
-        let _e334 = params.member.member_2.member_2;
-        words.member[70u] = _e334;
-        let _e337 = params.member.member_2.member_3;
-        words.member[71u] = _e337;
-        let _e340 = params.member.member_2.member_4;
-        words.member[72u] = _e340;
-        let _e343 = paths.member[1u];
-        local = type_13(array<f32, 4>(_e343.member[0], _e343.member[1], _e343.member[2], _e343.member[3]), array<f32, 4>(_e343.member_1[0], _e343.member_1[1], _e343.member_1[2], _e343.member_1[3]));
-        let _e358 = leaves.member[1u];
-        local_1 = type_14(array<u32, 3>(_e358.member[0], _e358.member[1], _e358.member[2]), _e358.member_1);
-        let _e367 = touches.member[1u];
-        let _e370 = pairs.member[1u].member;
-        let _e372 = pairs.member[1u].member_1;
+        let _e319 = params.member.member_2.member_1;
+        words.member[69u] = _e319;
+        let _e322 = params.member.member_2.member_2;
+        words.member[70u] = _e322;
+        let _e325 = params.member.member_2.member_3;
+        words.member[71u] = _e325;
+        let _e328 = params.member.member_2.member_4;
+        words.member[72u] = _e328;
+        let _e331 = paths.member[1u];
+        local = type_13(array<f32, 4>(_e331.member[0], _e331.member[1], _e331.member[2], _e331.member[3]), array<f32, 4>(_e331.member_1[0], _e331.member_1[1], _e331.member_1[2], _e331.member_1[3]));
+        let _e346 = leaves.member[1u];
+        local_1 = type_14(array<u32, 3>(_e346.member[0], _e346.member[1], _e346.member[2]), _e346.member_1);
+        let _e355 = touches.member[1u];
+        let _e358 = pairs.member[1u].member;
+        let _e360 = pairs.member[1u].member_1;
         phi_606_ = type_8(0u, 4u);
         loop {
-            let _e374 = phi_606_;
-            if (_e374.member < _e374.member_1) {
-                phi_607_ = type_8((_e374.member + 1u), _e374.member_1);
-                phi_630_ = type_8(1u, _e374.member);
-            } else {
-                phi_607_ = _e374;
-                phi_630_ = type_8(0u, type_8().member_1);
-            }
-            let _e386 = phi_607_;
-            let _e388 = phi_630_;
-            let _e392 = (bitcast<i32>(_e388.member) != 0i);
-            if _e392 {
-                let _e396 = local.member[_e388.member_1];
-                words.member[(73u + _e388.member_1)] = bitcast<u32>(_e396);
-                let _e402 = local.member_1[_e388.member_1];
-                words.member[(77u + _e388.member_1)] = bitcast<u32>(_e402);
+            let _e362 = phi_606_;
+            let _e365 = (_e362.member < _e362.member_1);
+            let _e376 = select(type_8().member_1, _e362.member, _e365);
+            let _e378 = (bitcast<i32>(select(0u, 1u, _e365)) != 0i);
+            if _e378 {
+                let _e382 = local.member[_e376];
+                words.member[(73u + _e376)] = bitcast<u32>(_e382);
+                let _e388 = local.member_1[_e376];
+                words.member[(77u + _e376)] = bitcast<u32>(_e388);
             }
             continue;
             continuing {
-                phi_606_ = _e386;
-                break if !(_e392);
+                phi_606_ = type_8(select(_e362.member, (_e362.member + 1u), _e365), select(_e362.member_1, _e362.member_1, _e365));
+                break if !(_e378);
             }
         }
         phi_665_ = type_8(0u, 3u);
         loop {
-            let _e407 = phi_665_;
-            if (_e407.member < _e407.member_1) {
-                phi_666_ = type_8((_e407.member + 1u), _e407.member_1);
-                phi_689_ = type_8(1u, _e407.member);
-            } else {
-                phi_666_ = _e407;
-                phi_689_ = type_8(0u, type_8().member_1);
-            }
-            let _e419 = phi_666_;
-            let _e421 = phi_689_;
-            let _e425 = (bitcast<i32>(_e421.member) != 0i);
-            if _e425 {
-                let _e429 = local_1.member[_e421.member_1];
-                words.member[(81u + _e421.member_1)] = _e429;
+            let _e393 = phi_665_;
+            let _e396 = (_e393.member < _e393.member_1);
+            let _e407 = select(type_8().member_1, _e393.member, _e396);
+            let _e409 = (bitcast<i32>(select(0u, 1u, _e396)) != 0i);
+            if _e409 {
+                let _e413 = local_1.member[_e407];
+                words.member[(81u + _e407)] = _e413;
             }
             continue;
             continuing {
-                phi_665_ = _e419;
-                break if !(_e425);
+                phi_665_ = type_8(select(_e393.member, (_e393.member + 1u), _e396), select(_e393.member_1, _e393.member_1, _e396));
+                break if !(_e409);
             }
         }
-        let _e433 = local_1.member_1;
-        words.member[84u] = _e433;
-        words.member[85u] = _e367.member;
-        words.member[86u] = _e367.member_1;
-        words.member[87u] = _e367.member_2;
-        words.member[88u] = _e367.member_3;
-        words.member[89u] = _e367.member_4[0];
-        words.member[90u] = _e367.member_4[1];
-        words.member[91u] = _e367.member_5;
-        words.member[92u] = _e370;
-        words.member[93u] = _e372;
+        let _e417 = local_1.member_1;
+        words.member[84u] = _e417;
+        words.member[85u] = _e355.member;
+        words.member[86u] = _e355.member_1;
+        words.member[87u] = _e355.member_2;
+        words.member[88u] = _e355.member_3;
+        words.member[89u] = _e355.member_4[0];
+        words.member[90u] = _e355.member_4[1];
+        words.member[91u] = _e355.member_5;
+        words.member[92u] = _e358;
+        words.member[93u] = _e360;
     }
     return;
 }

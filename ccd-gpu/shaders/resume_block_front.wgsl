@@ -97,8 +97,6 @@ var<storage, read_write> front: type_10;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_201_: array<u32, 2>;
-    var phi_311_: u32;
-    var phi_312_: u32;
     var phi_313_: u32;
     var phi_331_: array<u32, 2>;
     var phi_332_: array<u32, 2>;
@@ -138,110 +136,98 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e85 = boxes.member[(_e82 + (_e66[0] & 134217727u))];
         let _e102 = params.member.member_2.member_1[_e76][1u];
         let _e105 = boxes.member[(_e102 + _e66[1])];
-        if ((((((_e85.member.x <= _e105.member_1.y) && (_e105.member.x <= _e85.member_1.y)) && (_e85.member.y <= _e105.member_2.x)) && (_e105.member.y <= _e85.member_2.x)) && (_e85.member_1.x <= _e105.member_2.y)) && (_e105.member_1.x <= _e85.member_2.y)) {
-            if (_e76 > 1u) {
-                phi_311_ = 1u;
-            } else {
-                phi_311_ = 2u;
-            }
-            let _e131 = phi_311_;
-            phi_312_ = _e131;
-        } else {
-            phi_312_ = 3u;
-        }
-        let _e133 = phi_312_;
-        phi_313_ = _e133;
+        phi_313_ = select(3u, select(2u, 1u, (_e76 > 1u)), ((((((_e85.member.x <= _e105.member_1.y) && (_e105.member.x <= _e85.member_1.y)) && (_e85.member.y <= _e105.member_2.x)) && (_e105.member.y <= _e85.member_2.x)) && (_e85.member_1.x <= _e105.member_2.y)) && (_e105.member_1.x <= _e85.member_2.y)));
     } else {
         phi_313_ = 0u;
     }
-    let _e135 = phi_313_;
-    if (_e135 == 1u) {
-        let _e145 = atomicAdd((&shared_[6u]), 1u);
-        phi_332_ = array<u32, 2>(_e145, 0u);
+    let _e133 = phi_313_;
+    if (_e133 == 1u) {
+        let _e143 = atomicAdd((&shared_[6u]), 1u);
+        phi_332_ = array<u32, 2>(_e143, 0u);
     } else {
-        if (_e135 == 2u) {
-            let _e140 = atomicAdd((&shared_[7u]), 1u);
-            phi_331_ = array<u32, 2>(_e140, 0u);
+        if (_e133 == 2u) {
+            let _e138 = atomicAdd((&shared_[7u]), 1u);
+            phi_331_ = array<u32, 2>(_e138, 0u);
         } else {
             phi_331_ = array<u32, 2>(0u, 0u);
         }
-        let _e143 = phi_331_;
-        phi_332_ = _e143;
+        let _e141 = phi_331_;
+        phi_332_ = _e141;
     }
-    let _e148 = phi_332_;
-    if (_e135 >= 2u) {
+    let _e146 = phi_332_;
+    if (_e133 >= 2u) {
         if (_e48.member_4 > 0u) {
-            let _e152 = atomicAdd((&shared_[8u]), 1u);
-            phi_344_ = array<u32, 2>(_e148[0], _e152);
+            let _e150 = atomicAdd((&shared_[8u]), 1u);
+            phi_344_ = array<u32, 2>(_e146[0], _e150);
         } else {
-            phi_344_ = _e148;
+            phi_344_ = _e146;
         }
-        let _e156 = phi_344_;
-        phi_345_ = _e156;
+        let _e154 = phi_344_;
+        phi_345_ = _e154;
     } else {
-        phi_345_ = _e148;
+        phi_345_ = _e146;
     }
-    let _e158 = phi_345_;
+    let _e156 = phi_345_;
     workgroupBarrier();
     if (_e32 == 0u) {
-        let _e161 = atomicLoad((&shared_[6u]));
-        let _e163 = atomicLoad((&shared_[7u]));
+        let _e159 = atomicLoad((&shared_[6u]));
+        let _e161 = atomicLoad((&shared_[7u]));
+        if (_e159 > 0u) {
+            let _e164 = atomicAdd((&control.member[0u]), _e159);
+            let _e167 = atomicMax((&nodes.member[0u]), (_e164 + _e159));
+            if ((_e164 + _e159) < _e164) {
+                let _e171 = atomicAdd((&nodes.member[2u]), 1u);
+            }
+            atomicStore((&shared_[11u]), _e164);
+        }
         if (_e161 > 0u) {
-            let _e166 = atomicAdd((&control.member[0u]), _e161);
-            let _e169 = atomicMax((&nodes.member[0u]), (_e166 + _e161));
-            if ((_e166 + _e161) < _e166) {
-                let _e173 = atomicAdd((&nodes.member[2u]), 1u);
+            let _e175 = atomicAdd((&pairs.member[0u]), _e161);
+            if ((_e175 + _e161) < _e175) {
+                let _e179 = atomicAdd((&pairs.member[2u]), 1u);
             }
-            atomicStore((&shared_[11u]), _e166);
+            atomicStore((&shared_[12u]), _e175);
         }
-        if (_e163 > 0u) {
-            let _e177 = atomicAdd((&pairs.member[0u]), _e163);
-            if ((_e177 + _e163) < _e177) {
-                let _e181 = atomicAdd((&pairs.member[2u]), 1u);
+        let _e182 = atomicLoad((&shared_[8u]));
+        if (_e182 > 0u) {
+            let _e185 = atomicLoad((&shared_[8u]));
+            let _e187 = atomicAdd((&control.member[1537u]), _e185);
+            if ((_e187 + _e185) < _e187) {
+                let _e191 = atomicAdd((&control.member[1538u]), 1u);
             }
-            atomicStore((&shared_[12u]), _e177);
-        }
-        let _e184 = atomicLoad((&shared_[8u]));
-        if (_e184 > 0u) {
-            let _e187 = atomicLoad((&shared_[8u]));
-            let _e189 = atomicAdd((&control.member[1537u]), _e187);
-            if ((_e189 + _e187) < _e189) {
-                let _e193 = atomicAdd((&control.member[1538u]), 1u);
-            }
-            atomicStore((&shared_[13u]), _e189);
+            atomicStore((&shared_[13u]), _e187);
         }
     }
     workgroupBarrier();
-    if (_e135 == 1u) {
-        let _e233 = atomicLoad((&shared_[11u]));
-        let _e235 = (_e233 + _e158[0]);
-        if (_e235 < _e48.member_3) {
-            if (_e235 < 4294967295u) {
-                let _e241 = (2u * _e235);
-                atomicStore((&nodes.member[(4u + _e241)]), _e66[0]);
-                atomicStore((&nodes.member[(_e241 + 5u)]), _e66[1]);
+    if (_e133 == 1u) {
+        let _e231 = atomicLoad((&shared_[11u]));
+        let _e233 = (_e231 + _e156[0]);
+        if (_e233 < _e48.member_3) {
+            if (_e233 < 4294967295u) {
+                let _e239 = (2u * _e233);
+                atomicStore((&nodes.member[(4u + _e239)]), _e66[0]);
+                atomicStore((&nodes.member[(_e239 + 5u)]), _e66[1]);
             }
         }
     } else {
-        if (_e135 == 0u) {
+        if (_e133 == 0u) {
         } else {
-            if (_e135 == 2u) {
-                let _e202 = params.member.member_1;
-                let _e205 = atomicLoad((&shared_[12u]));
-                let _e207 = (_e205 + _e158[0]);
-                if (_e207 < _e202.member_3) {
-                    let _e209 = (2u * _e207);
-                    atomicStore((&pairs.member[(4u + _e209)]), (_e66[0] & 134217727u));
-                    atomicStore((&pairs.member[(_e209 + 5u)]), _e66[1]);
+            if (_e133 == 2u) {
+                let _e200 = params.member.member_1;
+                let _e203 = atomicLoad((&shared_[12u]));
+                let _e205 = (_e203 + _e156[0]);
+                if (_e205 < _e200.member_3) {
+                    let _e207 = (2u * _e205);
+                    atomicStore((&pairs.member[(4u + _e207)]), (_e66[0] & 134217727u));
+                    atomicStore((&pairs.member[(_e207 + 5u)]), _e66[1]);
                 }
             }
             if (_e48.member_4 > 0u) {
-                let _e217 = atomicLoad((&shared_[13u]));
-                let _e219 = (_e217 + _e158[1]);
-                if (_e219 < _e48.member_4) {
-                    let _e226 = (2u * ((_e48.member_5 * _e48.member_4) + _e219));
-                    front.member[_e226] = _e66[0];
-                    front.member[(_e226 + 1u)] = _e66[1];
+                let _e215 = atomicLoad((&shared_[13u]));
+                let _e217 = (_e215 + _e156[1]);
+                if (_e217 < _e48.member_4) {
+                    let _e224 = (2u * ((_e48.member_5 * _e48.member_4) + _e217));
+                    front.member[_e224] = _e66[0];
+                    front.member[(_e224 + 1u)] = _e66[1];
                 }
             }
         }

@@ -100,18 +100,12 @@ var<workgroup> shared_: array<atomic<u32>, 22>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_202_: array<u32, 2>;
-    var phi_291_: array<u32, 2>;
-    var phi_327_: bool;
-    var phi_328_: bool;
-    var phi_332_: u32;
-    var phi_333_: u32;
     var phi_335_: u32;
     var phi_336_: u32;
     var phi_354_: array<u32, 2>;
     var phi_355_: array<u32, 2>;
     var phi_367_: array<u32, 2>;
     var phi_368_: array<u32, 2>;
-    var phi_526_: type_9;
     var phi_531_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -120,176 +114,142 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e33 = id_2;
-    let _e34 = n_2;
-    let _e35 = lane_2;
-    let _e49 = ((((_e33.y * _e34.x) + _e33.x) * 128u) + _e35);
-    let _e51 = params.member.member_2;
-    let _e53 = params.member.member_1;
-    if (_e49 < _e53.member) {
-        let _e61 = (2u * (((1u - _e51.member_5) * _e51.member_4) + _e49));
-        let _e63 = front.member[_e61];
-        let _e66 = front.member[(_e61 + 1u)];
-        phi_202_ = array<u32, 2>(_e63, _e66);
+    let _e31 = id_2;
+    let _e32 = n_2;
+    let _e33 = lane_2;
+    let _e47 = ((((_e31.y * _e32.x) + _e31.x) * 128u) + _e33);
+    let _e49 = params.member.member_2;
+    let _e51 = params.member.member_1;
+    if (_e47 < _e51.member) {
+        let _e59 = (2u * (((1u - _e49.member_5) * _e49.member_4) + _e47));
+        let _e61 = front.member[_e59];
+        let _e64 = front.member[(_e59 + 1u)];
+        phi_202_ = array<u32, 2>(_e61, _e64);
     } else {
         phi_202_ = array<u32, 2>(4294967295u, 4294967295u);
     }
-    let _e69 = phi_202_;
-    if (_e35 == 0u) {
+    let _e67 = phi_202_;
+    if (_e33 == 0u) {
         atomicStore((&shared_[6u]), 0u);
         atomicStore((&shared_[7u]), 0u);
         atomicStore((&shared_[8u]), 0u);
     }
     workgroupBarrier();
-    if (_e69[0] != 4294967295u) {
-        let _e78 = a.member[_e69[0]];
-        let _e81 = b.member[_e69[1]];
-        if ((((((_e78.member[0] <= _e81.member_2[0]) && (_e81.member[0] <= _e78.member_2[0])) && (_e78.member[1] <= _e81.member_2[1])) && (_e81.member[1] <= _e78.member_2[1])) && (_e78.member[2] <= _e81.member_2[2])) && (_e81.member[2] <= _e78.member_2[2])) {
-            let _e111 = params.member.member_2.member;
-            if (_e111 == 0u) {
-                phi_291_ = array<u32, 2>(0u, 2u);
-            } else {
-                phi_291_ = array<u32, 2>(1u, 1u);
-            }
-            let _e114 = phi_291_;
-            let _e120 = params.member.member.member[_e114[0]];
-            let _e125 = params.member.member.member[_e114[1]];
-            if (_e69[0] == 4294967295u) {
-                phi_333_ = 0u;
-            } else {
-                if (_e69[0] >= (_e120 - 1u)) {
-                    if (_e69[1] >= (_e125 - 1u)) {
-                        phi_327_ = false;
-                    } else {
-                        phi_327_ = true;
-                    }
-                    let _e134 = phi_327_;
-                    phi_328_ = _e134;
-                } else {
-                    phi_328_ = true;
-                }
-                let _e136 = phi_328_;
-                if _e136 {
-                    phi_332_ = 1u;
-                } else {
-                    phi_332_ = 2u;
-                }
-                let _e138 = phi_332_;
-                phi_333_ = _e138;
-            }
-            let _e140 = phi_333_;
-            phi_335_ = _e140;
+    if (_e67[0] != 4294967295u) {
+        let _e76 = a.member[_e67[0]];
+        let _e79 = b.member[_e67[1]];
+        if ((((((_e76.member[0] <= _e79.member_2[0]) && (_e79.member[0] <= _e76.member_2[0])) && (_e76.member[1] <= _e79.member_2[1])) && (_e79.member[1] <= _e76.member_2[1])) && (_e76.member[2] <= _e79.member_2[2])) && (_e79.member[2] <= _e76.member_2[2])) {
+            let _e109 = params.member.member_2.member;
+            let _e110 = (_e109 == 0u);
+            let _e116 = params.member.member.member[select(1u, 0u, _e110)];
+            let _e121 = params.member.member.member[select(1u, 2u, _e110)];
+            phi_335_ = select(select(2u, 1u, select(true, select(true, false, (_e67[1] >= (_e121 - 1u))), (_e67[0] >= (_e116 - 1u)))), 0u, (_e67[0] == 4294967295u));
         } else {
             phi_335_ = 3u;
         }
-        let _e142 = phi_335_;
-        phi_336_ = _e142;
+        let _e134 = phi_335_;
+        phi_336_ = _e134;
     } else {
         phi_336_ = 0u;
     }
-    let _e144 = phi_336_;
-    if (_e144 == 1u) {
-        let _e154 = atomicAdd((&shared_[6u]), 1u);
-        phi_355_ = array<u32, 2>(_e154, 0u);
+    let _e136 = phi_336_;
+    if (_e136 == 1u) {
+        let _e146 = atomicAdd((&shared_[6u]), 1u);
+        phi_355_ = array<u32, 2>(_e146, 0u);
     } else {
-        if (_e144 == 2u) {
-            let _e149 = atomicAdd((&shared_[7u]), 1u);
-            phi_354_ = array<u32, 2>(_e149, 0u);
+        if (_e136 == 2u) {
+            let _e141 = atomicAdd((&shared_[7u]), 1u);
+            phi_354_ = array<u32, 2>(_e141, 0u);
         } else {
             phi_354_ = array<u32, 2>(0u, 0u);
         }
-        let _e152 = phi_354_;
-        phi_355_ = _e152;
+        let _e144 = phi_354_;
+        phi_355_ = _e144;
     }
-    let _e157 = phi_355_;
-    if (_e144 >= 2u) {
-        if (_e51.member_4 > 0u) {
-            let _e161 = atomicAdd((&shared_[8u]), 1u);
-            phi_367_ = array<u32, 2>(_e157[0], _e161);
+    let _e149 = phi_355_;
+    if (_e136 >= 2u) {
+        if (_e49.member_4 > 0u) {
+            let _e153 = atomicAdd((&shared_[8u]), 1u);
+            phi_367_ = array<u32, 2>(_e149[0], _e153);
         } else {
-            phi_367_ = _e157;
+            phi_367_ = _e149;
         }
-        let _e165 = phi_367_;
-        phi_368_ = _e165;
-    } else {
+        let _e157 = phi_367_;
         phi_368_ = _e157;
+    } else {
+        phi_368_ = _e149;
     }
-    let _e167 = phi_368_;
+    let _e159 = phi_368_;
     workgroupBarrier();
-    if (_e35 == 0u) {
-        let _e170 = atomicLoad((&shared_[6u]));
-        let _e172 = atomicLoad((&shared_[7u]));
-        if (_e170 > 0u) {
-            let _e175 = atomicAdd((&control.member[0u]), _e170);
-            let _e178 = atomicMax((&nodes.member[0u]), (_e175 + _e170));
-            if ((_e175 + _e170) < _e175) {
-                let _e182 = atomicAdd((&nodes.member[2u]), 1u);
+    if (_e33 == 0u) {
+        let _e162 = atomicLoad((&shared_[6u]));
+        let _e164 = atomicLoad((&shared_[7u]));
+        if (_e162 > 0u) {
+            let _e167 = atomicAdd((&control.member[0u]), _e162);
+            let _e170 = atomicMax((&nodes.member[0u]), (_e167 + _e162));
+            if ((_e167 + _e162) < _e167) {
+                let _e174 = atomicAdd((&nodes.member[2u]), 1u);
             }
-            atomicStore((&shared_[11u]), _e175);
+            atomicStore((&shared_[11u]), _e167);
         }
-        if (_e172 > 0u) {
-            let _e186 = atomicAdd((&pairs.member[0u]), _e172);
-            if ((_e186 + _e172) < _e186) {
-                let _e190 = atomicAdd((&pairs.member[2u]), 1u);
+        if (_e164 > 0u) {
+            let _e178 = atomicAdd((&pairs.member[0u]), _e164);
+            if ((_e178 + _e164) < _e178) {
+                let _e182 = atomicAdd((&pairs.member[2u]), 1u);
             }
-            atomicStore((&shared_[12u]), _e186);
+            atomicStore((&shared_[12u]), _e178);
         }
-        let _e193 = atomicLoad((&shared_[8u]));
-        if (_e193 > 0u) {
-            let _e196 = atomicLoad((&shared_[8u]));
-            let _e198 = atomicAdd((&control.member[1537u]), _e196);
-            if ((_e198 + _e196) < _e198) {
-                let _e202 = atomicAdd((&control.member[1538u]), 1u);
+        let _e185 = atomicLoad((&shared_[8u]));
+        if (_e185 > 0u) {
+            let _e188 = atomicLoad((&shared_[8u]));
+            let _e190 = atomicAdd((&control.member[1537u]), _e188);
+            if ((_e190 + _e188) < _e190) {
+                let _e194 = atomicAdd((&control.member[1538u]), 1u);
             }
-            atomicStore((&shared_[13u]), _e198);
+            atomicStore((&shared_[13u]), _e190);
         }
     }
     workgroupBarrier();
-    if (_e144 == 1u) {
-        let _e261 = atomicLoad((&shared_[11u]));
-        let _e263 = (_e261 + _e167[0]);
-        if (_e263 < _e51.member_3) {
-            if (_e263 < 4294967295u) {
-                let _e269 = (2u * _e263);
-                atomicStore((&nodes.member[(4u + _e269)]), _e69[0]);
-                atomicStore((&nodes.member[(_e269 + 5u)]), _e69[1]);
+    if (_e136 == 1u) {
+        let _e252 = atomicLoad((&shared_[11u]));
+        let _e254 = (_e252 + _e159[0]);
+        if (_e254 < _e49.member_3) {
+            if (_e254 < 4294967295u) {
+                let _e260 = (2u * _e254);
+                atomicStore((&nodes.member[(4u + _e260)]), _e67[0]);
+                atomicStore((&nodes.member[(_e260 + 5u)]), _e67[1]);
             }
         }
     } else {
-        if (_e144 == 0u) {
+        if (_e136 == 0u) {
         } else {
-            if (_e144 == 2u) {
-                let _e209 = a.member[_e69[0]];
-                let _e213 = b.member[_e69[1]];
-                let _e217 = params.member.member_2.member;
-                if (_e217 == 1u) {
-                    if (_e209.member_1 < _e213.member_1) {
-                        phi_526_ = type_9(_e209.member_1, _e213.member_1);
-                    } else {
-                        phi_526_ = type_9(_e213.member_1, _e209.member_1);
-                    }
-                    let _e224 = phi_526_;
-                    phi_531_ = _e224;
+            if (_e136 == 2u) {
+                let _e201 = a.member[_e67[0]];
+                let _e205 = b.member[_e67[1]];
+                let _e209 = params.member.member_2.member;
+                if (_e209 == 1u) {
+                    let _e212 = (_e201.member_1 < _e205.member_1);
+                    phi_531_ = type_9(select(_e205.member_1, _e201.member_1, _e212), select(_e201.member_1, _e205.member_1, _e212));
                 } else {
-                    phi_531_ = type_9(_e209.member_1, _e213.member_1);
+                    phi_531_ = type_9(_e201.member_1, _e205.member_1);
                 }
-                let _e226 = phi_531_;
-                let _e230 = params.member.member_1;
-                let _e233 = atomicLoad((&shared_[12u]));
-                let _e235 = (_e233 + _e167[0]);
-                if (_e235 < _e230.member_3) {
-                    let _e237 = (2u * _e235);
-                    atomicStore((&pairs.member[(4u + _e237)]), _e226.member);
-                    atomicStore((&pairs.member[(_e237 + 5u)]), _e226.member_1);
+                let _e217 = phi_531_;
+                let _e221 = params.member.member_1;
+                let _e224 = atomicLoad((&shared_[12u]));
+                let _e226 = (_e224 + _e159[0]);
+                if (_e226 < _e221.member_3) {
+                    let _e228 = (2u * _e226);
+                    atomicStore((&pairs.member[(4u + _e228)]), _e217.member);
+                    atomicStore((&pairs.member[(_e228 + 5u)]), _e217.member_1);
                 }
             }
-            if (_e51.member_4 > 0u) {
-                let _e245 = atomicLoad((&shared_[13u]));
-                let _e247 = (_e245 + _e167[1]);
-                if (_e247 < _e51.member_4) {
-                    let _e254 = (2u * ((_e51.member_5 * _e51.member_4) + _e247));
-                    front.member[_e254] = _e69[0];
-                    front.member[(_e254 + 1u)] = _e69[1];
+            if (_e49.member_4 > 0u) {
+                let _e236 = atomicLoad((&shared_[13u]));
+                let _e238 = (_e236 + _e159[1]);
+                if (_e238 < _e49.member_4) {
+                    let _e245 = (2u * ((_e49.member_5 * _e49.member_4) + _e238));
+                    front.member[_e245] = _e67[0];
+                    front.member[(_e245 + 1u)] = _e67[1];
                 }
             }
         }

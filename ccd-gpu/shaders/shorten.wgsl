@@ -65,8 +65,6 @@ var<storage> of_ee: type_10;
 var<storage, read_write> shortened: type_14;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_103_: u32;
-    var phi_109_: f32;
     var phi_118_: f32;
     var phi_154_: array<f32, 3>;
     var id_2: vec3<u32>;
@@ -84,35 +82,25 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     if (_e27 < _e31) {
         let _e34 = of_vf.member[0u];
         let _e36 = of_ee.member[0u];
-        if (_e36 < _e34) {
-            phi_103_ = _e36;
+        let _e38 = select(_e34, _e36, (_e36 < _e34));
+        let _e41 = select(1f, bitcast<f32>(_e38), (_e38 < 1065353216u));
+        let _e44 = params.member.member.member_13;
+        if (_e41 < _e44) {
+            phi_118_ = _e41;
         } else {
-            phi_103_ = _e34;
+            let _e48 = params.member.member.member_13;
+            phi_118_ = _e48;
         }
-        let _e39 = phi_103_;
-        if (_e39 < 1065353216u) {
-            phi_109_ = bitcast<f32>(_e39);
+        let _e50 = phi_118_;
+        let _e52 = paths.member[_e27];
+        let _e55 = params.member.member.member_12;
+        if (_e55 > 0f) {
+            phi_154_ = array<f32, 3>((_e52.member[0] + ((_e52.member_1[0] - _e52.member[0]) * _e55)), (_e52.member[1] + ((_e52.member_1[1] - _e52.member[1]) * _e55)), (_e52.member[2] + ((_e52.member_1[2] - _e52.member[2]) * _e55)));
         } else {
-            phi_109_ = 1f;
+            phi_154_ = array<f32, 3>(_e52.member[0], _e52.member[1], _e52.member[2]);
         }
-        let _e43 = phi_109_;
-        let _e46 = params.member.member.member_13;
-        if (_e43 < _e46) {
-            phi_118_ = _e43;
-        } else {
-            let _e50 = params.member.member.member_13;
-            phi_118_ = _e50;
-        }
-        let _e52 = phi_118_;
-        let _e54 = paths.member[_e27];
-        let _e57 = params.member.member.member_12;
-        if (_e57 > 0f) {
-            phi_154_ = array<f32, 3>((_e54.member[0] + ((_e54.member_1[0] - _e54.member[0]) * _e57)), (_e54.member[1] + ((_e54.member_1[1] - _e54.member[1]) * _e57)), (_e54.member[2] + ((_e54.member_1[2] - _e54.member[2]) * _e57)));
-        } else {
-            phi_154_ = array<f32, 3>(_e54.member[0], _e54.member[1], _e54.member[2]);
-        }
-        let _e79 = phi_154_;
-        shortened.member[_e27] = type_12(array<f32, 4>(_e79[0], _e79[1], _e79[2], 0f), array<f32, 4>((_e54.member[0] + ((_e54.member_1[0] - _e54.member[0]) * _e52)), (_e54.member[1] + ((_e54.member_1[1] - _e54.member[1]) * _e52)), (_e54.member[2] + ((_e54.member_1[2] - _e54.member[2]) * _e52)), 0f));
+        let _e77 = phi_154_;
+        shortened.member[_e27] = type_12(array<f32, 4>(_e77[0], _e77[1], _e77[2], 0f), array<f32, 4>((_e52.member[0] + ((_e52.member_1[0] - _e52.member[0]) * _e50)), (_e52.member[1] + ((_e52.member_1[1] - _e52.member[1]) * _e50)), (_e52.member[2] + ((_e52.member_1[2] - _e52.member[2]) * _e50)), 0f));
     }
     return;
 }

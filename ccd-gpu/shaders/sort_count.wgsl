@@ -71,8 +71,6 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_371_: u32;
     var phi_390_: u32;
     var phi_608_: type_9;
-    var phi_609_: type_9;
-    var phi_632_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -302,26 +300,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         phi_608_ = type_9(0u, 2u);
         loop {
             let _e372 = phi_608_;
-            if (_e372.member < _e372.member_1) {
-                phi_609_ = type_9((_e372.member + 1u), _e372.member_1);
-                phi_632_ = type_9(1u, _e372.member);
-            } else {
-                phi_609_ = _e372;
-                phi_632_ = type_9(0u, type_9().member_1);
-            }
-            let _e384 = phi_609_;
-            let _e386 = phi_632_;
-            let _e390 = (bitcast<i32>(_e386.member) != 0i);
-            if _e390 {
-                let _e392 = (_e32 + (_e386.member_1 * 128u));
-                let _e395 = params.member.member_2.member_1;
-                let _e399 = atomicLoad((&counts[_e392]));
-                table.member[((_e392 * _e395) + _e40)] = _e399;
+            let _e375 = (_e372.member < _e372.member_1);
+            let _e388 = (bitcast<i32>(select(0u, 1u, _e375)) != 0i);
+            if _e388 {
+                let _e390 = (_e32 + (select(type_9().member_1, _e372.member, _e375) * 128u));
+                let _e393 = params.member.member_2.member_1;
+                let _e397 = atomicLoad((&counts[_e390]));
+                table.member[((_e390 * _e393) + _e40)] = _e397;
             }
             continue;
             continuing {
-                phi_608_ = _e384;
-                break if !(_e390);
+                phi_608_ = type_9(select(_e372.member, (_e372.member + 1u), _e375), select(_e372.member_1, _e372.member_1, _e375));
+                break if !(_e388);
             }
         }
     }

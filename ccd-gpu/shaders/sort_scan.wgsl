@@ -52,11 +52,8 @@ var<storage, read_write> table: type_13;
 var<workgroup> sums: array<u32, 512>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_83_: u32;
     var phi_86_: type_9;
     var phi_89_: u32;
-    var phi_87_: type_9;
-    var phi_112_: type_9;
     var phi_138_: u32;
     var phi_155_: u32;
     var phi_172_: u32;
@@ -66,8 +63,6 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_201_: u32;
     var phi_203_: u32;
     var phi_200_: u32;
-    var phi_197_: type_9;
-    var phi_226_: type_9;
     var phi_242_: u32;
     var phi_202_: u32;
     var phi_204_: u32;
@@ -88,147 +83,125 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e30 = params.member.member_2.member_1;
     let _e31 = (_e27 * _e30);
     let _e32 = (_e30 / 1024u);
-    if ((_e30 % 1024u) > 0u) {
-        phi_83_ = (_e32 + 1u);
-    } else {
-        phi_83_ = _e32;
-    }
-    let _e37 = phi_83_;
-    phi_86_ = type_9(0u, _e37);
+    phi_86_ = type_9(0u, select(_e32, (_e32 + 1u), ((_e30 % 1024u) > 0u)));
     phi_89_ = 0u;
     loop {
-        let _e40 = phi_86_;
-        let _e42 = phi_89_;
-        local_1 = _e42;
-        if (_e40.member < _e40.member_1) {
-            phi_87_ = type_9((_e40.member + 1u), _e40.member_1);
-            phi_112_ = type_9(1u, _e40.member);
-        } else {
-            phi_87_ = _e40;
-            phi_112_ = type_9(0u, type_9().member_1);
-        }
-        let _e54 = phi_87_;
-        let _e56 = phi_112_;
-        let _e60 = (bitcast<i32>(_e56.member) != 0i);
-        if _e60 {
-            let _e63 = ((_e56.member_1 * 1024u) + (4u * _e20));
-            if (_e63 < _e30) {
-                let _e67 = table.member[(_e31 + _e63)];
-                phi_138_ = _e67;
+        let _e39 = phi_86_;
+        let _e41 = phi_89_;
+        local_1 = _e41;
+        let _e44 = (_e39.member < _e39.member_1);
+        let _e57 = (bitcast<i32>(select(0u, 1u, _e44)) != 0i);
+        if _e57 {
+            let _e60 = ((select(type_9().member_1, _e39.member, _e44) * 1024u) + (4u * _e20));
+            if (_e60 < _e30) {
+                let _e64 = table.member[(_e31 + _e60)];
+                phi_138_ = _e64;
             } else {
                 phi_138_ = 0u;
             }
-            let _e69 = phi_138_;
-            let _e70 = (_e63 + 1u);
-            if (_e70 < _e30) {
-                let _e74 = table.member[(_e31 + _e70)];
-                phi_155_ = _e74;
+            let _e66 = phi_138_;
+            let _e67 = (_e60 + 1u);
+            if (_e67 < _e30) {
+                let _e71 = table.member[(_e31 + _e67)];
+                phi_155_ = _e71;
             } else {
                 phi_155_ = 0u;
             }
-            let _e76 = phi_155_;
-            let _e77 = (_e63 + 2u);
-            if (_e77 < _e30) {
-                let _e81 = table.member[(_e31 + _e77)];
-                phi_172_ = _e81;
+            let _e73 = phi_155_;
+            let _e74 = (_e60 + 2u);
+            if (_e74 < _e30) {
+                let _e78 = table.member[(_e31 + _e74)];
+                phi_172_ = _e78;
             } else {
                 phi_172_ = 0u;
             }
-            let _e83 = phi_172_;
-            let _e84 = (_e63 + 3u);
-            if (_e84 < _e30) {
-                let _e88 = table.member[(_e31 + _e84)];
-                phi_189_ = _e88;
+            let _e80 = phi_172_;
+            let _e81 = (_e60 + 3u);
+            if (_e81 < _e30) {
+                let _e85 = table.member[(_e31 + _e81)];
+                phi_189_ = _e85;
             } else {
                 phi_189_ = 0u;
             }
-            let _e90 = phi_189_;
-            let _e93 = (((_e69 + _e76) + _e83) + _e90);
-            sums[_e20] = _e93;
+            let _e87 = phi_189_;
+            let _e90 = (((_e66 + _e73) + _e80) + _e87);
+            sums[_e20] = _e90;
             phi_196_ = type_9(0u, 8u);
             phi_199_ = 0u;
             phi_201_ = 1u;
-            phi_203_ = _e93;
+            phi_203_ = _e90;
             phi_200_ = 256u;
             loop {
-                let _e96 = phi_196_;
-                let _e98 = phi_199_;
-                let _e100 = phi_201_;
-                let _e102 = phi_203_;
-                let _e104 = phi_200_;
-                local = _e102;
-                if (_e96.member < _e96.member_1) {
-                    phi_197_ = type_9((_e96.member + 1u), _e96.member_1);
-                    phi_226_ = type_9(1u, _e96.member);
-                } else {
-                    phi_197_ = _e96;
-                    phi_226_ = type_9(0u, type_9().member_1);
-                }
-                let _e116 = phi_197_;
-                let _e118 = phi_226_;
-                let _e121 = (bitcast<i32>(_e118.member) != 0i);
-                if _e121 {
+                let _e93 = phi_196_;
+                let _e95 = phi_199_;
+                let _e97 = phi_201_;
+                let _e99 = phi_203_;
+                let _e101 = phi_200_;
+                local = _e99;
+                let _e104 = (_e93.member < _e93.member_1);
+                let _e115 = (bitcast<i32>(select(0u, 1u, _e104)) != 0i);
+                if _e115 {
                     workgroupBarrier();
-                    if (_e20 >= _e100) {
-                        let _e126 = sums[((_e98 + _e20) - _e100)];
-                        phi_242_ = (_e102 + _e126);
+                    if (_e20 >= _e97) {
+                        let _e120 = sums[((_e95 + _e20) - _e97)];
+                        phi_242_ = (_e99 + _e120);
                     } else {
-                        phi_242_ = _e102;
+                        phi_242_ = _e99;
                     }
-                    let _e129 = phi_242_;
-                    sums[(_e104 + _e20)] = _e129;
-                    phi_202_ = (_e100 * 2u);
-                    phi_204_ = _e129;
+                    let _e123 = phi_242_;
+                    sums[(_e101 + _e20)] = _e123;
+                    phi_202_ = (_e97 * 2u);
+                    phi_204_ = _e123;
                 } else {
                     phi_202_ = u32();
                     phi_204_ = u32();
                 }
-                let _e134 = phi_202_;
-                let _e136 = phi_204_;
+                let _e128 = phi_202_;
+                let _e130 = phi_204_;
                 continue;
                 continuing {
-                    phi_196_ = _e116;
-                    phi_199_ = _e104;
-                    phi_201_ = _e134;
-                    phi_203_ = _e136;
-                    phi_200_ = _e98;
-                    break if !(_e121);
+                    phi_196_ = type_9(select(_e93.member, (_e93.member + 1u), _e104), select(_e93.member_1, _e93.member_1, _e104));
+                    phi_199_ = _e101;
+                    phi_201_ = _e128;
+                    phi_203_ = _e130;
+                    phi_200_ = _e95;
+                    break if !(_e115);
                 }
             }
             workgroupBarrier();
-            let _e139 = local;
-            let _e141 = ((_e42 + _e139) - _e93);
-            if (_e63 < _e30) {
-                table.member[(_e31 + _e63)] = _e141;
+            let _e133 = local;
+            let _e135 = ((_e41 + _e133) - _e90);
+            if (_e60 < _e30) {
+                table.member[(_e31 + _e60)] = _e135;
             }
-            let _e145 = (_e141 + _e69);
-            if ((_e63 + 1u) < _e30) {
-                table.member[((_e31 + _e63) + 1u)] = _e145;
+            let _e139 = (_e135 + _e66);
+            if ((_e60 + 1u) < _e30) {
+                table.member[((_e31 + _e60) + 1u)] = _e139;
             }
-            let _e151 = (_e145 + _e76);
-            if ((_e63 + 2u) < _e30) {
-                table.member[((_e31 + _e63) + 2u)] = _e151;
+            let _e145 = (_e139 + _e73);
+            if ((_e60 + 2u) < _e30) {
+                table.member[((_e31 + _e60) + 2u)] = _e145;
             }
-            if ((_e63 + 3u) < _e30) {
-                table.member[((_e31 + _e63) + 3u)] = (_e151 + _e83);
+            if ((_e60 + 3u) < _e30) {
+                table.member[((_e31 + _e60) + 3u)] = (_e145 + _e80);
             }
-            let _e164 = sums[255u];
+            let _e158 = sums[255u];
             workgroupBarrier();
-            phi_90_ = (_e42 + _e164);
+            phi_90_ = (_e41 + _e158);
         } else {
             phi_90_ = u32();
         }
-        let _e167 = phi_90_;
+        let _e161 = phi_90_;
         continue;
         continuing {
-            phi_86_ = _e54;
-            phi_89_ = _e167;
-            break if !(_e60);
+            phi_86_ = type_9(select(_e39.member, (_e39.member + 1u), _e44), select(_e39.member_1, _e39.member_1, _e44));
+            phi_89_ = _e161;
+            break if !(_e57);
         }
     }
     if (_e20 == 0u) {
-        let _e174 = local_1;
-        table.member[((256u * _e30) + _e27)] = _e174;
+        let _e168 = local_1;
+        table.member[((256u * _e30) + _e27)] = _e168;
     }
     return;
 }

@@ -95,17 +95,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_832_: u32;
     var phi_855_: u32;
     var phi_858_: type_9;
-    var phi_859_: type_9;
-    var phi_882_: type_9;
     var phi_1647_: type_9;
     var phi_1650_: u32;
     var phi_1652_: u32;
-    var phi_1648_: type_9;
-    var phi_1675_: type_9;
     var phi_1687_: type_9;
     var phi_1690_: u32;
-    var phi_1688_: type_9;
-    var phi_1713_: type_9;
     var phi_1691_: u32;
     var phi_1651_: u32;
     var phi_1653_: u32;
@@ -115,8 +109,6 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1747_: u32;
     var phi_1749_: u32;
     var phi_1746_: u32;
-    var phi_1743_: type_9;
-    var phi_1772_: type_9;
     var phi_1788_: u32;
     var phi_1748_: u32;
     var phi_1750_: u32;
@@ -128,8 +120,6 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1801_: u32;
     var phi_1803_: u32;
     var phi_1800_: u32;
-    var phi_1797_: type_9;
-    var phi_1826_: type_9;
     var phi_1842_: u32;
     var phi_1802_: u32;
     var phi_1804_: u32;
@@ -138,13 +128,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1849_: type_9;
     var phi_1852_: u32;
     var phi_1854_: u32;
-    var phi_1850_: type_9;
-    var phi_1877_: type_9;
     var phi_1903_: u32;
     var phi_1922_: type_9;
     var phi_1925_: u32;
-    var phi_1923_: type_9;
-    var phi_1948_: type_9;
     var phi_1926_: u32;
     var phi_1853_: u32;
     var phi_1855_: u32;
@@ -458,297 +444,290 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     phi_858_ = type_9(0u, 8u);
     loop {
         let _e461 = phi_858_;
-        if (_e461.member < _e461.member_1) {
-            phi_859_ = type_9((_e461.member + 1u), _e461.member_1);
-            phi_882_ = type_9(1u, _e461.member);
-        } else {
-            phi_859_ = _e461;
-            phi_882_ = type_9(0u, type_9().member_1);
-        }
-        let _e473 = phi_859_;
-        let _e475 = phi_882_;
-        let _e479 = (bitcast<i32>(_e475.member) != 0i);
-        if _e479 {
-            atomicStore((&words[((_e475.member_1 * 128u) + _e54)]), 0u);
-            atomicStore((&words[((1024u + (_e475.member_1 * 128u)) + _e54)]), 0u);
-            atomicStore((&counts[((_e475.member_1 * 128u) + _e54)]), 0u);
+        let _e464 = (_e461.member < _e461.member_1);
+        let _e475 = select(type_9().member_1, _e461.member, _e464);
+        let _e477 = (bitcast<i32>(select(0u, 1u, _e464)) != 0i);
+        if _e477 {
+            atomicStore((&words[((_e475 * 128u) + _e54)]), 0u);
+            atomicStore((&words[((1024u + (_e475 * 128u)) + _e54)]), 0u);
+            atomicStore((&counts[((_e475 * 128u) + _e54)]), 0u);
         }
         continue;
         continuing {
-            phi_858_ = _e473;
-            break if !(_e479);
+            phi_858_ = type_9(select(_e461.member, (_e461.member + 1u), _e464), select(_e461.member_1, _e461.member_1, _e464));
+            break if !(_e477);
         }
     }
     workgroupBarrier();
-    let _e497 = (((_e65 * 2048u) + (((_e54 / 32u) * 512u) + (_e54 % 32u))) < _e73);
-    let _e505 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 32u) + (_e54 % 32u))) < _e73);
-    let _e510 = (_e67 + ((_e87 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e515 = (_e67 + ((_e99 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e497 {
-        let _e521 = atomicOr((&words[_e510]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    let _e495 = (((_e65 * 2048u) + (((_e54 / 32u) * 512u) + (_e54 % 32u))) < _e73);
+    let _e503 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 32u) + (_e54 % 32u))) < _e73);
+    let _e508 = (_e67 + ((_e87 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    let _e513 = (_e67 + ((_e99 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    if _e495 {
+        let _e519 = atomicOr((&words[_e508]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
     }
-    if _e505 {
-        let _e528 = atomicOr((&words[(1024u + _e515)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    if _e503 {
+        let _e526 = atomicOr((&words[(1024u + _e513)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e530 = atomicLoad((&words[_e510]));
-    let _e533 = atomicLoad((&words[(1024u + _e515)]));
-    let _e540 = countOneBits((_e530 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e547 = countOneBits((_e533 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e549 = atomicLoad((&counts[_e510]));
-    let _e550 = (_e549 + _e540);
-    let _e552 = atomicLoad((&counts[_e515]));
-    let _e554 = atomicLoad((&words[_e515]));
-    let _e557 = ((_e552 + countOneBits(_e554)) + _e547);
+    let _e528 = atomicLoad((&words[_e508]));
+    let _e531 = atomicLoad((&words[(1024u + _e513)]));
+    let _e538 = countOneBits((_e528 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e545 = countOneBits((_e531 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e547 = atomicLoad((&counts[_e508]));
+    let _e548 = (_e547 + _e538);
+    let _e550 = atomicLoad((&counts[_e513]));
+    let _e552 = atomicLoad((&words[_e513]));
+    let _e555 = ((_e550 + countOneBits(_e552)) + _e545);
     workgroupBarrier();
-    if _e497 {
-        if (_e540 == 0u) {
-            let _e561 = atomicAdd((&counts[_e510]), countOneBits(_e530));
-            atomicStore((&words[_e510]), 0u);
+    if _e495 {
+        if (_e538 == 0u) {
+            let _e559 = atomicAdd((&counts[_e508]), countOneBits(_e528));
+            atomicStore((&words[_e508]), 0u);
         }
     }
-    if _e505 {
-        if (_e547 == 0u) {
-            let _e566 = atomicAdd((&counts[_e515]), countOneBits(_e533));
-            atomicStore((&words[(1024u + _e515)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e576 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 64u) + (_e54 % 32u))) < _e73);
-    let _e584 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 96u) + (_e54 % 32u))) < _e73);
-    let _e589 = (_e67 + ((_e134 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e594 = (_e67 + ((_e146 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e576 {
-        let _e600 = atomicOr((&words[_e589]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    if _e584 {
-        let _e607 = atomicOr((&words[(1024u + _e594)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e609 = atomicLoad((&words[_e589]));
-    let _e612 = atomicLoad((&words[(1024u + _e594)]));
-    let _e619 = countOneBits((_e609 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e626 = countOneBits((_e612 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e628 = atomicLoad((&counts[_e589]));
-    let _e629 = (_e628 + _e619);
-    let _e631 = atomicLoad((&counts[_e594]));
-    let _e633 = atomicLoad((&words[_e594]));
-    let _e636 = ((_e631 + countOneBits(_e633)) + _e626);
-    workgroupBarrier();
-    if _e576 {
-        if (_e619 == 0u) {
-            let _e640 = atomicAdd((&counts[_e589]), countOneBits(_e609));
-            atomicStore((&words[_e589]), 0u);
-        }
-    }
-    if _e584 {
-        if (_e626 == 0u) {
-            let _e645 = atomicAdd((&counts[_e594]), countOneBits(_e612));
-            atomicStore((&words[(1024u + _e594)]), 0u);
+    if _e503 {
+        if (_e545 == 0u) {
+            let _e564 = atomicAdd((&counts[_e513]), countOneBits(_e531));
+            atomicStore((&words[(1024u + _e513)]), 0u);
         }
     }
     workgroupBarrier();
-    let _e655 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 128u) + (_e54 % 32u))) < _e73);
-    let _e663 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 160u) + (_e54 % 32u))) < _e73);
-    let _e668 = (_e67 + ((_e182 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e673 = (_e67 + ((_e194 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e655 {
-        let _e679 = atomicOr((&words[_e668]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    let _e574 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 64u) + (_e54 % 32u))) < _e73);
+    let _e582 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 96u) + (_e54 % 32u))) < _e73);
+    let _e587 = (_e67 + ((_e134 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    let _e592 = (_e67 + ((_e146 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    if _e574 {
+        let _e598 = atomicOr((&words[_e587]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
     }
-    if _e663 {
-        let _e686 = atomicOr((&words[(1024u + _e673)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    if _e582 {
+        let _e605 = atomicOr((&words[(1024u + _e592)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e688 = atomicLoad((&words[_e668]));
-    let _e691 = atomicLoad((&words[(1024u + _e673)]));
-    let _e698 = countOneBits((_e688 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e705 = countOneBits((_e691 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e707 = atomicLoad((&counts[_e668]));
-    let _e708 = (_e707 + _e698);
-    let _e710 = atomicLoad((&counts[_e673]));
-    let _e712 = atomicLoad((&words[_e673]));
-    let _e715 = ((_e710 + countOneBits(_e712)) + _e705);
+    let _e607 = atomicLoad((&words[_e587]));
+    let _e610 = atomicLoad((&words[(1024u + _e592)]));
+    let _e617 = countOneBits((_e607 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e624 = countOneBits((_e610 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e626 = atomicLoad((&counts[_e587]));
+    let _e627 = (_e626 + _e617);
+    let _e629 = atomicLoad((&counts[_e592]));
+    let _e631 = atomicLoad((&words[_e592]));
+    let _e634 = ((_e629 + countOneBits(_e631)) + _e624);
     workgroupBarrier();
-    if _e655 {
-        if (_e698 == 0u) {
-            let _e719 = atomicAdd((&counts[_e668]), countOneBits(_e688));
-            atomicStore((&words[_e668]), 0u);
+    if _e574 {
+        if (_e617 == 0u) {
+            let _e638 = atomicAdd((&counts[_e587]), countOneBits(_e607));
+            atomicStore((&words[_e587]), 0u);
         }
     }
-    if _e663 {
-        if (_e705 == 0u) {
-            let _e724 = atomicAdd((&counts[_e673]), countOneBits(_e691));
-            atomicStore((&words[(1024u + _e673)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e734 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 192u) + (_e54 % 32u))) < _e73);
-    let _e742 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 224u) + (_e54 % 32u))) < _e73);
-    let _e747 = (_e67 + ((_e230 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e752 = (_e67 + ((_e242 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e734 {
-        let _e758 = atomicOr((&words[_e747]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    if _e742 {
-        let _e765 = atomicOr((&words[(1024u + _e752)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e767 = atomicLoad((&words[_e747]));
-    let _e770 = atomicLoad((&words[(1024u + _e752)]));
-    let _e777 = countOneBits((_e767 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e784 = countOneBits((_e770 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e786 = atomicLoad((&counts[_e747]));
-    let _e787 = (_e786 + _e777);
-    let _e789 = atomicLoad((&counts[_e752]));
-    let _e791 = atomicLoad((&words[_e752]));
-    let _e794 = ((_e789 + countOneBits(_e791)) + _e784);
-    workgroupBarrier();
-    if _e734 {
-        if (_e777 == 0u) {
-            let _e798 = atomicAdd((&counts[_e747]), countOneBits(_e767));
-            atomicStore((&words[_e747]), 0u);
-        }
-    }
-    if _e742 {
-        if (_e784 == 0u) {
-            let _e803 = atomicAdd((&counts[_e752]), countOneBits(_e770));
-            atomicStore((&words[(1024u + _e752)]), 0u);
+    if _e582 {
+        if (_e624 == 0u) {
+            let _e643 = atomicAdd((&counts[_e592]), countOneBits(_e610));
+            atomicStore((&words[(1024u + _e592)]), 0u);
         }
     }
     workgroupBarrier();
-    let _e813 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 256u) + (_e54 % 32u))) < _e73);
-    let _e821 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 288u) + (_e54 % 32u))) < _e73);
-    let _e826 = (_e67 + ((_e278 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e831 = (_e67 + ((_e290 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e813 {
-        let _e837 = atomicOr((&words[_e826]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    let _e653 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 128u) + (_e54 % 32u))) < _e73);
+    let _e661 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 160u) + (_e54 % 32u))) < _e73);
+    let _e666 = (_e67 + ((_e182 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    let _e671 = (_e67 + ((_e194 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    if _e653 {
+        let _e677 = atomicOr((&words[_e666]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
     }
-    if _e821 {
-        let _e844 = atomicOr((&words[(1024u + _e831)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    if _e661 {
+        let _e684 = atomicOr((&words[(1024u + _e671)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e846 = atomicLoad((&words[_e826]));
-    let _e849 = atomicLoad((&words[(1024u + _e831)]));
-    let _e856 = countOneBits((_e846 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e863 = countOneBits((_e849 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e865 = atomicLoad((&counts[_e826]));
-    let _e866 = (_e865 + _e856);
-    let _e868 = atomicLoad((&counts[_e831]));
-    let _e870 = atomicLoad((&words[_e831]));
-    let _e873 = ((_e868 + countOneBits(_e870)) + _e863);
+    let _e686 = atomicLoad((&words[_e666]));
+    let _e689 = atomicLoad((&words[(1024u + _e671)]));
+    let _e696 = countOneBits((_e686 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e703 = countOneBits((_e689 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e705 = atomicLoad((&counts[_e666]));
+    let _e706 = (_e705 + _e696);
+    let _e708 = atomicLoad((&counts[_e671]));
+    let _e710 = atomicLoad((&words[_e671]));
+    let _e713 = ((_e708 + countOneBits(_e710)) + _e703);
     workgroupBarrier();
-    if _e813 {
-        if (_e856 == 0u) {
-            let _e877 = atomicAdd((&counts[_e826]), countOneBits(_e846));
-            atomicStore((&words[_e826]), 0u);
+    if _e653 {
+        if (_e696 == 0u) {
+            let _e717 = atomicAdd((&counts[_e666]), countOneBits(_e686));
+            atomicStore((&words[_e666]), 0u);
         }
     }
-    if _e821 {
-        if (_e863 == 0u) {
-            let _e882 = atomicAdd((&counts[_e831]), countOneBits(_e849));
-            atomicStore((&words[(1024u + _e831)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e892 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 320u) + (_e54 % 32u))) < _e73);
-    let _e900 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 352u) + (_e54 % 32u))) < _e73);
-    let _e905 = (_e67 + ((_e326 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e910 = (_e67 + ((_e338 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e892 {
-        let _e916 = atomicOr((&words[_e905]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    if _e900 {
-        let _e923 = atomicOr((&words[(1024u + _e910)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e925 = atomicLoad((&words[_e905]));
-    let _e928 = atomicLoad((&words[(1024u + _e910)]));
-    let _e935 = countOneBits((_e925 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e942 = countOneBits((_e928 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e944 = atomicLoad((&counts[_e905]));
-    let _e945 = (_e944 + _e935);
-    let _e947 = atomicLoad((&counts[_e910]));
-    let _e949 = atomicLoad((&words[_e910]));
-    let _e952 = ((_e947 + countOneBits(_e949)) + _e942);
-    workgroupBarrier();
-    if _e892 {
-        if (_e935 == 0u) {
-            let _e956 = atomicAdd((&counts[_e905]), countOneBits(_e925));
-            atomicStore((&words[_e905]), 0u);
-        }
-    }
-    if _e900 {
-        if (_e942 == 0u) {
-            let _e961 = atomicAdd((&counts[_e910]), countOneBits(_e928));
-            atomicStore((&words[(1024u + _e910)]), 0u);
+    if _e661 {
+        if (_e703 == 0u) {
+            let _e722 = atomicAdd((&counts[_e671]), countOneBits(_e689));
+            atomicStore((&words[(1024u + _e671)]), 0u);
         }
     }
     workgroupBarrier();
-    let _e971 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 384u) + (_e54 % 32u))) < _e73);
-    let _e979 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 416u) + (_e54 % 32u))) < _e73);
-    let _e984 = (_e67 + ((_e374 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e989 = (_e67 + ((_e386 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e971 {
-        let _e995 = atomicOr((&words[_e984]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    let _e732 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 192u) + (_e54 % 32u))) < _e73);
+    let _e740 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 224u) + (_e54 % 32u))) < _e73);
+    let _e745 = (_e67 + ((_e230 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    let _e750 = (_e67 + ((_e242 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    if _e732 {
+        let _e756 = atomicOr((&words[_e745]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
     }
-    if _e979 {
-        let _e1002 = atomicOr((&words[(1024u + _e989)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    if _e740 {
+        let _e763 = atomicOr((&words[(1024u + _e750)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e1004 = atomicLoad((&words[_e984]));
-    let _e1007 = atomicLoad((&words[(1024u + _e989)]));
-    let _e1014 = countOneBits((_e1004 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e1021 = countOneBits((_e1007 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e1023 = atomicLoad((&counts[_e984]));
-    let _e1024 = (_e1023 + _e1014);
-    let _e1026 = atomicLoad((&counts[_e989]));
-    let _e1028 = atomicLoad((&words[_e989]));
-    let _e1031 = ((_e1026 + countOneBits(_e1028)) + _e1021);
+    let _e765 = atomicLoad((&words[_e745]));
+    let _e768 = atomicLoad((&words[(1024u + _e750)]));
+    let _e775 = countOneBits((_e765 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e782 = countOneBits((_e768 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e784 = atomicLoad((&counts[_e745]));
+    let _e785 = (_e784 + _e775);
+    let _e787 = atomicLoad((&counts[_e750]));
+    let _e789 = atomicLoad((&words[_e750]));
+    let _e792 = ((_e787 + countOneBits(_e789)) + _e782);
     workgroupBarrier();
-    if _e971 {
-        if (_e1014 == 0u) {
-            let _e1035 = atomicAdd((&counts[_e984]), countOneBits(_e1004));
-            atomicStore((&words[_e984]), 0u);
+    if _e732 {
+        if (_e775 == 0u) {
+            let _e796 = atomicAdd((&counts[_e745]), countOneBits(_e765));
+            atomicStore((&words[_e745]), 0u);
         }
     }
-    if _e979 {
-        if (_e1021 == 0u) {
-            let _e1040 = atomicAdd((&counts[_e989]), countOneBits(_e1007));
-            atomicStore((&words[(1024u + _e989)]), 0u);
+    if _e740 {
+        if (_e782 == 0u) {
+            let _e801 = atomicAdd((&counts[_e750]), countOneBits(_e768));
+            atomicStore((&words[(1024u + _e750)]), 0u);
         }
     }
     workgroupBarrier();
-    let _e1050 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 448u) + (_e54 % 32u))) < _e73);
-    let _e1058 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 480u) + (_e54 % 32u))) < _e73);
-    let _e1063 = (_e67 + ((_e422 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e1068 = (_e67 + ((_e434 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e1050 {
-        let _e1074 = atomicOr((&words[_e1063]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    let _e811 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 256u) + (_e54 % 32u))) < _e73);
+    let _e819 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 288u) + (_e54 % 32u))) < _e73);
+    let _e824 = (_e67 + ((_e278 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    let _e829 = (_e67 + ((_e290 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    if _e811 {
+        let _e835 = atomicOr((&words[_e824]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
     }
-    if _e1058 {
-        let _e1081 = atomicOr((&words[(1024u + _e1068)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    if _e819 {
+        let _e842 = atomicOr((&words[(1024u + _e829)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e1083 = atomicLoad((&words[_e1063]));
-    let _e1086 = atomicLoad((&words[(1024u + _e1068)]));
-    let _e1093 = countOneBits((_e1083 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e1100 = countOneBits((_e1086 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e1102 = atomicLoad((&counts[_e1063]));
-    let _e1103 = (_e1102 + _e1093);
-    let _e1105 = atomicLoad((&counts[_e1068]));
-    let _e1107 = atomicLoad((&words[_e1068]));
-    let _e1110 = ((_e1105 + countOneBits(_e1107)) + _e1100);
+    let _e844 = atomicLoad((&words[_e824]));
+    let _e847 = atomicLoad((&words[(1024u + _e829)]));
+    let _e854 = countOneBits((_e844 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e861 = countOneBits((_e847 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e863 = atomicLoad((&counts[_e824]));
+    let _e864 = (_e863 + _e854);
+    let _e866 = atomicLoad((&counts[_e829]));
+    let _e868 = atomicLoad((&words[_e829]));
+    let _e871 = ((_e866 + countOneBits(_e868)) + _e861);
     workgroupBarrier();
-    if _e1050 {
-        if (_e1093 == 0u) {
-            let _e1115 = atomicAdd((&counts[_e1063]), countOneBits(_e1083));
-            atomicStore((&words[_e1063]), 0u);
+    if _e811 {
+        if (_e854 == 0u) {
+            let _e875 = atomicAdd((&counts[_e824]), countOneBits(_e844));
+            atomicStore((&words[_e824]), 0u);
         }
     }
-    if _e1058 {
-        if (_e1100 == 0u) {
-            let _e1120 = atomicAdd((&counts[_e1068]), countOneBits(_e1086));
-            atomicStore((&words[(1024u + _e1068)]), 0u);
+    if _e819 {
+        if (_e861 == 0u) {
+            let _e880 = atomicAdd((&counts[_e829]), countOneBits(_e847));
+            atomicStore((&words[(1024u + _e829)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e890 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 320u) + (_e54 % 32u))) < _e73);
+    let _e898 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 352u) + (_e54 % 32u))) < _e73);
+    let _e903 = (_e67 + ((_e326 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    let _e908 = (_e67 + ((_e338 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    if _e890 {
+        let _e914 = atomicOr((&words[_e903]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    }
+    if _e898 {
+        let _e921 = atomicOr((&words[(1024u + _e908)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e923 = atomicLoad((&words[_e903]));
+    let _e926 = atomicLoad((&words[(1024u + _e908)]));
+    let _e933 = countOneBits((_e923 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e940 = countOneBits((_e926 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e942 = atomicLoad((&counts[_e903]));
+    let _e943 = (_e942 + _e933);
+    let _e945 = atomicLoad((&counts[_e908]));
+    let _e947 = atomicLoad((&words[_e908]));
+    let _e950 = ((_e945 + countOneBits(_e947)) + _e940);
+    workgroupBarrier();
+    if _e890 {
+        if (_e933 == 0u) {
+            let _e954 = atomicAdd((&counts[_e903]), countOneBits(_e923));
+            atomicStore((&words[_e903]), 0u);
+        }
+    }
+    if _e898 {
+        if (_e940 == 0u) {
+            let _e959 = atomicAdd((&counts[_e908]), countOneBits(_e926));
+            atomicStore((&words[(1024u + _e908)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e969 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 384u) + (_e54 % 32u))) < _e73);
+    let _e977 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 416u) + (_e54 % 32u))) < _e73);
+    let _e982 = (_e67 + ((_e374 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    let _e987 = (_e67 + ((_e386 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    if _e969 {
+        let _e993 = atomicOr((&words[_e982]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    }
+    if _e977 {
+        let _e1000 = atomicOr((&words[(1024u + _e987)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e1002 = atomicLoad((&words[_e982]));
+    let _e1005 = atomicLoad((&words[(1024u + _e987)]));
+    let _e1012 = countOneBits((_e1002 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e1019 = countOneBits((_e1005 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e1021 = atomicLoad((&counts[_e982]));
+    let _e1022 = (_e1021 + _e1012);
+    let _e1024 = atomicLoad((&counts[_e987]));
+    let _e1026 = atomicLoad((&words[_e987]));
+    let _e1029 = ((_e1024 + countOneBits(_e1026)) + _e1019);
+    workgroupBarrier();
+    if _e969 {
+        if (_e1012 == 0u) {
+            let _e1033 = atomicAdd((&counts[_e982]), countOneBits(_e1002));
+            atomicStore((&words[_e982]), 0u);
+        }
+    }
+    if _e977 {
+        if (_e1019 == 0u) {
+            let _e1038 = atomicAdd((&counts[_e987]), countOneBits(_e1005));
+            atomicStore((&words[(1024u + _e987)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e1048 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 448u) + (_e54 % 32u))) < _e73);
+    let _e1056 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 480u) + (_e54 % 32u))) < _e73);
+    let _e1061 = (_e67 + ((_e422 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    let _e1066 = (_e67 + ((_e434 >> bitcast<u32>((_e70 & 31u))) & 255u));
+    if _e1048 {
+        let _e1072 = atomicOr((&words[_e1061]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    }
+    if _e1056 {
+        let _e1079 = atomicOr((&words[(1024u + _e1066)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e1081 = atomicLoad((&words[_e1061]));
+    let _e1084 = atomicLoad((&words[(1024u + _e1066)]));
+    let _e1091 = countOneBits((_e1081 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e1098 = countOneBits((_e1084 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
+    let _e1100 = atomicLoad((&counts[_e1061]));
+    let _e1101 = (_e1100 + _e1091);
+    let _e1103 = atomicLoad((&counts[_e1066]));
+    let _e1105 = atomicLoad((&words[_e1066]));
+    let _e1108 = ((_e1103 + countOneBits(_e1105)) + _e1098);
+    workgroupBarrier();
+    if _e1048 {
+        if (_e1091 == 0u) {
+            let _e1113 = atomicAdd((&counts[_e1061]), countOneBits(_e1081));
+            atomicStore((&words[_e1061]), 0u);
+        }
+    }
+    if _e1056 {
+        if (_e1098 == 0u) {
+            let _e1118 = atomicAdd((&counts[_e1066]), countOneBits(_e1084));
+            atomicStore((&words[(1024u + _e1066)]), 0u);
         }
     }
     workgroupBarrier();
@@ -756,712 +735,665 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     phi_1650_ = 0u;
     phi_1652_ = 0u;
     loop {
-        let _e1124 = phi_1647_;
-        let _e1126 = phi_1650_;
-        let _e1128 = phi_1652_;
-        local = _e1128;
-        local_7 = _e1128;
-        local_2 = _e1128;
-        local_3 = _e1126;
-        local_8 = _e1126;
-        local_5 = _e1126;
-        if (_e1124.member < _e1124.member_1) {
-            phi_1648_ = type_9((_e1124.member + 1u), _e1124.member_1);
-            phi_1675_ = type_9(1u, _e1124.member);
-        } else {
-            phi_1648_ = _e1124;
-            phi_1675_ = type_9(0u, type_9().member_1);
-        }
-        let _e1140 = phi_1648_;
-        let _e1142 = phi_1675_;
-        let _e1146 = (bitcast<i32>(_e1142.member) != 0i);
-        if _e1146 {
-            let _e1148 = ((2u * _e54) + _e1142.member_1);
+        let _e1122 = phi_1647_;
+        let _e1124 = phi_1650_;
+        let _e1126 = phi_1652_;
+        local = _e1126;
+        local_7 = _e1126;
+        local_2 = _e1126;
+        local_3 = _e1124;
+        local_8 = _e1124;
+        local_5 = _e1124;
+        let _e1129 = (_e1122.member < _e1122.member_1);
+        let _e1142 = (bitcast<i32>(select(0u, 1u, _e1129)) != 0i);
+        if _e1142 {
+            let _e1144 = ((2u * _e54) + select(type_9().member_1, _e1122.member, _e1129));
             phi_1687_ = type_9(0u, 4u);
-            phi_1690_ = _e1128;
+            phi_1690_ = _e1126;
             loop {
-                let _e1150 = phi_1687_;
-                let _e1152 = phi_1690_;
-                local_6 = _e1152;
-                if (_e1150.member < _e1150.member_1) {
-                    phi_1688_ = type_9((_e1150.member + 1u), _e1150.member_1);
-                    phi_1713_ = type_9(1u, _e1150.member);
-                } else {
-                    phi_1688_ = _e1150;
-                    phi_1713_ = type_9(0u, type_9().member_1);
-                }
-                let _e1164 = phi_1688_;
-                let _e1166 = phi_1713_;
-                let _e1170 = (bitcast<i32>(_e1166.member) != 0i);
-                if _e1170 {
-                    let _e1174 = atomicLoad((&counts[((_e1166.member_1 * 256u) + _e1148)]));
-                    phi_1691_ = (_e1152 + _e1174);
+                let _e1146 = phi_1687_;
+                let _e1148 = phi_1690_;
+                local_6 = _e1148;
+                let _e1151 = (_e1146.member < _e1146.member_1);
+                let _e1164 = (bitcast<i32>(select(0u, 1u, _e1151)) != 0i);
+                if _e1164 {
+                    let _e1168 = atomicLoad((&counts[((select(type_9().member_1, _e1146.member, _e1151) * 256u) + _e1144)]));
+                    phi_1691_ = (_e1148 + _e1168);
                 } else {
                     phi_1691_ = u32();
                 }
-                let _e1177 = phi_1691_;
+                let _e1171 = phi_1691_;
                 continue;
                 continuing {
-                    phi_1687_ = _e1164;
-                    phi_1690_ = _e1177;
-                    break if !(_e1170);
+                    phi_1687_ = type_9(select(_e1146.member, (_e1146.member + 1u), _e1151), select(_e1146.member_1, _e1146.member_1, _e1151));
+                    phi_1690_ = _e1171;
+                    break if !(_e1164);
                 }
             }
-            let _e1182 = table.member[((256u * _e76) + _e1148)];
-            phi_1651_ = (_e1126 + _e1182);
-            let _e2759 = local_6;
-            phi_1653_ = _e2759;
+            let _e1176 = table.member[((256u * _e76) + _e1144)];
+            phi_1651_ = (_e1124 + _e1176);
+            let _e2737 = local_6;
+            phi_1653_ = _e2737;
         } else {
             phi_1651_ = u32();
             phi_1653_ = u32();
         }
-        let _e1185 = phi_1651_;
-        let _e1187 = phi_1653_;
+        let _e1179 = phi_1651_;
+        let _e1181 = phi_1653_;
         continue;
         continuing {
-            phi_1647_ = _e1140;
-            phi_1650_ = _e1185;
-            phi_1652_ = _e1187;
-            break if !(_e1146);
+            phi_1647_ = type_9(select(_e1122.member, (_e1122.member + 1u), _e1129), select(_e1122.member_1, _e1122.member_1, _e1129));
+            phi_1650_ = _e1179;
+            phi_1652_ = _e1181;
+            break if !(_e1142);
         }
     }
-    let _e1191 = local;
-    atomicStore((&words[_e54]), _e1191);
+    let _e1185 = local;
+    atomicStore((&words[_e54]), _e1185);
     phi_1742_ = type_9(0u, 7u);
     phi_1745_ = 0u;
     phi_1747_ = 1u;
-    let _e2766 = local_7;
-    phi_1749_ = _e2766;
+    let _e2744 = local_7;
+    phi_1749_ = _e2744;
     phi_1746_ = 1024u;
     loop {
-        let _e1193 = phi_1742_;
-        let _e1195 = phi_1745_;
-        let _e1197 = phi_1747_;
-        let _e1199 = phi_1749_;
-        let _e1201 = phi_1746_;
-        local_1 = _e1199;
-        if (_e1193.member < _e1193.member_1) {
-            phi_1743_ = type_9((_e1193.member + 1u), _e1193.member_1);
-            phi_1772_ = type_9(1u, _e1193.member);
-        } else {
-            phi_1743_ = _e1193;
-            phi_1772_ = type_9(0u, type_9().member_1);
-        }
-        let _e1213 = phi_1743_;
-        let _e1215 = phi_1772_;
-        let _e1218 = (bitcast<i32>(_e1215.member) != 0i);
-        if _e1218 {
+        let _e1187 = phi_1742_;
+        let _e1189 = phi_1745_;
+        let _e1191 = phi_1747_;
+        let _e1193 = phi_1749_;
+        let _e1195 = phi_1746_;
+        local_1 = _e1193;
+        let _e1198 = (_e1187.member < _e1187.member_1);
+        let _e1209 = (bitcast<i32>(select(0u, 1u, _e1198)) != 0i);
+        if _e1209 {
             workgroupBarrier();
-            if (_e54 >= _e1197) {
-                let _e1223 = atomicLoad((&words[((_e1195 + _e54) - _e1197)]));
-                phi_1788_ = (_e1199 + _e1223);
+            if (_e54 >= _e1191) {
+                let _e1214 = atomicLoad((&words[((_e1189 + _e54) - _e1191)]));
+                phi_1788_ = (_e1193 + _e1214);
             } else {
-                phi_1788_ = _e1199;
+                phi_1788_ = _e1193;
             }
-            let _e1226 = phi_1788_;
-            atomicStore((&words[(_e1201 + _e54)]), _e1226);
-            phi_1748_ = (_e1197 * 2u);
-            phi_1750_ = _e1226;
+            let _e1217 = phi_1788_;
+            atomicStore((&words[(_e1195 + _e54)]), _e1217);
+            phi_1748_ = (_e1191 * 2u);
+            phi_1750_ = _e1217;
         } else {
             phi_1748_ = u32();
             phi_1750_ = u32();
         }
-        let _e1231 = phi_1748_;
-        let _e1233 = phi_1750_;
+        let _e1222 = phi_1748_;
+        let _e1224 = phi_1750_;
         continue;
         continuing {
-            phi_1742_ = _e1213;
-            phi_1745_ = _e1201;
-            phi_1747_ = _e1231;
-            phi_1749_ = _e1233;
-            phi_1746_ = _e1195;
-            break if !(_e1218);
+            phi_1742_ = type_9(select(_e1187.member, (_e1187.member + 1u), _e1198), select(_e1187.member_1, _e1187.member_1, _e1198));
+            phi_1745_ = _e1195;
+            phi_1747_ = _e1222;
+            phi_1749_ = _e1224;
+            phi_1746_ = _e1189;
+            break if !(_e1209);
         }
     }
     workgroupBarrier();
-    let _e1236 = local_1;
-    let _e1238 = local_2;
-    let _e1242 = local_3;
-    atomicStore((&words[_e54]), _e1242);
+    let _e1227 = local_1;
+    let _e1229 = local_2;
+    let _e1233 = local_3;
+    atomicStore((&words[_e54]), _e1233);
     phi_1796_ = type_9(0u, 7u);
     phi_1799_ = 0u;
     phi_1801_ = 1u;
-    let _e2781 = local_8;
-    phi_1803_ = _e2781;
+    let _e2757 = local_8;
+    phi_1803_ = _e2757;
     phi_1800_ = 1024u;
     loop {
-        let _e1244 = phi_1796_;
-        let _e1246 = phi_1799_;
-        let _e1248 = phi_1801_;
-        let _e1250 = phi_1803_;
-        let _e1252 = phi_1800_;
-        local_4 = _e1250;
-        if (_e1244.member < _e1244.member_1) {
-            phi_1797_ = type_9((_e1244.member + 1u), _e1244.member_1);
-            phi_1826_ = type_9(1u, _e1244.member);
-        } else {
-            phi_1797_ = _e1244;
-            phi_1826_ = type_9(0u, type_9().member_1);
-        }
-        let _e1264 = phi_1797_;
-        let _e1266 = phi_1826_;
-        let _e1269 = (bitcast<i32>(_e1266.member) != 0i);
-        if _e1269 {
+        let _e1235 = phi_1796_;
+        let _e1237 = phi_1799_;
+        let _e1239 = phi_1801_;
+        let _e1241 = phi_1803_;
+        let _e1243 = phi_1800_;
+        local_4 = _e1241;
+        let _e1246 = (_e1235.member < _e1235.member_1);
+        let _e1257 = (bitcast<i32>(select(0u, 1u, _e1246)) != 0i);
+        if _e1257 {
             workgroupBarrier();
-            if (_e54 >= _e1248) {
-                let _e1274 = atomicLoad((&words[((_e1246 + _e54) - _e1248)]));
-                phi_1842_ = (_e1250 + _e1274);
+            if (_e54 >= _e1239) {
+                let _e1262 = atomicLoad((&words[((_e1237 + _e54) - _e1239)]));
+                phi_1842_ = (_e1241 + _e1262);
             } else {
-                phi_1842_ = _e1250;
+                phi_1842_ = _e1241;
             }
-            let _e1277 = phi_1842_;
-            atomicStore((&words[(_e1252 + _e54)]), _e1277);
-            phi_1802_ = (_e1248 * 2u);
-            phi_1804_ = _e1277;
+            let _e1265 = phi_1842_;
+            atomicStore((&words[(_e1243 + _e54)]), _e1265);
+            phi_1802_ = (_e1239 * 2u);
+            phi_1804_ = _e1265;
         } else {
             phi_1802_ = u32();
             phi_1804_ = u32();
         }
-        let _e1282 = phi_1802_;
-        let _e1284 = phi_1804_;
+        let _e1270 = phi_1802_;
+        let _e1272 = phi_1804_;
         continue;
         continuing {
-            phi_1796_ = _e1264;
-            phi_1799_ = _e1252;
-            phi_1801_ = _e1282;
-            phi_1803_ = _e1284;
-            phi_1800_ = _e1246;
-            break if !(_e1269);
+            phi_1796_ = type_9(select(_e1235.member, (_e1235.member + 1u), _e1246), select(_e1235.member_1, _e1235.member_1, _e1246));
+            phi_1799_ = _e1243;
+            phi_1801_ = _e1270;
+            phi_1803_ = _e1272;
+            phi_1800_ = _e1237;
+            break if !(_e1257);
         }
     }
     workgroupBarrier();
-    let _e1287 = local_4;
-    let _e1289 = local_5;
+    let _e1275 = local_4;
+    let _e1277 = local_5;
     phi_1849_ = type_9(0u, 2u);
-    phi_1852_ = (_e1287 - _e1289);
-    phi_1854_ = (_e1236 - _e1238);
+    phi_1852_ = (_e1275 - _e1277);
+    phi_1854_ = (_e1227 - _e1229);
     loop {
-        let _e1292 = phi_1849_;
-        let _e1294 = phi_1852_;
-        let _e1296 = phi_1854_;
-        if (_e1292.member < _e1292.member_1) {
-            phi_1850_ = type_9((_e1292.member + 1u), _e1292.member_1);
-            phi_1877_ = type_9(1u, _e1292.member);
-        } else {
-            phi_1850_ = _e1292;
-            phi_1877_ = type_9(0u, type_9().member_1);
-        }
-        let _e1308 = phi_1850_;
-        let _e1310 = phi_1877_;
-        let _e1314 = (bitcast<i32>(_e1310.member) != 0i);
-        if _e1314 {
-            let _e1316 = ((2u * _e54) + _e1310.member_1);
+        let _e1280 = phi_1849_;
+        let _e1282 = phi_1852_;
+        let _e1284 = phi_1854_;
+        let _e1287 = (_e1280.member < _e1280.member_1);
+        let _e1300 = (bitcast<i32>(select(0u, 1u, _e1287)) != 0i);
+        if _e1300 {
+            let _e1302 = ((2u * _e54) + select(type_9().member_1, _e1280.member, _e1287));
             if (_e65 < _e76) {
-                let _e1321 = table.member[((_e1316 * _e76) + _e65)];
-                phi_1903_ = _e1321;
+                let _e1307 = table.member[((_e1302 * _e76) + _e65)];
+                phi_1903_ = _e1307;
             } else {
                 phi_1903_ = 0u;
             }
-            let _e1323 = phi_1903_;
-            starts[_e1316] = ((_e1294 + _e1323) - _e1296);
-            let _e1330 = table.member[((256u * _e76) + _e1316)];
+            let _e1309 = phi_1903_;
+            starts[_e1302] = ((_e1282 + _e1309) - _e1284);
+            let _e1316 = table.member[((256u * _e76) + _e1302)];
             phi_1922_ = type_9(0u, 4u);
-            phi_1925_ = _e1296;
+            phi_1925_ = _e1284;
             loop {
-                let _e1333 = phi_1922_;
-                let _e1335 = phi_1925_;
-                local_9 = _e1335;
-                if (_e1333.member < _e1333.member_1) {
-                    phi_1923_ = type_9((_e1333.member + 1u), _e1333.member_1);
-                    phi_1948_ = type_9(1u, _e1333.member);
-                } else {
-                    phi_1923_ = _e1333;
-                    phi_1948_ = type_9(0u, type_9().member_1);
-                }
-                let _e1347 = phi_1923_;
-                let _e1349 = phi_1948_;
-                let _e1353 = (bitcast<i32>(_e1349.member) != 0i);
-                if _e1353 {
-                    let _e1357 = atomicLoad((&counts[((_e1349.member_1 * 256u) + _e1316)]));
-                    atomicStore((&counts[((_e1349.member_1 * 256u) + _e1316)]), _e1335);
-                    phi_1926_ = (_e1335 + _e1357);
+                let _e1319 = phi_1922_;
+                let _e1321 = phi_1925_;
+                local_9 = _e1321;
+                let _e1324 = (_e1319.member < _e1319.member_1);
+                let _e1335 = select(type_9().member_1, _e1319.member, _e1324);
+                let _e1337 = (bitcast<i32>(select(0u, 1u, _e1324)) != 0i);
+                if _e1337 {
+                    let _e1341 = atomicLoad((&counts[((_e1335 * 256u) + _e1302)]));
+                    atomicStore((&counts[((_e1335 * 256u) + _e1302)]), _e1321);
+                    phi_1926_ = (_e1321 + _e1341);
                 } else {
                     phi_1926_ = u32();
                 }
-                let _e1363 = phi_1926_;
+                let _e1347 = phi_1926_;
                 continue;
                 continuing {
-                    phi_1922_ = _e1347;
-                    phi_1925_ = _e1363;
-                    break if !(_e1353);
+                    phi_1922_ = type_9(select(_e1319.member, (_e1319.member + 1u), _e1324), select(_e1319.member_1, _e1319.member_1, _e1324));
+                    phi_1925_ = _e1347;
+                    break if !(_e1337);
                 }
             }
-            phi_1853_ = (_e1294 + _e1330);
-            let _e2804 = local_9;
-            phi_1855_ = _e2804;
+            phi_1853_ = (_e1282 + _e1316);
+            let _e2774 = local_9;
+            phi_1855_ = _e2774;
         } else {
             phi_1853_ = u32();
             phi_1855_ = u32();
         }
-        let _e1366 = phi_1853_;
-        let _e1368 = phi_1855_;
+        let _e1350 = phi_1853_;
+        let _e1352 = phi_1855_;
         continue;
         continuing {
-            phi_1849_ = _e1308;
-            phi_1852_ = _e1366;
-            phi_1854_ = _e1368;
-            break if !(_e1314);
+            phi_1849_ = type_9(select(_e1280.member, (_e1280.member + 1u), _e1287), select(_e1280.member_1, _e1280.member_1, _e1287));
+            phi_1852_ = _e1350;
+            phi_1854_ = _e1352;
+            break if !(_e1300);
         }
     }
     workgroupBarrier();
     if (((_e65 * 2048u) + (((_e54 / 32u) * 512u) + (_e54 % 32u))) < _e73) {
-        let _e1383 = atomicLoad((&counts[(_e67 + ((_e87 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1384 = (_e550 + _e1383);
-        atomicStore((&words[_e1384]), _e87);
-        phi_1985_ = array<u32, 16>(_e1384, _e557, _e629, _e636, _e708, _e715, _e787, _e794, _e866, _e873, _e945, _e952, _e1024, _e1031, _e1103, _e1110);
+        let _e1367 = atomicLoad((&counts[(_e67 + ((_e87 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1368 = (_e548 + _e1367);
+        atomicStore((&words[_e1368]), _e87);
+        phi_1985_ = array<u32, 16>(_e1368, _e555, _e627, _e634, _e706, _e713, _e785, _e792, _e864, _e871, _e943, _e950, _e1022, _e1029, _e1101, _e1108);
     } else {
-        phi_1985_ = array<u32, 16>(_e550, _e557, _e629, _e636, _e708, _e715, _e787, _e794, _e866, _e873, _e945, _e952, _e1024, _e1031, _e1103, _e1110);
+        phi_1985_ = array<u32, 16>(_e548, _e555, _e627, _e634, _e706, _e713, _e785, _e792, _e864, _e871, _e943, _e950, _e1022, _e1029, _e1101, _e1108);
     }
-    let _e1388 = phi_1985_;
+    let _e1372 = phi_1985_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 32u) + (_e54 % 32u))) < _e73) {
-        let _e1403 = atomicLoad((&counts[(_e67 + ((_e99 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1405 = (_e1388[1] + _e1403);
-        atomicStore((&words[_e1405]), _e99);
-        phi_2008_ = array<u32, 16>(_e1388[0], _e1405, _e1388[2], _e1388[3], _e1388[4], _e1388[5], _e1388[6], _e1388[7], _e1388[8], _e1388[9], _e1388[10], _e1388[11], _e1388[12], _e1388[13], _e1388[14], _e1388[15]);
+        let _e1387 = atomicLoad((&counts[(_e67 + ((_e99 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1389 = (_e1372[1] + _e1387);
+        atomicStore((&words[_e1389]), _e99);
+        phi_2008_ = array<u32, 16>(_e1372[0], _e1389, _e1372[2], _e1372[3], _e1372[4], _e1372[5], _e1372[6], _e1372[7], _e1372[8], _e1372[9], _e1372[10], _e1372[11], _e1372[12], _e1372[13], _e1372[14], _e1372[15]);
     } else {
-        phi_2008_ = _e1388;
+        phi_2008_ = _e1372;
     }
-    let _e1424 = phi_2008_;
+    let _e1408 = phi_2008_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 64u) + (_e54 % 32u))) < _e73) {
-        let _e1439 = atomicLoad((&counts[(_e67 + ((_e134 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1441 = (_e1424[2] + _e1439);
-        atomicStore((&words[_e1441]), _e134);
-        phi_2031_ = array<u32, 16>(_e1424[0], _e1424[1], _e1441, _e1424[3], _e1424[4], _e1424[5], _e1424[6], _e1424[7], _e1424[8], _e1424[9], _e1424[10], _e1424[11], _e1424[12], _e1424[13], _e1424[14], _e1424[15]);
+        let _e1423 = atomicLoad((&counts[(_e67 + ((_e134 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1425 = (_e1408[2] + _e1423);
+        atomicStore((&words[_e1425]), _e134);
+        phi_2031_ = array<u32, 16>(_e1408[0], _e1408[1], _e1425, _e1408[3], _e1408[4], _e1408[5], _e1408[6], _e1408[7], _e1408[8], _e1408[9], _e1408[10], _e1408[11], _e1408[12], _e1408[13], _e1408[14], _e1408[15]);
     } else {
-        phi_2031_ = _e1424;
+        phi_2031_ = _e1408;
     }
-    let _e1460 = phi_2031_;
+    let _e1444 = phi_2031_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 96u) + (_e54 % 32u))) < _e73) {
-        let _e1475 = atomicLoad((&counts[(_e67 + ((_e146 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1477 = (_e1460[3] + _e1475);
-        atomicStore((&words[_e1477]), _e146);
-        phi_2054_ = array<u32, 16>(_e1460[0], _e1460[1], _e1460[2], _e1477, _e1460[4], _e1460[5], _e1460[6], _e1460[7], _e1460[8], _e1460[9], _e1460[10], _e1460[11], _e1460[12], _e1460[13], _e1460[14], _e1460[15]);
+        let _e1459 = atomicLoad((&counts[(_e67 + ((_e146 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1461 = (_e1444[3] + _e1459);
+        atomicStore((&words[_e1461]), _e146);
+        phi_2054_ = array<u32, 16>(_e1444[0], _e1444[1], _e1444[2], _e1461, _e1444[4], _e1444[5], _e1444[6], _e1444[7], _e1444[8], _e1444[9], _e1444[10], _e1444[11], _e1444[12], _e1444[13], _e1444[14], _e1444[15]);
     } else {
-        phi_2054_ = _e1460;
+        phi_2054_ = _e1444;
     }
-    let _e1496 = phi_2054_;
+    let _e1480 = phi_2054_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 128u) + (_e54 % 32u))) < _e73) {
-        let _e1511 = atomicLoad((&counts[(_e67 + ((_e182 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1513 = (_e1496[4] + _e1511);
-        atomicStore((&words[_e1513]), _e182);
-        phi_2077_ = array<u32, 16>(_e1496[0], _e1496[1], _e1496[2], _e1496[3], _e1513, _e1496[5], _e1496[6], _e1496[7], _e1496[8], _e1496[9], _e1496[10], _e1496[11], _e1496[12], _e1496[13], _e1496[14], _e1496[15]);
+        let _e1495 = atomicLoad((&counts[(_e67 + ((_e182 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1497 = (_e1480[4] + _e1495);
+        atomicStore((&words[_e1497]), _e182);
+        phi_2077_ = array<u32, 16>(_e1480[0], _e1480[1], _e1480[2], _e1480[3], _e1497, _e1480[5], _e1480[6], _e1480[7], _e1480[8], _e1480[9], _e1480[10], _e1480[11], _e1480[12], _e1480[13], _e1480[14], _e1480[15]);
     } else {
-        phi_2077_ = _e1496;
+        phi_2077_ = _e1480;
     }
-    let _e1532 = phi_2077_;
+    let _e1516 = phi_2077_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 160u) + (_e54 % 32u))) < _e73) {
-        let _e1547 = atomicLoad((&counts[(_e67 + ((_e194 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1549 = (_e1532[5] + _e1547);
-        atomicStore((&words[_e1549]), _e194);
-        phi_2100_ = array<u32, 16>(_e1532[0], _e1532[1], _e1532[2], _e1532[3], _e1532[4], _e1549, _e1532[6], _e1532[7], _e1532[8], _e1532[9], _e1532[10], _e1532[11], _e1532[12], _e1532[13], _e1532[14], _e1532[15]);
+        let _e1531 = atomicLoad((&counts[(_e67 + ((_e194 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1533 = (_e1516[5] + _e1531);
+        atomicStore((&words[_e1533]), _e194);
+        phi_2100_ = array<u32, 16>(_e1516[0], _e1516[1], _e1516[2], _e1516[3], _e1516[4], _e1533, _e1516[6], _e1516[7], _e1516[8], _e1516[9], _e1516[10], _e1516[11], _e1516[12], _e1516[13], _e1516[14], _e1516[15]);
     } else {
-        phi_2100_ = _e1532;
+        phi_2100_ = _e1516;
     }
-    let _e1568 = phi_2100_;
+    let _e1552 = phi_2100_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 192u) + (_e54 % 32u))) < _e73) {
-        let _e1583 = atomicLoad((&counts[(_e67 + ((_e230 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1585 = (_e1568[6] + _e1583);
-        atomicStore((&words[_e1585]), _e230);
-        phi_2123_ = array<u32, 16>(_e1568[0], _e1568[1], _e1568[2], _e1568[3], _e1568[4], _e1568[5], _e1585, _e1568[7], _e1568[8], _e1568[9], _e1568[10], _e1568[11], _e1568[12], _e1568[13], _e1568[14], _e1568[15]);
+        let _e1567 = atomicLoad((&counts[(_e67 + ((_e230 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1569 = (_e1552[6] + _e1567);
+        atomicStore((&words[_e1569]), _e230);
+        phi_2123_ = array<u32, 16>(_e1552[0], _e1552[1], _e1552[2], _e1552[3], _e1552[4], _e1552[5], _e1569, _e1552[7], _e1552[8], _e1552[9], _e1552[10], _e1552[11], _e1552[12], _e1552[13], _e1552[14], _e1552[15]);
     } else {
-        phi_2123_ = _e1568;
+        phi_2123_ = _e1552;
     }
-    let _e1604 = phi_2123_;
+    let _e1588 = phi_2123_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 224u) + (_e54 % 32u))) < _e73) {
-        let _e1619 = atomicLoad((&counts[(_e67 + ((_e242 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1621 = (_e1604[7] + _e1619);
-        atomicStore((&words[_e1621]), _e242);
-        phi_2146_ = array<u32, 16>(_e1604[0], _e1604[1], _e1604[2], _e1604[3], _e1604[4], _e1604[5], _e1604[6], _e1621, _e1604[8], _e1604[9], _e1604[10], _e1604[11], _e1604[12], _e1604[13], _e1604[14], _e1604[15]);
+        let _e1603 = atomicLoad((&counts[(_e67 + ((_e242 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1605 = (_e1588[7] + _e1603);
+        atomicStore((&words[_e1605]), _e242);
+        phi_2146_ = array<u32, 16>(_e1588[0], _e1588[1], _e1588[2], _e1588[3], _e1588[4], _e1588[5], _e1588[6], _e1605, _e1588[8], _e1588[9], _e1588[10], _e1588[11], _e1588[12], _e1588[13], _e1588[14], _e1588[15]);
     } else {
-        phi_2146_ = _e1604;
+        phi_2146_ = _e1588;
     }
-    let _e1640 = phi_2146_;
+    let _e1624 = phi_2146_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 256u) + (_e54 % 32u))) < _e73) {
-        let _e1655 = atomicLoad((&counts[(_e67 + ((_e278 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1657 = (_e1640[8] + _e1655);
-        atomicStore((&words[_e1657]), _e278);
-        phi_2169_ = array<u32, 16>(_e1640[0], _e1640[1], _e1640[2], _e1640[3], _e1640[4], _e1640[5], _e1640[6], _e1640[7], _e1657, _e1640[9], _e1640[10], _e1640[11], _e1640[12], _e1640[13], _e1640[14], _e1640[15]);
+        let _e1639 = atomicLoad((&counts[(_e67 + ((_e278 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1641 = (_e1624[8] + _e1639);
+        atomicStore((&words[_e1641]), _e278);
+        phi_2169_ = array<u32, 16>(_e1624[0], _e1624[1], _e1624[2], _e1624[3], _e1624[4], _e1624[5], _e1624[6], _e1624[7], _e1641, _e1624[9], _e1624[10], _e1624[11], _e1624[12], _e1624[13], _e1624[14], _e1624[15]);
     } else {
-        phi_2169_ = _e1640;
+        phi_2169_ = _e1624;
     }
-    let _e1676 = phi_2169_;
+    let _e1660 = phi_2169_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 288u) + (_e54 % 32u))) < _e73) {
-        let _e1691 = atomicLoad((&counts[(_e67 + ((_e290 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1693 = (_e1676[9] + _e1691);
-        atomicStore((&words[_e1693]), _e290);
-        phi_2192_ = array<u32, 16>(_e1676[0], _e1676[1], _e1676[2], _e1676[3], _e1676[4], _e1676[5], _e1676[6], _e1676[7], _e1676[8], _e1693, _e1676[10], _e1676[11], _e1676[12], _e1676[13], _e1676[14], _e1676[15]);
+        let _e1675 = atomicLoad((&counts[(_e67 + ((_e290 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1677 = (_e1660[9] + _e1675);
+        atomicStore((&words[_e1677]), _e290);
+        phi_2192_ = array<u32, 16>(_e1660[0], _e1660[1], _e1660[2], _e1660[3], _e1660[4], _e1660[5], _e1660[6], _e1660[7], _e1660[8], _e1677, _e1660[10], _e1660[11], _e1660[12], _e1660[13], _e1660[14], _e1660[15]);
     } else {
-        phi_2192_ = _e1676;
+        phi_2192_ = _e1660;
     }
-    let _e1712 = phi_2192_;
+    let _e1696 = phi_2192_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 320u) + (_e54 % 32u))) < _e73) {
-        let _e1727 = atomicLoad((&counts[(_e67 + ((_e326 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1729 = (_e1712[10] + _e1727);
-        atomicStore((&words[_e1729]), _e326);
-        phi_2215_ = array<u32, 16>(_e1712[0], _e1712[1], _e1712[2], _e1712[3], _e1712[4], _e1712[5], _e1712[6], _e1712[7], _e1712[8], _e1712[9], _e1729, _e1712[11], _e1712[12], _e1712[13], _e1712[14], _e1712[15]);
+        let _e1711 = atomicLoad((&counts[(_e67 + ((_e326 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1713 = (_e1696[10] + _e1711);
+        atomicStore((&words[_e1713]), _e326);
+        phi_2215_ = array<u32, 16>(_e1696[0], _e1696[1], _e1696[2], _e1696[3], _e1696[4], _e1696[5], _e1696[6], _e1696[7], _e1696[8], _e1696[9], _e1713, _e1696[11], _e1696[12], _e1696[13], _e1696[14], _e1696[15]);
     } else {
-        phi_2215_ = _e1712;
+        phi_2215_ = _e1696;
     }
-    let _e1748 = phi_2215_;
+    let _e1732 = phi_2215_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 352u) + (_e54 % 32u))) < _e73) {
-        let _e1763 = atomicLoad((&counts[(_e67 + ((_e338 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1765 = (_e1748[11] + _e1763);
-        atomicStore((&words[_e1765]), _e338);
-        phi_2238_ = array<u32, 16>(_e1748[0], _e1748[1], _e1748[2], _e1748[3], _e1748[4], _e1748[5], _e1748[6], _e1748[7], _e1748[8], _e1748[9], _e1748[10], _e1765, _e1748[12], _e1748[13], _e1748[14], _e1748[15]);
+        let _e1747 = atomicLoad((&counts[(_e67 + ((_e338 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1749 = (_e1732[11] + _e1747);
+        atomicStore((&words[_e1749]), _e338);
+        phi_2238_ = array<u32, 16>(_e1732[0], _e1732[1], _e1732[2], _e1732[3], _e1732[4], _e1732[5], _e1732[6], _e1732[7], _e1732[8], _e1732[9], _e1732[10], _e1749, _e1732[12], _e1732[13], _e1732[14], _e1732[15]);
     } else {
-        phi_2238_ = _e1748;
+        phi_2238_ = _e1732;
     }
-    let _e1784 = phi_2238_;
+    let _e1768 = phi_2238_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 384u) + (_e54 % 32u))) < _e73) {
-        let _e1799 = atomicLoad((&counts[(_e67 + ((_e374 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1801 = (_e1784[12] + _e1799);
-        atomicStore((&words[_e1801]), _e374);
-        phi_2261_ = array<u32, 16>(_e1784[0], _e1784[1], _e1784[2], _e1784[3], _e1784[4], _e1784[5], _e1784[6], _e1784[7], _e1784[8], _e1784[9], _e1784[10], _e1784[11], _e1801, _e1784[13], _e1784[14], _e1784[15]);
+        let _e1783 = atomicLoad((&counts[(_e67 + ((_e374 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1785 = (_e1768[12] + _e1783);
+        atomicStore((&words[_e1785]), _e374);
+        phi_2261_ = array<u32, 16>(_e1768[0], _e1768[1], _e1768[2], _e1768[3], _e1768[4], _e1768[5], _e1768[6], _e1768[7], _e1768[8], _e1768[9], _e1768[10], _e1768[11], _e1785, _e1768[13], _e1768[14], _e1768[15]);
     } else {
-        phi_2261_ = _e1784;
+        phi_2261_ = _e1768;
     }
-    let _e1820 = phi_2261_;
+    let _e1804 = phi_2261_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 416u) + (_e54 % 32u))) < _e73) {
-        let _e1835 = atomicLoad((&counts[(_e67 + ((_e386 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1837 = (_e1820[13] + _e1835);
-        atomicStore((&words[_e1837]), _e386);
-        phi_2284_ = array<u32, 16>(_e1820[0], _e1820[1], _e1820[2], _e1820[3], _e1820[4], _e1820[5], _e1820[6], _e1820[7], _e1820[8], _e1820[9], _e1820[10], _e1820[11], _e1820[12], _e1837, _e1820[14], _e1820[15]);
+        let _e1819 = atomicLoad((&counts[(_e67 + ((_e386 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1821 = (_e1804[13] + _e1819);
+        atomicStore((&words[_e1821]), _e386);
+        phi_2284_ = array<u32, 16>(_e1804[0], _e1804[1], _e1804[2], _e1804[3], _e1804[4], _e1804[5], _e1804[6], _e1804[7], _e1804[8], _e1804[9], _e1804[10], _e1804[11], _e1804[12], _e1821, _e1804[14], _e1804[15]);
     } else {
-        phi_2284_ = _e1820;
+        phi_2284_ = _e1804;
     }
-    let _e1856 = phi_2284_;
+    let _e1840 = phi_2284_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 448u) + (_e54 % 32u))) < _e73) {
-        let _e1871 = atomicLoad((&counts[(_e67 + ((_e422 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1873 = (_e1856[14] + _e1871);
-        atomicStore((&words[_e1873]), _e422);
-        phi_2307_ = array<u32, 16>(_e1856[0], _e1856[1], _e1856[2], _e1856[3], _e1856[4], _e1856[5], _e1856[6], _e1856[7], _e1856[8], _e1856[9], _e1856[10], _e1856[11], _e1856[12], _e1856[13], _e1873, _e1856[15]);
+        let _e1855 = atomicLoad((&counts[(_e67 + ((_e422 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1857 = (_e1840[14] + _e1855);
+        atomicStore((&words[_e1857]), _e422);
+        phi_2307_ = array<u32, 16>(_e1840[0], _e1840[1], _e1840[2], _e1840[3], _e1840[4], _e1840[5], _e1840[6], _e1840[7], _e1840[8], _e1840[9], _e1840[10], _e1840[11], _e1840[12], _e1840[13], _e1857, _e1840[15]);
     } else {
-        phi_2307_ = _e1856;
+        phi_2307_ = _e1840;
     }
-    let _e1892 = phi_2307_;
+    let _e1876 = phi_2307_;
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 480u) + (_e54 % 32u))) < _e73) {
-        let _e1907 = atomicLoad((&counts[(_e67 + ((_e434 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1909 = (_e1892[15] + _e1907);
-        atomicStore((&words[_e1909]), _e434);
-        phi_2330_ = array<u32, 16>(_e1892[0], _e1892[1], _e1892[2], _e1892[3], _e1892[4], _e1892[5], _e1892[6], _e1892[7], _e1892[8], _e1892[9], _e1892[10], _e1892[11], _e1892[12], _e1892[13], _e1892[14], _e1909);
+        let _e1891 = atomicLoad((&counts[(_e67 + ((_e434 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
+        let _e1893 = (_e1876[15] + _e1891);
+        atomicStore((&words[_e1893]), _e434);
+        phi_2330_ = array<u32, 16>(_e1876[0], _e1876[1], _e1876[2], _e1876[3], _e1876[4], _e1876[5], _e1876[6], _e1876[7], _e1876[8], _e1876[9], _e1876[10], _e1876[11], _e1876[12], _e1876[13], _e1876[14], _e1893);
     } else {
-        phi_2330_ = _e1892;
+        phi_2330_ = _e1876;
     }
-    let _e1928 = phi_2330_;
+    let _e1912 = phi_2330_;
     workgroupBarrier();
     if (((_e65 * 2048u) + _e54) < _e73) {
-        let _e1933 = atomicLoad((&words[_e54]));
-        let _e1939 = starts[((_e1933 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e1940 = (_e1939 + _e54);
-        keys_out.member[_e1940] = _e1933;
-        phi_2349_ = array<u32, 16>(_e1940, _e99, _e134, _e146, _e182, _e194, _e230, _e242, _e278, _e290, _e326, _e338, _e374, _e386, _e422, _e434);
+        let _e1917 = atomicLoad((&words[_e54]));
+        let _e1923 = starts[((_e1917 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e1924 = (_e1923 + _e54);
+        keys_out.member[_e1924] = _e1917;
+        phi_2349_ = array<u32, 16>(_e1924, _e99, _e134, _e146, _e182, _e194, _e230, _e242, _e278, _e290, _e326, _e338, _e374, _e386, _e422, _e434);
     } else {
         phi_2349_ = array<u32, 16>(_e87, _e99, _e134, _e146, _e182, _e194, _e230, _e242, _e278, _e290, _e326, _e338, _e374, _e386, _e422, _e434);
     }
-    let _e1944 = phi_2349_;
-    let _e1945 = (128u + _e54);
-    if (((_e65 * 2048u) + _e1945) < _e73) {
-        let _e1950 = atomicLoad((&words[_e1945]));
-        let _e1956 = starts[((_e1950 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e1957 = (_e1956 + _e1945);
-        keys_out.member[_e1957] = _e1950;
-        phi_2368_ = array<u32, 16>(_e1944[0], _e1957, _e1944[2], _e1944[3], _e1944[4], _e1944[5], _e1944[6], _e1944[7], _e1944[8], _e1944[9], _e1944[10], _e1944[11], _e1944[12], _e1944[13], _e1944[14], _e1944[15]);
+    let _e1928 = phi_2349_;
+    let _e1929 = (128u + _e54);
+    if (((_e65 * 2048u) + _e1929) < _e73) {
+        let _e1934 = atomicLoad((&words[_e1929]));
+        let _e1940 = starts[((_e1934 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e1941 = (_e1940 + _e1929);
+        keys_out.member[_e1941] = _e1934;
+        phi_2368_ = array<u32, 16>(_e1928[0], _e1941, _e1928[2], _e1928[3], _e1928[4], _e1928[5], _e1928[6], _e1928[7], _e1928[8], _e1928[9], _e1928[10], _e1928[11], _e1928[12], _e1928[13], _e1928[14], _e1928[15]);
     } else {
-        phi_2368_ = _e1944;
+        phi_2368_ = _e1928;
     }
-    let _e1976 = phi_2368_;
-    let _e1977 = (256u + _e54);
-    if (((_e65 * 2048u) + _e1977) < _e73) {
-        let _e1982 = atomicLoad((&words[_e1977]));
-        let _e1988 = starts[((_e1982 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e1989 = (_e1988 + _e1977);
-        keys_out.member[_e1989] = _e1982;
-        phi_2387_ = array<u32, 16>(_e1976[0], _e1976[1], _e1989, _e1976[3], _e1976[4], _e1976[5], _e1976[6], _e1976[7], _e1976[8], _e1976[9], _e1976[10], _e1976[11], _e1976[12], _e1976[13], _e1976[14], _e1976[15]);
+    let _e1960 = phi_2368_;
+    let _e1961 = (256u + _e54);
+    if (((_e65 * 2048u) + _e1961) < _e73) {
+        let _e1966 = atomicLoad((&words[_e1961]));
+        let _e1972 = starts[((_e1966 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e1973 = (_e1972 + _e1961);
+        keys_out.member[_e1973] = _e1966;
+        phi_2387_ = array<u32, 16>(_e1960[0], _e1960[1], _e1973, _e1960[3], _e1960[4], _e1960[5], _e1960[6], _e1960[7], _e1960[8], _e1960[9], _e1960[10], _e1960[11], _e1960[12], _e1960[13], _e1960[14], _e1960[15]);
     } else {
-        phi_2387_ = _e1976;
+        phi_2387_ = _e1960;
     }
-    let _e2008 = phi_2387_;
-    let _e2009 = (384u + _e54);
-    if (((_e65 * 2048u) + _e2009) < _e73) {
-        let _e2014 = atomicLoad((&words[_e2009]));
-        let _e2020 = starts[((_e2014 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2021 = (_e2020 + _e2009);
-        keys_out.member[_e2021] = _e2014;
-        phi_2406_ = array<u32, 16>(_e2008[0], _e2008[1], _e2008[2], _e2021, _e2008[4], _e2008[5], _e2008[6], _e2008[7], _e2008[8], _e2008[9], _e2008[10], _e2008[11], _e2008[12], _e2008[13], _e2008[14], _e2008[15]);
+    let _e1992 = phi_2387_;
+    let _e1993 = (384u + _e54);
+    if (((_e65 * 2048u) + _e1993) < _e73) {
+        let _e1998 = atomicLoad((&words[_e1993]));
+        let _e2004 = starts[((_e1998 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2005 = (_e2004 + _e1993);
+        keys_out.member[_e2005] = _e1998;
+        phi_2406_ = array<u32, 16>(_e1992[0], _e1992[1], _e1992[2], _e2005, _e1992[4], _e1992[5], _e1992[6], _e1992[7], _e1992[8], _e1992[9], _e1992[10], _e1992[11], _e1992[12], _e1992[13], _e1992[14], _e1992[15]);
     } else {
-        phi_2406_ = _e2008;
+        phi_2406_ = _e1992;
     }
-    let _e2040 = phi_2406_;
-    let _e2041 = (512u + _e54);
-    if (((_e65 * 2048u) + _e2041) < _e73) {
-        let _e2046 = atomicLoad((&words[_e2041]));
-        let _e2052 = starts[((_e2046 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2053 = (_e2052 + _e2041);
-        keys_out.member[_e2053] = _e2046;
-        phi_2425_ = array<u32, 16>(_e2040[0], _e2040[1], _e2040[2], _e2040[3], _e2053, _e2040[5], _e2040[6], _e2040[7], _e2040[8], _e2040[9], _e2040[10], _e2040[11], _e2040[12], _e2040[13], _e2040[14], _e2040[15]);
+    let _e2024 = phi_2406_;
+    let _e2025 = (512u + _e54);
+    if (((_e65 * 2048u) + _e2025) < _e73) {
+        let _e2030 = atomicLoad((&words[_e2025]));
+        let _e2036 = starts[((_e2030 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2037 = (_e2036 + _e2025);
+        keys_out.member[_e2037] = _e2030;
+        phi_2425_ = array<u32, 16>(_e2024[0], _e2024[1], _e2024[2], _e2024[3], _e2037, _e2024[5], _e2024[6], _e2024[7], _e2024[8], _e2024[9], _e2024[10], _e2024[11], _e2024[12], _e2024[13], _e2024[14], _e2024[15]);
     } else {
-        phi_2425_ = _e2040;
+        phi_2425_ = _e2024;
     }
-    let _e2072 = phi_2425_;
-    let _e2073 = (640u + _e54);
-    if (((_e65 * 2048u) + _e2073) < _e73) {
-        let _e2078 = atomicLoad((&words[_e2073]));
-        let _e2084 = starts[((_e2078 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2085 = (_e2084 + _e2073);
-        keys_out.member[_e2085] = _e2078;
-        phi_2444_ = array<u32, 16>(_e2072[0], _e2072[1], _e2072[2], _e2072[3], _e2072[4], _e2085, _e2072[6], _e2072[7], _e2072[8], _e2072[9], _e2072[10], _e2072[11], _e2072[12], _e2072[13], _e2072[14], _e2072[15]);
+    let _e2056 = phi_2425_;
+    let _e2057 = (640u + _e54);
+    if (((_e65 * 2048u) + _e2057) < _e73) {
+        let _e2062 = atomicLoad((&words[_e2057]));
+        let _e2068 = starts[((_e2062 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2069 = (_e2068 + _e2057);
+        keys_out.member[_e2069] = _e2062;
+        phi_2444_ = array<u32, 16>(_e2056[0], _e2056[1], _e2056[2], _e2056[3], _e2056[4], _e2069, _e2056[6], _e2056[7], _e2056[8], _e2056[9], _e2056[10], _e2056[11], _e2056[12], _e2056[13], _e2056[14], _e2056[15]);
     } else {
-        phi_2444_ = _e2072;
+        phi_2444_ = _e2056;
     }
-    let _e2104 = phi_2444_;
-    let _e2105 = (768u + _e54);
-    if (((_e65 * 2048u) + _e2105) < _e73) {
-        let _e2110 = atomicLoad((&words[_e2105]));
-        let _e2116 = starts[((_e2110 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2117 = (_e2116 + _e2105);
-        keys_out.member[_e2117] = _e2110;
-        phi_2463_ = array<u32, 16>(_e2104[0], _e2104[1], _e2104[2], _e2104[3], _e2104[4], _e2104[5], _e2117, _e2104[7], _e2104[8], _e2104[9], _e2104[10], _e2104[11], _e2104[12], _e2104[13], _e2104[14], _e2104[15]);
+    let _e2088 = phi_2444_;
+    let _e2089 = (768u + _e54);
+    if (((_e65 * 2048u) + _e2089) < _e73) {
+        let _e2094 = atomicLoad((&words[_e2089]));
+        let _e2100 = starts[((_e2094 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2101 = (_e2100 + _e2089);
+        keys_out.member[_e2101] = _e2094;
+        phi_2463_ = array<u32, 16>(_e2088[0], _e2088[1], _e2088[2], _e2088[3], _e2088[4], _e2088[5], _e2101, _e2088[7], _e2088[8], _e2088[9], _e2088[10], _e2088[11], _e2088[12], _e2088[13], _e2088[14], _e2088[15]);
     } else {
-        phi_2463_ = _e2104;
+        phi_2463_ = _e2088;
     }
-    let _e2136 = phi_2463_;
-    let _e2137 = (896u + _e54);
-    if (((_e65 * 2048u) + _e2137) < _e73) {
-        let _e2142 = atomicLoad((&words[_e2137]));
-        let _e2148 = starts[((_e2142 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2149 = (_e2148 + _e2137);
-        keys_out.member[_e2149] = _e2142;
-        phi_2482_ = array<u32, 16>(_e2136[0], _e2136[1], _e2136[2], _e2136[3], _e2136[4], _e2136[5], _e2136[6], _e2149, _e2136[8], _e2136[9], _e2136[10], _e2136[11], _e2136[12], _e2136[13], _e2136[14], _e2136[15]);
+    let _e2120 = phi_2463_;
+    let _e2121 = (896u + _e54);
+    if (((_e65 * 2048u) + _e2121) < _e73) {
+        let _e2126 = atomicLoad((&words[_e2121]));
+        let _e2132 = starts[((_e2126 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2133 = (_e2132 + _e2121);
+        keys_out.member[_e2133] = _e2126;
+        phi_2482_ = array<u32, 16>(_e2120[0], _e2120[1], _e2120[2], _e2120[3], _e2120[4], _e2120[5], _e2120[6], _e2133, _e2120[8], _e2120[9], _e2120[10], _e2120[11], _e2120[12], _e2120[13], _e2120[14], _e2120[15]);
     } else {
-        phi_2482_ = _e2136;
+        phi_2482_ = _e2120;
     }
-    let _e2168 = phi_2482_;
-    let _e2169 = (1024u + _e54);
-    if (((_e65 * 2048u) + _e2169) < _e73) {
-        let _e2174 = atomicLoad((&words[_e2169]));
-        let _e2180 = starts[((_e2174 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2181 = (_e2180 + _e2169);
-        keys_out.member[_e2181] = _e2174;
-        phi_2501_ = array<u32, 16>(_e2168[0], _e2168[1], _e2168[2], _e2168[3], _e2168[4], _e2168[5], _e2168[6], _e2168[7], _e2181, _e2168[9], _e2168[10], _e2168[11], _e2168[12], _e2168[13], _e2168[14], _e2168[15]);
+    let _e2152 = phi_2482_;
+    let _e2153 = (1024u + _e54);
+    if (((_e65 * 2048u) + _e2153) < _e73) {
+        let _e2158 = atomicLoad((&words[_e2153]));
+        let _e2164 = starts[((_e2158 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2165 = (_e2164 + _e2153);
+        keys_out.member[_e2165] = _e2158;
+        phi_2501_ = array<u32, 16>(_e2152[0], _e2152[1], _e2152[2], _e2152[3], _e2152[4], _e2152[5], _e2152[6], _e2152[7], _e2165, _e2152[9], _e2152[10], _e2152[11], _e2152[12], _e2152[13], _e2152[14], _e2152[15]);
     } else {
-        phi_2501_ = _e2168;
+        phi_2501_ = _e2152;
     }
-    let _e2200 = phi_2501_;
-    let _e2201 = (1152u + _e54);
-    if (((_e65 * 2048u) + _e2201) < _e73) {
-        let _e2206 = atomicLoad((&words[_e2201]));
-        let _e2212 = starts[((_e2206 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2213 = (_e2212 + _e2201);
-        keys_out.member[_e2213] = _e2206;
-        phi_2520_ = array<u32, 16>(_e2200[0], _e2200[1], _e2200[2], _e2200[3], _e2200[4], _e2200[5], _e2200[6], _e2200[7], _e2200[8], _e2213, _e2200[10], _e2200[11], _e2200[12], _e2200[13], _e2200[14], _e2200[15]);
+    let _e2184 = phi_2501_;
+    let _e2185 = (1152u + _e54);
+    if (((_e65 * 2048u) + _e2185) < _e73) {
+        let _e2190 = atomicLoad((&words[_e2185]));
+        let _e2196 = starts[((_e2190 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2197 = (_e2196 + _e2185);
+        keys_out.member[_e2197] = _e2190;
+        phi_2520_ = array<u32, 16>(_e2184[0], _e2184[1], _e2184[2], _e2184[3], _e2184[4], _e2184[5], _e2184[6], _e2184[7], _e2184[8], _e2197, _e2184[10], _e2184[11], _e2184[12], _e2184[13], _e2184[14], _e2184[15]);
     } else {
-        phi_2520_ = _e2200;
+        phi_2520_ = _e2184;
     }
-    let _e2232 = phi_2520_;
-    let _e2233 = (1280u + _e54);
-    if (((_e65 * 2048u) + _e2233) < _e73) {
-        let _e2238 = atomicLoad((&words[_e2233]));
-        let _e2244 = starts[((_e2238 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2245 = (_e2244 + _e2233);
-        keys_out.member[_e2245] = _e2238;
-        phi_2539_ = array<u32, 16>(_e2232[0], _e2232[1], _e2232[2], _e2232[3], _e2232[4], _e2232[5], _e2232[6], _e2232[7], _e2232[8], _e2232[9], _e2245, _e2232[11], _e2232[12], _e2232[13], _e2232[14], _e2232[15]);
+    let _e2216 = phi_2520_;
+    let _e2217 = (1280u + _e54);
+    if (((_e65 * 2048u) + _e2217) < _e73) {
+        let _e2222 = atomicLoad((&words[_e2217]));
+        let _e2228 = starts[((_e2222 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2229 = (_e2228 + _e2217);
+        keys_out.member[_e2229] = _e2222;
+        phi_2539_ = array<u32, 16>(_e2216[0], _e2216[1], _e2216[2], _e2216[3], _e2216[4], _e2216[5], _e2216[6], _e2216[7], _e2216[8], _e2216[9], _e2229, _e2216[11], _e2216[12], _e2216[13], _e2216[14], _e2216[15]);
     } else {
-        phi_2539_ = _e2232;
+        phi_2539_ = _e2216;
     }
-    let _e2264 = phi_2539_;
-    let _e2265 = (1408u + _e54);
-    if (((_e65 * 2048u) + _e2265) < _e73) {
-        let _e2270 = atomicLoad((&words[_e2265]));
-        let _e2276 = starts[((_e2270 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2277 = (_e2276 + _e2265);
-        keys_out.member[_e2277] = _e2270;
-        phi_2558_ = array<u32, 16>(_e2264[0], _e2264[1], _e2264[2], _e2264[3], _e2264[4], _e2264[5], _e2264[6], _e2264[7], _e2264[8], _e2264[9], _e2264[10], _e2277, _e2264[12], _e2264[13], _e2264[14], _e2264[15]);
+    let _e2248 = phi_2539_;
+    let _e2249 = (1408u + _e54);
+    if (((_e65 * 2048u) + _e2249) < _e73) {
+        let _e2254 = atomicLoad((&words[_e2249]));
+        let _e2260 = starts[((_e2254 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2261 = (_e2260 + _e2249);
+        keys_out.member[_e2261] = _e2254;
+        phi_2558_ = array<u32, 16>(_e2248[0], _e2248[1], _e2248[2], _e2248[3], _e2248[4], _e2248[5], _e2248[6], _e2248[7], _e2248[8], _e2248[9], _e2248[10], _e2261, _e2248[12], _e2248[13], _e2248[14], _e2248[15]);
     } else {
-        phi_2558_ = _e2264;
+        phi_2558_ = _e2248;
     }
-    let _e2296 = phi_2558_;
-    let _e2297 = (1536u + _e54);
-    if (((_e65 * 2048u) + _e2297) < _e73) {
-        let _e2302 = atomicLoad((&words[_e2297]));
-        let _e2308 = starts[((_e2302 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2309 = (_e2308 + _e2297);
-        keys_out.member[_e2309] = _e2302;
-        phi_2577_ = array<u32, 16>(_e2296[0], _e2296[1], _e2296[2], _e2296[3], _e2296[4], _e2296[5], _e2296[6], _e2296[7], _e2296[8], _e2296[9], _e2296[10], _e2296[11], _e2309, _e2296[13], _e2296[14], _e2296[15]);
+    let _e2280 = phi_2558_;
+    let _e2281 = (1536u + _e54);
+    if (((_e65 * 2048u) + _e2281) < _e73) {
+        let _e2286 = atomicLoad((&words[_e2281]));
+        let _e2292 = starts[((_e2286 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2293 = (_e2292 + _e2281);
+        keys_out.member[_e2293] = _e2286;
+        phi_2577_ = array<u32, 16>(_e2280[0], _e2280[1], _e2280[2], _e2280[3], _e2280[4], _e2280[5], _e2280[6], _e2280[7], _e2280[8], _e2280[9], _e2280[10], _e2280[11], _e2293, _e2280[13], _e2280[14], _e2280[15]);
     } else {
-        phi_2577_ = _e2296;
+        phi_2577_ = _e2280;
     }
-    let _e2328 = phi_2577_;
-    let _e2329 = (1664u + _e54);
-    if (((_e65 * 2048u) + _e2329) < _e73) {
-        let _e2334 = atomicLoad((&words[_e2329]));
-        let _e2340 = starts[((_e2334 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2341 = (_e2340 + _e2329);
-        keys_out.member[_e2341] = _e2334;
-        phi_2596_ = array<u32, 16>(_e2328[0], _e2328[1], _e2328[2], _e2328[3], _e2328[4], _e2328[5], _e2328[6], _e2328[7], _e2328[8], _e2328[9], _e2328[10], _e2328[11], _e2328[12], _e2341, _e2328[14], _e2328[15]);
+    let _e2312 = phi_2577_;
+    let _e2313 = (1664u + _e54);
+    if (((_e65 * 2048u) + _e2313) < _e73) {
+        let _e2318 = atomicLoad((&words[_e2313]));
+        let _e2324 = starts[((_e2318 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2325 = (_e2324 + _e2313);
+        keys_out.member[_e2325] = _e2318;
+        phi_2596_ = array<u32, 16>(_e2312[0], _e2312[1], _e2312[2], _e2312[3], _e2312[4], _e2312[5], _e2312[6], _e2312[7], _e2312[8], _e2312[9], _e2312[10], _e2312[11], _e2312[12], _e2325, _e2312[14], _e2312[15]);
     } else {
-        phi_2596_ = _e2328;
+        phi_2596_ = _e2312;
     }
-    let _e2360 = phi_2596_;
-    let _e2361 = (1792u + _e54);
-    if (((_e65 * 2048u) + _e2361) < _e73) {
-        let _e2366 = atomicLoad((&words[_e2361]));
-        let _e2372 = starts[((_e2366 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2373 = (_e2372 + _e2361);
-        keys_out.member[_e2373] = _e2366;
-        phi_2615_ = array<u32, 16>(_e2360[0], _e2360[1], _e2360[2], _e2360[3], _e2360[4], _e2360[5], _e2360[6], _e2360[7], _e2360[8], _e2360[9], _e2360[10], _e2360[11], _e2360[12], _e2360[13], _e2373, _e2360[15]);
+    let _e2344 = phi_2596_;
+    let _e2345 = (1792u + _e54);
+    if (((_e65 * 2048u) + _e2345) < _e73) {
+        let _e2350 = atomicLoad((&words[_e2345]));
+        let _e2356 = starts[((_e2350 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2357 = (_e2356 + _e2345);
+        keys_out.member[_e2357] = _e2350;
+        phi_2615_ = array<u32, 16>(_e2344[0], _e2344[1], _e2344[2], _e2344[3], _e2344[4], _e2344[5], _e2344[6], _e2344[7], _e2344[8], _e2344[9], _e2344[10], _e2344[11], _e2344[12], _e2344[13], _e2357, _e2344[15]);
     } else {
-        phi_2615_ = _e2360;
+        phi_2615_ = _e2344;
     }
-    let _e2392 = phi_2615_;
-    let _e2393 = (1920u + _e54);
-    if (((_e65 * 2048u) + _e2393) < _e73) {
-        let _e2398 = atomicLoad((&words[_e2393]));
-        let _e2404 = starts[((_e2398 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2405 = (_e2404 + _e2393);
-        keys_out.member[_e2405] = _e2398;
-        phi_2634_ = array<u32, 16>(_e2392[0], _e2392[1], _e2392[2], _e2392[3], _e2392[4], _e2392[5], _e2392[6], _e2392[7], _e2392[8], _e2392[9], _e2392[10], _e2392[11], _e2392[12], _e2392[13], _e2392[14], _e2405);
+    let _e2376 = phi_2615_;
+    let _e2377 = (1920u + _e54);
+    if (((_e65 * 2048u) + _e2377) < _e73) {
+        let _e2382 = atomicLoad((&words[_e2377]));
+        let _e2388 = starts[((_e2382 >> bitcast<u32>((_e70 & 31u))) & 255u)];
+        let _e2389 = (_e2388 + _e2377);
+        keys_out.member[_e2389] = _e2382;
+        phi_2634_ = array<u32, 16>(_e2376[0], _e2376[1], _e2376[2], _e2376[3], _e2376[4], _e2376[5], _e2376[6], _e2376[7], _e2376[8], _e2376[9], _e2376[10], _e2376[11], _e2376[12], _e2376[13], _e2376[14], _e2389);
     } else {
-        phi_2634_ = _e2392;
+        phi_2634_ = _e2376;
     }
-    let _e2424 = phi_2634_;
+    let _e2408 = phi_2634_;
     workgroupBarrier();
     if (((_e65 * 2048u) + (((_e54 / 32u) * 512u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[0]]), _e110);
+        atomicStore((&words[_e1912[0]]), _e110);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 32u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[1]]), _e122);
+        atomicStore((&words[_e1912[1]]), _e122);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 64u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[2]]), _e158);
+        atomicStore((&words[_e1912[2]]), _e158);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 96u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[3]]), _e170);
+        atomicStore((&words[_e1912[3]]), _e170);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 128u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[4]]), _e206);
+        atomicStore((&words[_e1912[4]]), _e206);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 160u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[5]]), _e218);
+        atomicStore((&words[_e1912[5]]), _e218);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 192u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[6]]), _e254);
+        atomicStore((&words[_e1912[6]]), _e254);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 224u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[7]]), _e266);
+        atomicStore((&words[_e1912[7]]), _e266);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 256u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[8]]), _e302);
+        atomicStore((&words[_e1912[8]]), _e302);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 288u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[9]]), _e314);
+        atomicStore((&words[_e1912[9]]), _e314);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 320u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[10]]), _e350);
+        atomicStore((&words[_e1912[10]]), _e350);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 352u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[11]]), _e362);
+        atomicStore((&words[_e1912[11]]), _e362);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 384u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[12]]), _e398);
+        atomicStore((&words[_e1912[12]]), _e398);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 416u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[13]]), _e410);
+        atomicStore((&words[_e1912[13]]), _e410);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 448u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[14]]), _e447);
+        atomicStore((&words[_e1912[14]]), _e447);
     }
     if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 480u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1928[15]]), _e459);
+        atomicStore((&words[_e1912[15]]), _e459);
     }
     workgroupBarrier();
     if (((_e65 * 2048u) + _e54) < _e73) {
-        let _e2589 = atomicLoad((&words[_e54]));
-        values_out.member[_e2424[0]] = _e2589;
+        let _e2573 = atomicLoad((&words[_e54]));
+        values_out.member[_e2408[0]] = _e2573;
     }
-    let _e2591 = (128u + _e54);
+    let _e2575 = (128u + _e54);
+    if (((_e65 * 2048u) + _e2575) < _e73) {
+        let _e2581 = atomicLoad((&words[_e2575]));
+        values_out.member[_e2408[1]] = _e2581;
+    }
+    let _e2583 = (256u + _e54);
+    if (((_e65 * 2048u) + _e2583) < _e73) {
+        let _e2589 = atomicLoad((&words[_e2583]));
+        values_out.member[_e2408[2]] = _e2589;
+    }
+    let _e2591 = (384u + _e54);
     if (((_e65 * 2048u) + _e2591) < _e73) {
         let _e2597 = atomicLoad((&words[_e2591]));
-        values_out.member[_e2424[1]] = _e2597;
+        values_out.member[_e2408[3]] = _e2597;
     }
-    let _e2599 = (256u + _e54);
+    let _e2599 = (512u + _e54);
     if (((_e65 * 2048u) + _e2599) < _e73) {
         let _e2605 = atomicLoad((&words[_e2599]));
-        values_out.member[_e2424[2]] = _e2605;
+        values_out.member[_e2408[4]] = _e2605;
     }
-    let _e2607 = (384u + _e54);
+    let _e2607 = (640u + _e54);
     if (((_e65 * 2048u) + _e2607) < _e73) {
         let _e2613 = atomicLoad((&words[_e2607]));
-        values_out.member[_e2424[3]] = _e2613;
+        values_out.member[_e2408[5]] = _e2613;
     }
-    let _e2615 = (512u + _e54);
+    let _e2615 = (768u + _e54);
     if (((_e65 * 2048u) + _e2615) < _e73) {
         let _e2621 = atomicLoad((&words[_e2615]));
-        values_out.member[_e2424[4]] = _e2621;
+        values_out.member[_e2408[6]] = _e2621;
     }
-    let _e2623 = (640u + _e54);
+    let _e2623 = (896u + _e54);
     if (((_e65 * 2048u) + _e2623) < _e73) {
         let _e2629 = atomicLoad((&words[_e2623]));
-        values_out.member[_e2424[5]] = _e2629;
+        values_out.member[_e2408[7]] = _e2629;
     }
-    let _e2631 = (768u + _e54);
+    let _e2631 = (1024u + _e54);
     if (((_e65 * 2048u) + _e2631) < _e73) {
         let _e2637 = atomicLoad((&words[_e2631]));
-        values_out.member[_e2424[6]] = _e2637;
+        values_out.member[_e2408[8]] = _e2637;
     }
-    let _e2639 = (896u + _e54);
+    let _e2639 = (1152u + _e54);
     if (((_e65 * 2048u) + _e2639) < _e73) {
         let _e2645 = atomicLoad((&words[_e2639]));
-        values_out.member[_e2424[7]] = _e2645;
+        values_out.member[_e2408[9]] = _e2645;
     }
-    let _e2647 = (1024u + _e54);
+    let _e2647 = (1280u + _e54);
     if (((_e65 * 2048u) + _e2647) < _e73) {
         let _e2653 = atomicLoad((&words[_e2647]));
-        values_out.member[_e2424[8]] = _e2653;
+        values_out.member[_e2408[10]] = _e2653;
     }
-    let _e2655 = (1152u + _e54);
+    let _e2655 = (1408u + _e54);
     if (((_e65 * 2048u) + _e2655) < _e73) {
         let _e2661 = atomicLoad((&words[_e2655]));
-        values_out.member[_e2424[9]] = _e2661;
+        values_out.member[_e2408[11]] = _e2661;
     }
-    let _e2663 = (1280u + _e54);
+    let _e2663 = (1536u + _e54);
     if (((_e65 * 2048u) + _e2663) < _e73) {
         let _e2669 = atomicLoad((&words[_e2663]));
-        values_out.member[_e2424[10]] = _e2669;
+        values_out.member[_e2408[12]] = _e2669;
     }
-    let _e2671 = (1408u + _e54);
+    let _e2671 = (1664u + _e54);
     if (((_e65 * 2048u) + _e2671) < _e73) {
         let _e2677 = atomicLoad((&words[_e2671]));
-        values_out.member[_e2424[11]] = _e2677;
+        values_out.member[_e2408[13]] = _e2677;
     }
-    let _e2679 = (1536u + _e54);
+    let _e2679 = (1792u + _e54);
     if (((_e65 * 2048u) + _e2679) < _e73) {
         let _e2685 = atomicLoad((&words[_e2679]));
-        values_out.member[_e2424[12]] = _e2685;
+        values_out.member[_e2408[14]] = _e2685;
     }
-    let _e2687 = (1664u + _e54);
+    let _e2687 = (1920u + _e54);
     if (((_e65 * 2048u) + _e2687) < _e73) {
         let _e2693 = atomicLoad((&words[_e2687]));
-        values_out.member[_e2424[13]] = _e2693;
-    }
-    let _e2695 = (1792u + _e54);
-    if (((_e65 * 2048u) + _e2695) < _e73) {
-        let _e2701 = atomicLoad((&words[_e2695]));
-        values_out.member[_e2424[14]] = _e2701;
-    }
-    let _e2703 = (1920u + _e54);
-    if (((_e65 * 2048u) + _e2703) < _e73) {
-        let _e2709 = atomicLoad((&words[_e2703]));
-        values_out.member[_e2424[15]] = _e2709;
+        values_out.member[_e2408[15]] = _e2693;
     }
     return;
 }

@@ -71,48 +71,26 @@ var<workgroup> begins: array<u32, 256>;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
     var local_1: array<u32, 3>;
-    var phi_112_: u32;
     var phi_117_: type_9;
-    var phi_118_: type_9;
-    var phi_141_: type_9;
-    var phi_156_: u32;
     var phi_159_: type_9;
     var phi_162_: u32;
-    var phi_160_: type_9;
-    var phi_185_: type_9;
     var phi_163_: u32;
     var local_2: u32;
-    var phi_272_: u32;
     var phi_273_: u32;
-    var phi_294_: u32;
     var phi_295_: u32;
     var phi_312_: type_9;
     var phi_315_: u32;
-    var phi_313_: type_9;
-    var phi_338_: type_9;
-    var phi_360_: u32;
-    var phi_361_: u32;
     var phi_316_: u32;
     var phi_378_: type_9;
     var phi_381_: u32;
-    var phi_379_: type_9;
-    var phi_404_: type_9;
-    var phi_426_: u32;
-    var phi_427_: u32;
     var phi_382_: u32;
     var local_3: u32;
     var local_4: u32;
     var phi_439_: array<u32, 2>;
     var phi_445_: type_9;
-    var phi_446_: type_9;
-    var phi_469_: type_9;
     var phi_488_: type_9;
-    var phi_489_: type_9;
-    var phi_512_: type_9;
     var phi_538_: type_9;
     var phi_541_: u32;
-    var phi_539_: type_9;
-    var phi_564_: type_9;
     var phi_542_: u32;
     var local_5: u32;
     var id_2: vec3<u32>;
@@ -130,290 +108,190 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e48 = params.member.member.member[_e44];
     let _e49 = (_e48 - 1u);
     let _e50 = (_e49 / 256u);
-    if ((_e49 % 256u) > 0u) {
-        phi_112_ = (_e50 + 1u);
-    } else {
-        phi_112_ = _e50;
-    }
-    let _e55 = phi_112_;
-    let _e57 = ((_e41 * 256u) + _e30);
+    let _e54 = select(_e50, (_e50 + 1u), ((_e49 % 256u) > 0u));
+    let _e56 = ((_e41 * 256u) + _e30);
     phi_117_ = type_9(0u, 3u);
     loop {
-        let _e59 = phi_117_;
-        if (_e59.member < _e59.member_1) {
-            phi_118_ = type_9((_e59.member + 1u), _e59.member_1);
-            phi_141_ = type_9(1u, _e59.member);
-        } else {
-            phi_118_ = _e59;
-            phi_141_ = type_9(0u, type_9().member_1);
-        }
-        let _e71 = phi_118_;
-        let _e73 = phi_141_;
-        let _e77 = (bitcast<i32>(_e73.member) != 0i);
-        if _e77 {
-            atomicStore((&masks[((_e73.member_1 * 256u) + _e30)]), 0u);
+        let _e58 = phi_117_;
+        let _e61 = (_e58.member < _e58.member_1);
+        let _e74 = (bitcast<i32>(select(0u, 1u, _e61)) != 0i);
+        if _e74 {
+            atomicStore((&masks[((select(type_9().member_1, _e58.member, _e61) * 256u) + _e30)]), 0u);
         }
         continue;
         continuing {
-            phi_117_ = _e71;
-            break if !(_e77);
+            phi_117_ = type_9(select(_e58.member, (_e58.member + 1u), _e61), select(_e58.member_1, _e58.member_1, _e61));
+            break if !(_e74);
         }
     }
-    if (96u < _e30) {
-        phi_156_ = 96u;
-    } else {
-        phi_156_ = _e30;
-    }
-    let _e84 = phi_156_;
-    phi_159_ = type_9(0u, _e84);
+    phi_159_ = type_9(0u, select(_e30, 96u, (96u < _e30)));
     phi_162_ = 0u;
     loop {
-        let _e87 = phi_159_;
-        let _e89 = phi_162_;
-        local_2 = _e89;
-        if (_e87.member < _e87.member_1) {
-            phi_160_ = type_9((_e87.member + 1u), _e87.member_1);
-            phi_185_ = type_9(1u, _e87.member);
-        } else {
-            phi_160_ = _e87;
-            phi_185_ = type_9(0u, type_9().member_1);
-        }
-        let _e101 = phi_160_;
-        let _e103 = phi_185_;
-        let _e107 = (bitcast<i32>(_e103.member) != 0i);
-        if _e107 {
-            let _e111 = table.member[((256u * _e55) + _e103.member_1)];
-            phi_163_ = (_e89 + _e111);
+        let _e83 = phi_159_;
+        let _e85 = phi_162_;
+        local_2 = _e85;
+        let _e88 = (_e83.member < _e83.member_1);
+        let _e101 = (bitcast<i32>(select(0u, 1u, _e88)) != 0i);
+        if _e101 {
+            let _e105 = table.member[((256u * _e54) + select(type_9().member_1, _e83.member, _e88))];
+            phi_163_ = (_e85 + _e105);
         } else {
             phi_163_ = u32();
         }
-        let _e114 = phi_163_;
+        let _e108 = phi_163_;
         continue;
         continuing {
-            phi_159_ = _e101;
-            phi_162_ = _e114;
-            break if !(_e107);
+            phi_159_ = type_9(select(_e83.member, (_e83.member + 1u), _e88), select(_e83.member_1, _e83.member_1, _e88));
+            phi_162_ = _e108;
+            break if !(_e101);
         }
     }
-    let _e118 = local_2;
-    begins[_e30] = _e118;
+    let _e112 = local_2;
+    begins[_e30] = _e112;
     workgroupBarrier();
-    if (_e57 < _e49) {
-        let _e121 = present.member[0u];
-        let _e123 = present.member[1u];
-        let _e125 = present.member[2u];
-        let _e127 = levels.member[_e57];
-        if (_e57 > 0u) {
-            let _e131 = levels.member[(_e57 - 1u)];
-            if (_e131 < _e127) {
-                phi_272_ = _e127;
-            } else {
-                phi_272_ = _e131;
-            }
-            let _e134 = phi_272_;
-            phi_273_ = _e134;
+    if (_e56 < _e49) {
+        let _e115 = present.member[0u];
+        let _e117 = present.member[1u];
+        let _e119 = present.member[2u];
+        let _e121 = levels.member[_e56];
+        if (_e56 > 0u) {
+            let _e125 = levels.member[(_e56 - 1u)];
+            phi_273_ = select(_e125, _e121, (_e125 < _e121));
         } else {
-            phi_273_ = _e127;
+            phi_273_ = _e121;
         }
-        let _e136 = phi_273_;
-        if ((_e57 + 1u) < _e49) {
-            let _e141 = levels.member[(_e57 + 1u)];
-            if (_e141 < _e136) {
-                phi_294_ = _e136;
-            } else {
-                phi_294_ = _e141;
-            }
-            let _e144 = phi_294_;
-            phi_295_ = _e144;
+        let _e129 = phi_273_;
+        if ((_e56 + 1u) < _e49) {
+            let _e134 = levels.member[(_e56 + 1u)];
+            phi_295_ = select(_e134, _e129, (_e134 < _e129));
         } else {
-            phi_295_ = _e136;
+            phi_295_ = _e129;
         }
-        let _e146 = phi_295_;
-        let _e148 = levels.member[_e57];
-        local_1 = array<u32, 3>(_e121, _e123, _e125);
+        let _e138 = phi_295_;
+        let _e140 = levels.member[_e56];
+        local_1 = array<u32, 3>(_e115, _e117, _e119);
         phi_312_ = type_9(0u, 3u);
         phi_315_ = 0u;
         loop {
-            let _e151 = phi_312_;
-            let _e153 = phi_315_;
-            local_3 = _e153;
-            if (_e151.member < _e151.member_1) {
-                phi_313_ = type_9((_e151.member + 1u), _e151.member_1);
-                phi_338_ = type_9(1u, _e151.member);
-            } else {
-                phi_313_ = _e151;
-                phi_338_ = type_9(0u, type_9().member_1);
-            }
-            let _e165 = phi_313_;
-            let _e167 = phi_338_;
-            let _e171 = (bitcast<i32>(_e167.member) != 0i);
-            if _e171 {
-                let _e172 = (32u * _e167.member_1);
-                if (_e148 >= (_e172 + 32u)) {
-                    phi_361_ = 4294967295u;
-                } else {
-                    if (_e148 > _e172) {
-                        phi_360_ = ((1u << bitcast<u32>(((_e148 - _e172) & 31u))) - 1u);
-                    } else {
-                        phi_360_ = 0u;
-                    }
-                    let _e182 = phi_360_;
-                    phi_361_ = _e182;
-                }
-                let _e184 = phi_361_;
-                let _e186 = local_1[_e167.member_1];
-                phi_316_ = (_e153 + countOneBits((_e186 & _e184)));
+            let _e143 = phi_312_;
+            let _e145 = phi_315_;
+            local_3 = _e145;
+            let _e148 = (_e143.member < _e143.member_1);
+            let _e159 = select(type_9().member_1, _e143.member, _e148);
+            let _e161 = (bitcast<i32>(select(0u, 1u, _e148)) != 0i);
+            if _e161 {
+                let _e162 = (32u * _e159);
+                let _e174 = local_1[_e159];
+                phi_316_ = (_e145 + countOneBits((_e174 & select(select(0u, ((1u << bitcast<u32>(((_e140 - _e162) & 31u))) - 1u), (_e140 > _e162)), 4294967295u, (_e140 >= (_e162 + 32u))))));
             } else {
                 phi_316_ = u32();
             }
-            let _e191 = phi_316_;
+            let _e179 = phi_316_;
             continue;
             continuing {
-                phi_312_ = _e165;
-                phi_315_ = _e191;
-                break if !(_e171);
+                phi_312_ = type_9(select(_e143.member, (_e143.member + 1u), _e148), select(_e143.member_1, _e143.member_1, _e148));
+                phi_315_ = _e179;
+                break if !(_e161);
             }
         }
-        local = array<u32, 3>(_e121, _e123, _e125);
+        local = array<u32, 3>(_e115, _e117, _e119);
         phi_378_ = type_9(0u, 3u);
         phi_381_ = 0u;
         loop {
-            let _e195 = phi_378_;
-            let _e197 = phi_381_;
-            local_4 = _e197;
-            if (_e195.member < _e195.member_1) {
-                phi_379_ = type_9((_e195.member + 1u), _e195.member_1);
-                phi_404_ = type_9(1u, _e195.member);
-            } else {
-                phi_379_ = _e195;
-                phi_404_ = type_9(0u, type_9().member_1);
-            }
-            let _e209 = phi_379_;
-            let _e211 = phi_404_;
-            let _e215 = (bitcast<i32>(_e211.member) != 0i);
-            if _e215 {
-                let _e216 = (32u * _e211.member_1);
-                if (_e146 >= (_e216 + 32u)) {
-                    phi_427_ = 4294967295u;
-                } else {
-                    if (_e146 > _e216) {
-                        phi_426_ = ((1u << bitcast<u32>(((_e146 - _e216) & 31u))) - 1u);
-                    } else {
-                        phi_426_ = 0u;
-                    }
-                    let _e226 = phi_426_;
-                    phi_427_ = _e226;
-                }
-                let _e228 = phi_427_;
-                let _e230 = local[_e211.member_1];
-                phi_382_ = (_e197 + countOneBits((_e230 & _e228)));
+            let _e183 = phi_378_;
+            let _e185 = phi_381_;
+            local_4 = _e185;
+            let _e188 = (_e183.member < _e183.member_1);
+            let _e199 = select(type_9().member_1, _e183.member, _e188);
+            let _e201 = (bitcast<i32>(select(0u, 1u, _e188)) != 0i);
+            if _e201 {
+                let _e202 = (32u * _e199);
+                let _e214 = local[_e199];
+                phi_382_ = (_e185 + countOneBits((_e214 & select(select(0u, ((1u << bitcast<u32>(((_e138 - _e202) & 31u))) - 1u), (_e138 > _e202)), 4294967295u, (_e138 >= (_e202 + 32u))))));
             } else {
                 phi_382_ = u32();
             }
-            let _e235 = phi_382_;
+            let _e219 = phi_382_;
             continue;
             continuing {
-                phi_378_ = _e209;
-                phi_381_ = _e235;
-                break if !(_e215);
+                phi_378_ = type_9(select(_e183.member, (_e183.member + 1u), _e188), select(_e183.member_1, _e183.member_1, _e188));
+                phi_381_ = _e219;
+                break if !(_e201);
             }
         }
-        let _e238 = local_3;
-        let _e240 = local_4;
-        phi_439_ = array<u32, 2>(_e238, _e240);
+        let _e222 = local_3;
+        let _e224 = local_4;
+        phi_439_ = array<u32, 2>(_e222, _e224);
     } else {
         phi_439_ = array<u32, 2>(1u, 0u);
     }
-    let _e243 = phi_439_;
-    phi_445_ = type_9(_e243[0], (_e243[1] + 1u));
+    let _e227 = phi_439_;
+    phi_445_ = type_9(_e227[0], (_e227[1] + 1u));
     loop {
-        let _e249 = phi_445_;
-        if (_e249.member < _e249.member_1) {
-            phi_446_ = type_9((_e249.member + 1u), _e249.member_1);
-            phi_469_ = type_9(1u, _e249.member);
-        } else {
-            phi_446_ = _e249;
-            phi_469_ = type_9(0u, type_9().member_1);
-        }
-        let _e261 = phi_446_;
-        let _e263 = phi_469_;
-        let _e267 = (bitcast<i32>(_e263.member) != 0i);
-        if _e267 {
-            let _e276 = atomicOr((&masks[((_e263.member_1 * 8u) + (_e30 / 32u))]), (1u << bitcast<u32>(((_e30 % 32u) & 31u))));
+        let _e233 = phi_445_;
+        let _e236 = (_e233.member < _e233.member_1);
+        let _e249 = (bitcast<i32>(select(0u, 1u, _e236)) != 0i);
+        if _e249 {
+            let _e258 = atomicOr((&masks[((select(type_9().member_1, _e233.member, _e236) * 8u) + (_e30 / 32u))]), (1u << bitcast<u32>(((_e30 % 32u) & 31u))));
         }
         continue;
         continuing {
-            phi_445_ = _e261;
-            break if !(_e267);
+            phi_445_ = type_9(select(_e233.member, (_e233.member + 1u), _e236), select(_e233.member_1, _e233.member_1, _e236));
+            break if !(_e249);
         }
     }
     workgroupBarrier();
-    phi_488_ = type_9(_e243[0], (_e243[1] + 1u));
+    phi_488_ = type_9(_e227[0], (_e227[1] + 1u));
     loop {
-        let _e281 = phi_488_;
-        if (_e281.member < _e281.member_1) {
-            phi_489_ = type_9((_e281.member + 1u), _e281.member_1);
-            phi_512_ = type_9(1u, _e281.member);
-        } else {
-            phi_489_ = _e281;
-            phi_512_ = type_9(0u, type_9().member_1);
-        }
-        let _e293 = phi_489_;
-        let _e295 = phi_512_;
-        let _e299 = (bitcast<i32>(_e295.member) != 0i);
-        if _e299 {
-            let _e301 = begins[_e295.member_1];
-            let _e305 = table.member[((_e295.member_1 * _e55) + _e41)];
+        let _e263 = phi_488_;
+        let _e266 = (_e263.member < _e263.member_1);
+        let _e277 = select(type_9().member_1, _e263.member, _e266);
+        let _e279 = (bitcast<i32>(select(0u, 1u, _e266)) != 0i);
+        if _e279 {
+            let _e281 = begins[_e277];
+            let _e285 = table.member[((_e277 * _e54) + _e41)];
             phi_538_ = type_9(0u, (_e30 / 32u));
-            phi_541_ = (_e301 + _e305);
+            phi_541_ = (_e281 + _e285);
             loop {
-                let _e310 = phi_538_;
-                let _e312 = phi_541_;
-                local_5 = _e312;
-                if (_e310.member < _e310.member_1) {
-                    phi_539_ = type_9((_e310.member + 1u), _e310.member_1);
-                    phi_564_ = type_9(1u, _e310.member);
-                } else {
-                    phi_539_ = _e310;
-                    phi_564_ = type_9(0u, type_9().member_1);
-                }
-                let _e324 = phi_539_;
-                let _e326 = phi_564_;
-                let _e330 = (bitcast<i32>(_e326.member) != 0i);
-                if _e330 {
-                    let _e334 = atomicLoad((&masks[((_e295.member_1 * 8u) + _e326.member_1)]));
-                    phi_542_ = (_e312 + countOneBits(_e334));
+                let _e290 = phi_538_;
+                let _e292 = phi_541_;
+                local_5 = _e292;
+                let _e295 = (_e290.member < _e290.member_1);
+                let _e308 = (bitcast<i32>(select(0u, 1u, _e295)) != 0i);
+                if _e308 {
+                    let _e312 = atomicLoad((&masks[((_e277 * 8u) + select(type_9().member_1, _e290.member, _e295))]));
+                    phi_542_ = (_e292 + countOneBits(_e312));
                 } else {
                     phi_542_ = u32();
                 }
-                let _e338 = phi_542_;
+                let _e316 = phi_542_;
                 continue;
                 continuing {
-                    phi_538_ = _e324;
-                    phi_541_ = _e338;
-                    break if !(_e330);
+                    phi_538_ = type_9(select(_e290.member, (_e290.member + 1u), _e295), select(_e290.member_1, _e290.member_1, _e295));
+                    phi_541_ = _e316;
+                    break if !(_e308);
                 }
             }
-            let _e344 = atomicLoad((&masks[((_e295.member_1 * 8u) + (_e30 / 32u))]));
-            let _e353 = local_5;
-            let _e354 = (_e353 + countOneBits((_e344 & ((1u << bitcast<u32>(((_e30 % 32u) & 31u))) - 1u))));
-            let _e357 = params.member.member_1.member_3;
-            if (_e354 < _e357) {
-                list.member[(4u + _e354)] = _e57;
+            let _e322 = atomicLoad((&masks[((_e277 * 8u) + (_e30 / 32u))]));
+            let _e331 = local_5;
+            let _e332 = (_e331 + countOneBits((_e322 & ((1u << bitcast<u32>(((_e30 % 32u) & 31u))) - 1u))));
+            let _e335 = params.member.member_1.member_3;
+            if (_e332 < _e335) {
+                list.member[(4u + _e332)] = _e56;
             }
-            if (_e295.member_1 == _e243[0]) {
-                entries.member[_e57] = _e354;
+            if (_e277 == _e227[0]) {
+                entries.member[_e56] = _e332;
             }
         }
         continue;
         continuing {
-            phi_488_ = _e293;
-            break if !(_e299);
+            phi_488_ = type_9(select(_e263.member, (_e263.member + 1u), _e266), select(_e263.member_1, _e263.member_1, _e266));
+            break if !(_e279);
         }
     }
-    if (_e57 == 0u) {
-        let _e366 = begins[96u];
-        list.member[0u] = _e366;
+    if (_e56 == 0u) {
+        let _e344 = begins[96u];
+        list.member[0u] = _e344;
     }
     return;
 }

@@ -92,43 +92,18 @@ fn function_(lane_1: u32) {
     var local_6: type_22;
     var local_7: type_22;
     var phi_108_: type_8;
-    var phi_109_: type_8;
-    var phi_132_: type_8;
     var phi_170_: type_8;
-    var phi_171_: type_8;
-    var phi_194_: type_8;
     var phi_225_: type_8;
-    var phi_226_: type_8;
-    var phi_249_: type_8;
     var phi_293_: type_8;
-    var phi_294_: type_8;
-    var phi_317_: type_8;
     var phi_346_: type_8;
-    var phi_347_: type_8;
-    var phi_370_: type_8;
     var phi_401_: type_8;
-    var phi_402_: type_8;
-    var phi_425_: type_8;
     var phi_521_: type_8;
-    var phi_522_: type_8;
-    var phi_545_: type_8;
     var phi_670_: type_13;
     var phi_673_: u32;
-    var phi_694_: bool;
-    var phi_700_: type_14;
     var phi_671_: type_13;
     var phi_714_: type_14;
     var phi_771_: type_8;
-    var phi_772_: type_8;
-    var phi_795_: type_8;
     var phi_674_: u32;
-    var phi_945_: u32;
-    var phi_940_: u32;
-    var phi_946_: u32;
-    var phi_955_: u32;
-    var phi_956_: u32;
-    var phi_957_: u32;
-    var phi_980_: array<u32, 3>;
     var lane_2: u32;
 
     lane_2 = lane_1;
@@ -137,346 +112,234 @@ fn function_(lane_1: u32) {
     phi_108_ = type_8(0u, 32u);
     loop {
         let _e39 = phi_108_;
-        if (_e39.member < _e39.member_1) {
-            phi_109_ = type_8((_e39.member + 1u), _e39.member_1);
-            phi_132_ = type_8(1u, _e39.member);
-        } else {
-            phi_109_ = _e39;
-            phi_132_ = type_8(0u, type_8().member_1);
-        }
-        let _e51 = phi_109_;
-        let _e53 = phi_132_;
-        let _e57 = (bitcast<i32>(_e53.member) != 0i);
-        if _e57 {
-            let _e62 = params.member.member_1.member_1;
-            let _e63 = (((_e53.member_1 * 256u) + _e34) * _e62);
-            let _e66 = params.member.member_1.member;
-            if (_e63 < _e66) {
+        let _e42 = (_e39.member < _e39.member_1);
+        let _e55 = (bitcast<i32>(select(0u, 1u, _e42)) != 0i);
+        if _e55 {
+            let _e60 = params.member.member_1.member_1;
+            let _e61 = (((select(type_8().member_1, _e39.member, _e42) * 256u) + _e34) * _e60);
+            let _e64 = params.member.member_1.member;
+            if (_e61 < _e64) {
                 local_2.member = 1f;
                 local_2.member_1 = array<f32, 3>(0f, 0f, 0f);
                 local_2.member_2 = array<f32, 3>(0f, 0f, 0f);
-                phi_170_ = type_8(_e63, (_e63 + 1u));
+                phi_170_ = type_8(_e61, (_e61 + 1u));
                 loop {
-                    let _e74 = phi_170_;
-                    if (_e74.member < _e74.member_1) {
-                        phi_171_ = type_8((_e74.member + 1u), _e74.member_1);
-                        phi_194_ = type_8(1u, _e74.member);
-                    } else {
-                        phi_171_ = _e74;
-                        phi_194_ = type_8(0u, type_8().member_1);
-                    }
-                    let _e86 = phi_171_;
-                    let _e88 = phi_194_;
-                    let _e92 = (bitcast<i32>(_e88.member) != 0i);
-                    if _e92 {
-                        let _e94 = boxes.member[_e88.member_1];
-                        local_3 = type_16(array<f32, 3>(_e94.member[0], _e94.member[1], _e94.member[2]), array<f32, 3>(_e94.member_1[0], _e94.member_1[1], _e94.member_1[2]));
+                    let _e72 = phi_170_;
+                    let _e75 = (_e72.member < _e72.member_1);
+                    let _e88 = (bitcast<i32>(select(0u, 1u, _e75)) != 0i);
+                    if _e88 {
+                        let _e90 = boxes.member[select(type_8().member_1, _e72.member, _e75)];
+                        local_3 = type_16(array<f32, 3>(_e90.member[0], _e90.member[1], _e90.member[2]), array<f32, 3>(_e90.member_1[0], _e90.member_1[1], _e90.member_1[2]));
                         phi_225_ = type_8(0u, 3u);
                         loop {
-                            let _e107 = phi_225_;
-                            if (_e107.member < _e107.member_1) {
-                                phi_226_ = type_8((_e107.member + 1u), _e107.member_1);
-                                phi_249_ = type_8(1u, _e107.member);
-                            } else {
-                                phi_226_ = _e107;
-                                phi_249_ = type_8(0u, type_8().member_1);
-                            }
-                            let _e119 = phi_226_;
-                            let _e121 = phi_249_;
-                            let _e125 = (bitcast<i32>(_e121.member) != 0i);
-                            if _e125 {
-                                let _e128 = local_2.member_1[_e121.member_1];
-                                let _e131 = local_3.member[_e121.member_1];
-                                let _e135 = local_3.member_1[_e121.member_1];
-                                local_2.member_1[_e121.member_1] = (_e128 + ((_e131 * 0.5f) + (_e135 * 0.5f)));
+                            let _e103 = phi_225_;
+                            let _e106 = (_e103.member < _e103.member_1);
+                            let _e117 = select(type_8().member_1, _e103.member, _e106);
+                            let _e119 = (bitcast<i32>(select(0u, 1u, _e106)) != 0i);
+                            if _e119 {
+                                let _e122 = local_2.member_1[_e117];
+                                let _e125 = local_3.member[_e117];
+                                let _e129 = local_3.member_1[_e117];
+                                local_2.member_1[_e117] = (_e122 + ((_e125 * 0.5f) + (_e129 * 0.5f)));
                             }
                             continue;
                             continuing {
-                                phi_225_ = _e119;
-                                break if !(_e125);
+                                phi_225_ = type_8(select(_e103.member, (_e103.member + 1u), _e106), select(_e103.member_1, _e103.member_1, _e106));
+                                break if !(_e119);
                             }
                         }
                     }
                     continue;
                     continuing {
-                        phi_170_ = _e86;
-                        break if !(_e92);
+                        phi_170_ = type_8(select(_e72.member, (_e72.member + 1u), _e75), select(_e72.member_1, _e72.member_1, _e75));
+                        break if !(_e88);
                     }
                 }
                 phi_293_ = type_8(0u, 3u);
                 loop {
-                    let _e144 = phi_293_;
-                    if (_e144.member < _e144.member_1) {
-                        phi_294_ = type_8((_e144.member + 1u), _e144.member_1);
-                        phi_317_ = type_8(1u, _e144.member);
-                    } else {
-                        phi_294_ = _e144;
-                        phi_317_ = type_8(0u, type_8().member_1);
-                    }
-                    let _e156 = phi_294_;
-                    let _e158 = phi_317_;
-                    let _e162 = (bitcast<i32>(_e158.member) != 0i);
-                    if _e162 {
-                        let _e165 = local_2.member_1[_e158.member_1];
-                        let _e167 = local_2.member;
-                        local_2.member_1[_e158.member_1] = (_e165 / _e167);
+                    let _e138 = phi_293_;
+                    let _e141 = (_e138.member < _e138.member_1);
+                    let _e152 = select(type_8().member_1, _e138.member, _e141);
+                    let _e154 = (bitcast<i32>(select(0u, 1u, _e141)) != 0i);
+                    if _e154 {
+                        let _e157 = local_2.member_1[_e152];
+                        let _e159 = local_2.member;
+                        local_2.member_1[_e152] = (_e157 / _e159);
                     }
                     continue;
                     continuing {
-                        phi_293_ = _e156;
-                        break if !(_e162);
+                        phi_293_ = type_8(select(_e138.member, (_e138.member + 1u), _e141), select(_e138.member_1, _e138.member_1, _e141));
+                        break if !(_e154);
                     }
                 }
-                phi_346_ = type_8(_e63, (_e63 + 1u));
+                phi_346_ = type_8(_e61, (_e61 + 1u));
                 loop {
-                    let _e175 = phi_346_;
-                    if (_e175.member < _e175.member_1) {
-                        phi_347_ = type_8((_e175.member + 1u), _e175.member_1);
-                        phi_370_ = type_8(1u, _e175.member);
-                    } else {
-                        phi_347_ = _e175;
-                        phi_370_ = type_8(0u, type_8().member_1);
-                    }
-                    let _e187 = phi_347_;
-                    let _e189 = phi_370_;
-                    let _e193 = (bitcast<i32>(_e189.member) != 0i);
-                    if _e193 {
-                        let _e195 = boxes.member[_e189.member_1];
-                        local_4 = type_16(array<f32, 3>(_e195.member[0], _e195.member[1], _e195.member[2]), array<f32, 3>(_e195.member_1[0], _e195.member_1[1], _e195.member_1[2]));
+                    let _e167 = phi_346_;
+                    let _e170 = (_e167.member < _e167.member_1);
+                    let _e183 = (bitcast<i32>(select(0u, 1u, _e170)) != 0i);
+                    if _e183 {
+                        let _e185 = boxes.member[select(type_8().member_1, _e167.member, _e170)];
+                        local_4 = type_16(array<f32, 3>(_e185.member[0], _e185.member[1], _e185.member[2]), array<f32, 3>(_e185.member_1[0], _e185.member_1[1], _e185.member_1[2]));
                         phi_401_ = type_8(0u, 3u);
                         loop {
-                            let _e208 = phi_401_;
-                            if (_e208.member < _e208.member_1) {
-                                phi_402_ = type_8((_e208.member + 1u), _e208.member_1);
-                                phi_425_ = type_8(1u, _e208.member);
-                            } else {
-                                phi_402_ = _e208;
-                                phi_425_ = type_8(0u, type_8().member_1);
-                            }
-                            let _e220 = phi_402_;
-                            let _e222 = phi_425_;
-                            let _e226 = (bitcast<i32>(_e222.member) != 0i);
-                            if _e226 {
-                                let _e229 = local_4.member[_e222.member_1];
-                                let _e233 = local_4.member_1[_e222.member_1];
-                                let _e238 = local_2.member_1[_e222.member_1];
-                                let _e239 = (((_e229 * 0.5f) + (_e233 * 0.5f)) - _e238);
-                                let _e242 = local_2.member_2[_e222.member_1];
-                                local_2.member_2[_e222.member_1] = (_e242 + (_e239 * _e239));
+                            let _e198 = phi_401_;
+                            let _e201 = (_e198.member < _e198.member_1);
+                            let _e212 = select(type_8().member_1, _e198.member, _e201);
+                            let _e214 = (bitcast<i32>(select(0u, 1u, _e201)) != 0i);
+                            if _e214 {
+                                let _e217 = local_4.member[_e212];
+                                let _e221 = local_4.member_1[_e212];
+                                let _e226 = local_2.member_1[_e212];
+                                let _e227 = (((_e217 * 0.5f) + (_e221 * 0.5f)) - _e226);
+                                let _e230 = local_2.member_2[_e212];
+                                local_2.member_2[_e212] = (_e230 + (_e227 * _e227));
                             }
                             continue;
                             continuing {
-                                phi_401_ = _e220;
-                                break if !(_e226);
+                                phi_401_ = type_8(select(_e198.member, (_e198.member + 1u), _e201), select(_e198.member_1, _e198.member_1, _e201));
+                                break if !(_e214);
                             }
                         }
                     }
                     continue;
                     continuing {
-                        phi_346_ = _e187;
-                        break if !(_e193);
+                        phi_346_ = type_8(select(_e167.member, (_e167.member + 1u), _e170), select(_e167.member_1, _e167.member_1, _e170));
+                        break if !(_e183);
                     }
                 }
-                let _e249 = local_2;
-                local_6 = _e249;
-                let _e251 = local_5.member;
-                let _e253 = local_6.member;
-                let _e254 = (_e251 + _e253);
-                if (_e254 > 0f) {
-                    local_1.member = _e254;
-                    let _e260 = local_5.member_1;
-                    local_1.member_1 = _e260;
-                    let _e263 = local_5.member_2;
-                    local_1.member_2 = _e263;
-                    let _e265 = local_6.member;
-                    let _e266 = (_e265 / _e254);
+                let _e237 = local_2;
+                local_6 = _e237;
+                let _e239 = local_5.member;
+                let _e241 = local_6.member;
+                let _e242 = (_e239 + _e241);
+                if (_e242 > 0f) {
+                    local_1.member = _e242;
+                    let _e248 = local_5.member_1;
+                    local_1.member_1 = _e248;
+                    let _e251 = local_5.member_2;
+                    local_1.member_2 = _e251;
+                    let _e253 = local_6.member;
+                    let _e254 = (_e253 / _e242);
                     phi_521_ = type_8(0u, 3u);
                     loop {
-                        let _e268 = phi_521_;
-                        if (_e268.member < _e268.member_1) {
-                            phi_522_ = type_8((_e268.member + 1u), _e268.member_1);
-                            phi_545_ = type_8(1u, _e268.member);
-                        } else {
-                            phi_522_ = _e268;
-                            phi_545_ = type_8(0u, type_8().member_1);
-                        }
-                        let _e280 = phi_522_;
-                        let _e282 = phi_545_;
-                        let _e286 = (bitcast<i32>(_e282.member) != 0i);
-                        if _e286 {
-                            let _e289 = local_6.member_1[_e282.member_1];
-                            let _e292 = local_5.member_1[_e282.member_1];
-                            let _e293 = (_e289 - _e292);
-                            let _e296 = local_5.member_1[_e282.member_1];
-                            local_1.member_1[_e282.member_1] = (_e296 + (_e293 * _e266));
-                            let _e303 = local_5.member_2[_e282.member_1];
-                            let _e306 = local_6.member_2[_e282.member_1];
-                            let _e310 = local_5.member;
-                            local_1.member_2[_e282.member_1] = ((_e303 + _e306) + ((_e293 * _e293) * (_e310 * _e266)));
+                        let _e256 = phi_521_;
+                        let _e259 = (_e256.member < _e256.member_1);
+                        let _e270 = select(type_8().member_1, _e256.member, _e259);
+                        let _e272 = (bitcast<i32>(select(0u, 1u, _e259)) != 0i);
+                        if _e272 {
+                            let _e275 = local_6.member_1[_e270];
+                            let _e278 = local_5.member_1[_e270];
+                            let _e279 = (_e275 - _e278);
+                            let _e282 = local_5.member_1[_e270];
+                            local_1.member_1[_e270] = (_e282 + (_e279 * _e254));
+                            let _e289 = local_5.member_2[_e270];
+                            let _e292 = local_6.member_2[_e270];
+                            let _e296 = local_5.member;
+                            local_1.member_2[_e270] = ((_e289 + _e292) + ((_e279 * _e279) * (_e296 * _e254)));
                         }
                         continue;
                         continuing {
-                            phi_521_ = _e280;
-                            break if !(_e286);
+                            phi_521_ = type_8(select(_e256.member, (_e256.member + 1u), _e259), select(_e256.member_1, _e256.member_1, _e259));
+                            break if !(_e272);
                         }
                     }
                 } else {
-                    let _e256 = local_5;
-                    local_1 = _e256;
+                    let _e244 = local_5;
+                    local_1 = _e244;
                 }
-                let _e317 = local_1;
-                local_5 = _e317;
+                let _e303 = local_1;
+                local_5 = _e303;
             }
         }
         continue;
         continuing {
-            phi_108_ = _e51;
-            break if !(_e57);
+            phi_108_ = type_8(select(_e39.member, (_e39.member + 1u), _e42), select(_e39.member_1, _e39.member_1, _e42));
+            break if !(_e55);
         }
     }
-    let _e319 = local_5;
-    shared_[_e34] = _e319;
+    let _e305 = local_5;
+    shared_[_e34] = _e305;
     phi_670_ = type_13(0i, 8i);
     phi_673_ = 128u;
     loop {
-        let _e322 = phi_670_;
-        let _e324 = phi_673_;
-        if (_e322.member < _e322.member_1) {
-            let _e331 = (_e322.member + 1i);
-            if ((false == (_e331 > _e322.member)) != false) {
-                phi_694_ = true;
-            } else {
-                phi_694_ = false;
-            }
-            let _e336 = phi_694_;
-            if _e336 {
-                phi_700_ = type_14(0u, type_14().member_1);
-            } else {
-                phi_700_ = type_14(1u, _e331);
-            }
-            let _e341 = phi_700_;
-            phi_671_ = type_13(_e341.member_1, _e322.member_1);
-            phi_714_ = type_14(1u, _e322.member);
+        let _e308 = phi_670_;
+        let _e310 = phi_673_;
+        if (_e308.member < _e308.member_1) {
+            let _e317 = (_e308.member + 1i);
+            phi_671_ = type_13(select(_e317, type_14().member_1, select(false, true, ((false == (_e317 > _e308.member)) != false))), _e308.member_1);
+            phi_714_ = type_14(1u, _e308.member);
         } else {
-            phi_671_ = _e322;
+            phi_671_ = _e308;
             phi_714_ = type_14(0u, type_14().member_1);
         }
-        let _e347 = phi_671_;
-        let _e349 = phi_714_;
-        let _e352 = (bitcast<i32>(_e349.member) != 0i);
-        if _e352 {
+        let _e328 = phi_671_;
+        let _e330 = phi_714_;
+        let _e333 = (bitcast<i32>(_e330.member) != 0i);
+        if _e333 {
             workgroupBarrier();
-            if (_e34 < _e324) {
-                let _e356 = shared_[(_e34 + _e324)];
-                local_7 = _e356;
-                let _e358 = local_5.member;
-                let _e360 = local_7.member;
-                let _e361 = (_e358 + _e360);
-                if (_e361 > 0f) {
-                    local.member = _e361;
-                    let _e367 = local_5.member_1;
-                    local.member_1 = _e367;
-                    let _e370 = local_5.member_2;
-                    local.member_2 = _e370;
-                    let _e372 = local_7.member;
-                    let _e373 = (_e372 / _e361);
+            if (_e34 < _e310) {
+                let _e337 = shared_[(_e34 + _e310)];
+                local_7 = _e337;
+                let _e339 = local_5.member;
+                let _e341 = local_7.member;
+                let _e342 = (_e339 + _e341);
+                if (_e342 > 0f) {
+                    local.member = _e342;
+                    let _e348 = local_5.member_1;
+                    local.member_1 = _e348;
+                    let _e351 = local_5.member_2;
+                    local.member_2 = _e351;
+                    let _e353 = local_7.member;
+                    let _e354 = (_e353 / _e342);
                     phi_771_ = type_8(0u, 3u);
                     loop {
-                        let _e375 = phi_771_;
-                        if (_e375.member < _e375.member_1) {
-                            phi_772_ = type_8((_e375.member + 1u), _e375.member_1);
-                            phi_795_ = type_8(1u, _e375.member);
-                        } else {
-                            phi_772_ = _e375;
-                            phi_795_ = type_8(0u, type_8().member_1);
-                        }
-                        let _e387 = phi_772_;
-                        let _e389 = phi_795_;
-                        let _e393 = (bitcast<i32>(_e389.member) != 0i);
-                        if _e393 {
-                            let _e396 = local_7.member_1[_e389.member_1];
-                            let _e399 = local_5.member_1[_e389.member_1];
-                            let _e400 = (_e396 - _e399);
-                            let _e403 = local_5.member_1[_e389.member_1];
-                            local.member_1[_e389.member_1] = (_e403 + (_e400 * _e373));
-                            let _e410 = local_5.member_2[_e389.member_1];
-                            let _e413 = local_7.member_2[_e389.member_1];
-                            let _e417 = local_5.member;
-                            local.member_2[_e389.member_1] = ((_e410 + _e413) + ((_e400 * _e400) * (_e417 * _e373)));
+                        let _e356 = phi_771_;
+                        let _e359 = (_e356.member < _e356.member_1);
+                        let _e370 = select(type_8().member_1, _e356.member, _e359);
+                        let _e372 = (bitcast<i32>(select(0u, 1u, _e359)) != 0i);
+                        if _e372 {
+                            let _e375 = local_7.member_1[_e370];
+                            let _e378 = local_5.member_1[_e370];
+                            let _e379 = (_e375 - _e378);
+                            let _e382 = local_5.member_1[_e370];
+                            local.member_1[_e370] = (_e382 + (_e379 * _e354));
+                            let _e389 = local_5.member_2[_e370];
+                            let _e392 = local_7.member_2[_e370];
+                            let _e396 = local_5.member;
+                            local.member_2[_e370] = ((_e389 + _e392) + ((_e379 * _e379) * (_e396 * _e354)));
                         }
                         continue;
                         continuing {
-                            phi_771_ = _e387;
-                            break if !(_e393);
+                            phi_771_ = type_8(select(_e356.member, (_e356.member + 1u), _e359), select(_e356.member_1, _e356.member_1, _e359));
+                            break if !(_e372);
                         }
                     }
                 } else {
-                    let _e363 = local_5;
-                    local = _e363;
+                    let _e344 = local_5;
+                    local = _e344;
                 }
-                let _e424 = local;
-                local_5 = _e424;
-                let _e425 = local_5;
-                shared_[_e34] = _e425;
+                let _e403 = local;
+                local_5 = _e403;
+                let _e404 = local_5;
+                shared_[_e34] = _e404;
             }
-            phi_674_ = (_e324 / 2u);
+            phi_674_ = (_e310 / 2u);
         } else {
             phi_674_ = u32();
         }
-        let _e429 = phi_674_;
+        let _e408 = phi_674_;
         continue;
         continuing {
-            phi_670_ = _e347;
-            phi_673_ = _e429;
-            break if !(_e352);
+            phi_670_ = _e328;
+            phi_673_ = _e408;
+            break if !(_e333);
         }
     }
     if (_e34 == 0u) {
-        let _e434 = local_5.member_2[0u];
-        let _e437 = local_5.member_2[1u];
-        let _e440 = local_5.member_2[2u];
-        if (_e437 > _e434) {
-            if (_e440 > _e437) {
-                phi_940_ = 2u;
-            } else {
-                phi_940_ = 1u;
-            }
-            let _e447 = phi_940_;
-            phi_946_ = _e447;
-        } else {
-            if (_e440 > _e434) {
-                phi_945_ = 2u;
-            } else {
-                phi_945_ = 0u;
-            }
-            let _e444 = phi_945_;
-            phi_946_ = _e444;
-        }
-        let _e449 = phi_946_;
-        if (_e449 == 0u) {
-            phi_956_ = 2u;
-            phi_957_ = 1u;
-        } else {
-            if (_e449 == 1u) {
-                phi_955_ = 2u;
-            } else {
-                phi_955_ = 1u;
-            }
-            let _e453 = phi_955_;
-            phi_956_ = _e453;
-            phi_957_ = 0u;
-        }
-        let _e455 = phi_956_;
-        let _e457 = phi_957_;
-        let _e462 = local_5.member_2[_e455];
-        let _e463 = local_5.member_2[_e457];
-        if (_e462 > _e463) {
-            phi_980_ = array<u32, 3>(_e449, _e455, _e457);
-        } else {
-            phi_980_ = array<u32, 3>(_e449, _e457, _e455);
-        }
-        let _e468 = phi_980_;
-        survey.member[6u] = _e468[0];
+        let _e413 = local_5.member_2[0u];
+        let _e416 = local_5.member_2[1u];
+        let _e419 = local_5.member_2[2u];
+        survey.member[6u] = select(select(0u, 2u, (_e419 > _e413)), select(1u, 2u, (_e419 > _e416)), (_e416 > _e413));
     }
     return;
 }

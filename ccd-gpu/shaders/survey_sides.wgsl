@@ -77,26 +77,13 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_2: type_12;
     var phi_102_: type_9;
     var phi_105_: type_18;
-    var phi_103_: type_9;
-    var phi_128_: type_9;
-    var phi_262_: f32;
-    var phi_270_: f32;
-    var phi_278_: f32;
-    var phi_288_: f32;
-    var phi_297_: f32;
-    var phi_306_: f32;
     var phi_329_: type_9;
-    var phi_330_: type_9;
-    var phi_353_: type_9;
     var phi_397_: f32;
     var phi_424_: type_18;
     var phi_106_: type_18;
     var local_3: type_18;
-    var phi_434_: u32;
     var local_4: type_18;
-    var phi_446_: u32;
     var local_5: type_18;
-    var phi_458_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -119,154 +106,85 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_3 = _e42;
         local_4 = _e42;
         local_5 = _e42;
-        if (_e40.member < _e40.member_1) {
-            phi_103_ = type_9((_e40.member + 1u), _e40.member_1);
-            phi_128_ = type_9(1u, _e40.member);
-        } else {
-            phi_103_ = _e40;
-            phi_128_ = type_9(0u, type_9().member_1);
-        }
-        let _e54 = phi_103_;
-        let _e56 = phi_128_;
-        let _e60 = (bitcast<i32>(_e56.member) != 0i);
-        if _e60 {
-            let _e64 = ((((((_e26.y * _e27.x) + _e26.x) * 32u) + _e56.member_1) * 256u) + _e28);
-            let _e67 = params.member.member_1.member;
-            if (_e64 < _e67) {
-                let _e70 = boxes.member[_e64];
-                local_2 = type_12(array<f32, 3>(_e70.member[0], _e70.member[1], _e70.member[2]), array<f32, 3>(_e70.member_1[0], _e70.member_1[1], _e70.member_1[2]));
-                let _e84 = local_2.member_1[0u];
-                let _e88 = local_2.member[0u];
-                let _e93 = local_2.member_1[1u];
-                let _e97 = local_2.member[1u];
-                let _e102 = local_2.member_1[2u];
-                let _e106 = local_2.member[2u];
-                local_1 = type_18(type_12(array<f32, 3>(_e70.member[0], _e70.member[1], _e70.member[2]), array<f32, 3>(_e70.member_1[0], _e70.member_1[1], _e70.member_1[2])), array<f32, 3>(((_e84 * 0.5f) - (_e88 * 0.5f)), ((_e93 * 0.5f) - (_e97 * 0.5f)), ((_e102 * 0.5f) - (_e106 * 0.5f))));
-                let _e128 = local_1.member.member[0u];
-                if (_e42.member.member[0] < _e128) {
-                    phi_262_ = _e42.member.member[0];
-                } else {
-                    phi_262_ = _e128;
-                }
-                let _e131 = phi_262_;
-                let _e137 = local_1.member.member[1u];
-                if (_e42.member.member[1] < _e137) {
-                    phi_270_ = _e42.member.member[1];
-                } else {
-                    phi_270_ = _e137;
-                }
-                let _e140 = phi_270_;
-                let _e146 = local_1.member.member[2u];
-                if (_e42.member.member[2] < _e146) {
-                    phi_278_ = _e42.member.member[2];
-                } else {
-                    phi_278_ = _e146;
-                }
-                let _e149 = phi_278_;
-                let _e155 = local_1.member.member_1[0u];
-                if (_e42.member.member_1[0] > _e155) {
-                    phi_288_ = _e42.member.member_1[0];
-                } else {
-                    phi_288_ = _e155;
-                }
-                let _e158 = phi_288_;
-                let _e164 = local_1.member.member_1[1u];
-                if (_e42.member.member_1[1] > _e164) {
-                    phi_297_ = _e42.member.member_1[1];
-                } else {
-                    phi_297_ = _e164;
-                }
-                let _e167 = phi_297_;
-                let _e173 = local_1.member.member_1[2u];
-                if (_e42.member.member_1[2] > _e173) {
-                    phi_306_ = _e42.member.member_1[2];
-                } else {
-                    phi_306_ = _e173;
-                }
-                let _e176 = phi_306_;
-                local.member = type_12(array<f32, 3>(_e131, _e140, _e149), array<f32, 3>(_e158, _e167, _e176));
+        let _e45 = (_e40.member < _e40.member_1);
+        let _e58 = (bitcast<i32>(select(0u, 1u, _e45)) != 0i);
+        if _e58 {
+            let _e62 = ((((((_e26.y * _e27.x) + _e26.x) * 32u) + select(type_9().member_1, _e40.member, _e45)) * 256u) + _e28);
+            let _e65 = params.member.member_1.member;
+            if (_e62 < _e65) {
+                let _e68 = boxes.member[_e62];
+                local_2 = type_12(array<f32, 3>(_e68.member[0], _e68.member[1], _e68.member[2]), array<f32, 3>(_e68.member_1[0], _e68.member_1[1], _e68.member_1[2]));
+                let _e82 = local_2.member_1[0u];
+                let _e86 = local_2.member[0u];
+                let _e91 = local_2.member_1[1u];
+                let _e95 = local_2.member[1u];
+                let _e100 = local_2.member_1[2u];
+                let _e104 = local_2.member[2u];
+                local_1 = type_18(type_12(array<f32, 3>(_e68.member[0], _e68.member[1], _e68.member[2]), array<f32, 3>(_e68.member_1[0], _e68.member_1[1], _e68.member_1[2])), array<f32, 3>(((_e82 * 0.5f) - (_e86 * 0.5f)), ((_e91 * 0.5f) - (_e95 * 0.5f)), ((_e100 * 0.5f) - (_e104 * 0.5f))));
+                let _e126 = local_1.member.member[0u];
+                let _e134 = local_1.member.member[1u];
+                let _e142 = local_1.member.member[2u];
+                let _e150 = local_1.member.member_1[0u];
+                let _e158 = local_1.member.member_1[1u];
+                let _e166 = local_1.member.member_1[2u];
+                local.member = type_12(array<f32, 3>(select(_e126, _e42.member.member[0], (_e42.member.member[0] < _e126)), select(_e134, _e42.member.member[1], (_e42.member.member[1] < _e134)), select(_e142, _e42.member.member[2], (_e42.member.member[2] < _e142))), array<f32, 3>(select(_e150, _e42.member.member_1[0], (_e42.member.member_1[0] > _e150)), select(_e158, _e42.member.member_1[1], (_e42.member.member_1[1] > _e158)), select(_e166, _e42.member.member_1[2], (_e42.member.member_1[2] > _e166))));
                 local.member_1 = array<f32, 3>(_e42.member_1[0], _e42.member_1[1], _e42.member_1[2]);
                 phi_329_ = type_9(0u, 3u);
                 loop {
-                    let _e188 = phi_329_;
-                    if (_e188.member < _e188.member_1) {
-                        phi_330_ = type_9((_e188.member + 1u), _e188.member_1);
-                        phi_353_ = type_9(1u, _e188.member);
-                    } else {
-                        phi_330_ = _e188;
-                        phi_353_ = type_9(0u, type_9().member_1);
-                    }
-                    let _e200 = phi_330_;
-                    let _e202 = phi_353_;
-                    let _e206 = (bitcast<i32>(_e202.member) != 0i);
-                    if _e206 {
-                        let _e209 = local_1.member_1[_e202.member_1];
-                        let _e212 = local.member_1[_e202.member_1];
-                        if (_e209 > _e212) {
-                            let _e219 = local_1.member_1[_e202.member_1];
-                            phi_397_ = _e219;
+                    let _e180 = phi_329_;
+                    let _e183 = (_e180.member < _e180.member_1);
+                    let _e194 = select(type_9().member_1, _e180.member, _e183);
+                    let _e196 = (bitcast<i32>(select(0u, 1u, _e183)) != 0i);
+                    if _e196 {
+                        let _e199 = local_1.member_1[_e194];
+                        let _e202 = local.member_1[_e194];
+                        if (_e199 > _e202) {
+                            let _e209 = local_1.member_1[_e194];
+                            phi_397_ = _e209;
                         } else {
-                            let _e216 = local.member_1[_e202.member_1];
-                            phi_397_ = _e216;
+                            let _e206 = local.member_1[_e194];
+                            phi_397_ = _e206;
                         }
-                        let _e221 = phi_397_;
-                        local.member_1[_e202.member_1] = _e221;
+                        let _e211 = phi_397_;
+                        local.member_1[_e194] = _e211;
                     }
                     continue;
                     continuing {
-                        phi_329_ = _e200;
-                        break if !(_e206);
+                        phi_329_ = type_9(select(_e180.member, (_e180.member + 1u), _e183), select(_e180.member_1, _e180.member_1, _e183));
+                        break if !(_e196);
                     }
                 }
-                let _e225 = local;
-                phi_424_ = type_18(type_12(array<f32, 3>(_e225.member.member[0], _e225.member.member[1], _e225.member.member[2]), array<f32, 3>(_e225.member.member_1[0], _e225.member.member_1[1], _e225.member.member_1[2])), array<f32, 3>(_e225.member_1[0], _e225.member_1[1], _e225.member_1[2]));
+                let _e215 = local;
+                phi_424_ = type_18(type_12(array<f32, 3>(_e215.member.member[0], _e215.member.member[1], _e215.member.member[2]), array<f32, 3>(_e215.member.member_1[0], _e215.member.member_1[1], _e215.member.member_1[2])), array<f32, 3>(_e215.member_1[0], _e215.member_1[1], _e215.member_1[2]));
             } else {
                 phi_424_ = _e42;
             }
-            let _e245 = phi_424_;
-            phi_106_ = _e245;
+            let _e235 = phi_424_;
+            phi_106_ = _e235;
         } else {
             phi_106_ = type_18();
         }
-        let _e247 = phi_106_;
+        let _e237 = phi_106_;
         continue;
         continuing {
-            phi_102_ = _e54;
-            phi_105_ = _e247;
-            break if !(_e60);
+            phi_102_ = type_9(select(_e40.member, (_e40.member + 1u), _e45), select(_e40.member_1, _e40.member_1, _e45));
+            phi_105_ = _e237;
+            break if !(_e58);
         }
     }
-    let _e250 = local_3;
-    let _e253 = bitcast<u32>(_e250.member_1[0]);
-    if ((_e253 >> bitcast<u32>(31i)) == 1u) {
-        phi_434_ = ~(_e253);
-    } else {
-        phi_434_ = (_e253 | 2147483648u);
-    }
-    let _e260 = phi_434_;
-    let _e262 = atomicMax((&sides[0u]), _e260);
-    let _e264 = local_4;
-    let _e267 = bitcast<u32>(_e264.member_1[1]);
-    if ((_e267 >> bitcast<u32>(31i)) == 1u) {
-        phi_446_ = ~(_e267);
-    } else {
-        phi_446_ = (_e267 | 2147483648u);
-    }
-    let _e274 = phi_446_;
-    let _e276 = atomicMax((&sides[1u]), _e274);
-    let _e278 = local_5;
-    let _e281 = bitcast<u32>(_e278.member_1[2]);
-    if ((_e281 >> bitcast<u32>(31i)) == 1u) {
-        phi_458_ = ~(_e281);
-    } else {
-        phi_458_ = (_e281 | 2147483648u);
-    }
-    let _e288 = phi_458_;
-    let _e290 = atomicMax((&sides[2u]), _e288);
+    let _e240 = local_3;
+    let _e243 = bitcast<u32>(_e240.member_1[0]);
+    let _e251 = atomicMax((&sides[0u]), select((_e243 | 2147483648u), ~(_e243), ((_e243 >> bitcast<u32>(31i)) == 1u)));
+    let _e253 = local_4;
+    let _e256 = bitcast<u32>(_e253.member_1[1]);
+    let _e264 = atomicMax((&sides[1u]), select((_e256 | 2147483648u), ~(_e256), ((_e256 >> bitcast<u32>(31i)) == 1u)));
+    let _e266 = local_5;
+    let _e269 = bitcast<u32>(_e266.member_1[2]);
+    let _e277 = atomicMax((&sides[2u]), select((_e269 | 2147483648u), ~(_e269), ((_e269 >> bitcast<u32>(31i)) == 1u)));
     workgroupBarrier();
     if (_e28 < 3u) {
-        let _e294 = atomicLoad((&sides[_e28]));
-        let _e296 = atomicMax((&survey.member[(6u + _e28)]), _e294);
+        let _e281 = atomicLoad((&sides[_e28]));
+        let _e283 = atomicMax((&survey.member[(6u + _e28)]), _e281);
     }
     return;
 }

@@ -61,12 +61,6 @@ var<storage> edges: type_10;
 var<storage, read_write> boxes: type_14;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_108_: f32;
-    var phi_115_: f32;
-    var phi_122_: f32;
-    var phi_130_: f32;
-    var phi_137_: f32;
-    var phi_144_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -83,44 +77,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e27 = edges.member[_e20];
         let _e31 = boxes.member[_e27[0]];
         let _e33 = boxes.member[_e27[1]];
-        if (_e31.member[0] < _e33.member[0]) {
-            phi_108_ = _e31.member[0];
-        } else {
-            phi_108_ = _e33.member[0];
-        }
-        let _e40 = phi_108_;
-        if (_e31.member[1] < _e33.member[1]) {
-            phi_115_ = _e31.member[1];
-        } else {
-            phi_115_ = _e33.member[1];
-        }
-        let _e47 = phi_115_;
-        if (_e31.member[2] < _e33.member[2]) {
-            phi_122_ = _e31.member[2];
-        } else {
-            phi_122_ = _e33.member[2];
-        }
-        let _e54 = phi_122_;
-        if (_e31.member_1[0] > _e33.member_1[0]) {
-            phi_130_ = _e31.member_1[0];
-        } else {
-            phi_130_ = _e33.member_1[0];
-        }
-        let _e62 = phi_130_;
-        if (_e31.member_1[1] > _e33.member_1[1]) {
-            phi_137_ = _e31.member_1[1];
-        } else {
-            phi_137_ = _e33.member_1[1];
-        }
-        let _e69 = phi_137_;
-        if (_e31.member_1[2] > _e33.member_1[2]) {
-            phi_144_ = _e31.member_1[2];
-        } else {
-            phi_144_ = _e33.member_1[2];
-        }
-        let _e76 = phi_144_;
-        let _e82 = params.member.member.member_2[1u];
-        boxes.member[(_e82 + _e20)] = type_12(array<f32, 3>(_e40, _e47, _e54), array<f32, 3>(_e62, _e69, _e76));
+        let _e76 = params.member.member.member_2[1u];
+        boxes.member[(_e76 + _e20)] = type_12(array<f32, 3>(select(_e33.member[0], _e31.member[0], (_e31.member[0] < _e33.member[0])), select(_e33.member[1], _e31.member[1], (_e31.member[1] < _e33.member[1])), select(_e33.member[2], _e31.member[2], (_e31.member[2] < _e33.member[2]))), array<f32, 3>(select(_e33.member_1[0], _e31.member_1[0], (_e31.member_1[0] > _e33.member_1[0])), select(_e33.member_1[1], _e31.member_1[1], (_e31.member_1[1] > _e33.member_1[1])), select(_e33.member_1[2], _e31.member_1[2], (_e31.member_1[2] > _e33.member_1[2]))));
     }
     return;
 }

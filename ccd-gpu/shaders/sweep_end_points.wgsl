@@ -79,16 +79,10 @@ var<storage> points: type_11;
 var<storage, read_write> pairs: type_24;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_112_: u32;
     var phi_130_: array<u32, 2>;
     var phi_165_: type_9;
     var phi_168_: type_21;
-    var phi_166_: type_9;
-    var phi_191_: type_9;
-    var phi_225_: u32;
     var phi_241_: bool;
-    var phi_284_: array<u32, 2>;
-    var phi_293_: type_9;
     var phi_335_: type_21;
     var phi_169_: type_21;
     var phi_336_: bool;
@@ -99,117 +93,89 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e22 = id_2;
-    let _e23 = n_2;
-    let _e24 = lane_2;
-    let _e35 = ((((_e22.y * _e23.x) + _e22.x) * 128u) + _e24);
-    let _e38 = params.member.member_1.member;
-    if (_e35 < _e38) {
-        let _e42 = params.member.member_1.member_1;
-        let _e43 = (_e42 + _e35);
-        let _e49 = params.member.member.member[0u];
-        let _e51 = params.member.member.member[2u];
-        if (_e43 < (2u * (_e49 + _e51))) {
-            phi_112_ = 0u;
+    let _e19 = id_2;
+    let _e20 = n_2;
+    let _e21 = lane_2;
+    let _e32 = ((((_e19.y * _e20.x) + _e19.x) * 128u) + _e21);
+    let _e35 = params.member.member_1.member;
+    if (_e32 < _e35) {
+        let _e39 = params.member.member_1.member_1;
+        let _e40 = (_e39 + _e32);
+        let _e46 = params.member.member.member[0u];
+        let _e48 = params.member.member.member[2u];
+        let _e52 = select(1u, 0u, (_e40 < (2u * (_e46 + _e48))));
+        let _e56 = params.member.member.member[0u];
+        let _e58 = params.member.member.member[2u];
+        let _e60 = (2u * (_e56 + _e58));
+        if (_e52 == 1u) {
+            let _e64 = params.member.member.member[1u];
+            phi_130_ = array<u32, 2>(_e60, (_e60 + (2u * _e64)));
         } else {
-            phi_112_ = 1u;
+            phi_130_ = array<u32, 2>(0u, _e60);
         }
-        let _e56 = phi_112_;
-        let _e60 = params.member.member.member[0u];
-        let _e62 = params.member.member.member[2u];
-        let _e64 = (2u * (_e60 + _e62));
-        if (_e56 == 1u) {
-            let _e68 = params.member.member.member[1u];
-            phi_130_ = array<u32, 2>(_e64, (_e64 + (2u * _e68)));
-        } else {
-            phi_130_ = array<u32, 2>(0u, _e64);
-        }
-        let _e73 = phi_130_;
-        let _e76 = points.member[_e43];
-        let _e81 = (_e76 >> bitcast<u32>(1i));
-        let _e83 = boxes.member[_e81];
-        phi_165_ = type_9((_e43 + 1u), _e73[1]);
-        phi_168_ = type_21(_e76, _e43, ((_e76 & 1u) == 0u));
+        let _e69 = phi_130_;
+        let _e72 = points.member[_e40];
+        let _e77 = (_e72 >> bitcast<u32>(1i));
+        let _e79 = boxes.member[_e77];
+        phi_165_ = type_9((_e40 + 1u), _e69[1]);
+        phi_168_ = type_21(_e72, _e40, ((_e72 & 1u) == 0u));
         loop {
-            let _e99 = phi_165_;
-            let _e101 = phi_168_;
-            if (_e99.member < _e99.member_1) {
-                phi_166_ = type_9((_e99.member + 1u), _e99.member_1);
-                phi_191_ = type_9(1u, _e99.member);
-            } else {
-                phi_166_ = _e99;
-                phi_191_ = type_9(0u, type_9().member_1);
-            }
-            let _e113 = phi_166_;
-            let _e115 = phi_191_;
-            if (bitcast<i32>(_e115.member) != 0i) {
-                if _e101.member_2 {
-                    let _e121 = (_e101.member_1 + 1u);
-                    let _e124 = type_21(_e101.member, _e121, _e101.member_2);
-                    let _e126 = points.member[_e121];
-                    if ((_e126 & 1u) == 0u) {
-                        phi_225_ = (_e126 >> bitcast<u32>(1i));
-                    } else {
-                        phi_225_ = 4294967295u;
-                    }
-                    let _e138 = phi_225_;
-                    if (_e138 != 4294967295u) {
-                        if (_e56 == 1u) {
+            let _e95 = phi_165_;
+            let _e97 = phi_168_;
+            let _e100 = (_e95.member < _e95.member_1);
+            if (bitcast<i32>(select(0u, 1u, _e100)) != 0i) {
+                if _e97.member_2 {
+                    let _e114 = (_e97.member_1 + 1u);
+                    let _e117 = type_21(_e97.member, _e114, _e97.member_2);
+                    let _e119 = points.member[_e114];
+                    let _e130 = select(4294967295u, (_e119 >> bitcast<u32>(1i)), ((_e119 & 1u) == 0u));
+                    if (_e130 != 4294967295u) {
+                        if (_e52 == 1u) {
                             phi_241_ = true;
                         } else {
-                            let _e142 = params.member.member.member_2[1u];
-                            let _e145 = params.member.member.member_2[1u];
-                            phi_241_ = ((_e81 < _e142) != (_e138 < _e145));
+                            let _e134 = params.member.member.member_2[1u];
+                            let _e137 = params.member.member.member_2[1u];
+                            phi_241_ = ((_e77 < _e134) != (_e130 < _e137));
                         }
-                        let _e149 = phi_241_;
-                        if _e149 {
-                            let _e151 = boxes.member[_e138];
-                            if ((((((_e83.member.x <= _e151.member_1.y) && (_e151.member.x <= _e83.member_1.y)) && (_e83.member.y <= _e151.member_2.x)) && (_e151.member.y <= _e83.member_2.x)) && (_e83.member_1.x <= _e151.member_2.y)) && (_e151.member_1.x <= _e83.member_2.y)) {
-                                let _e177 = params.member.member_1.member_3;
-                                if (_e56 == 0u) {
-                                    phi_284_ = array<u32, 2>(0u, 2u);
-                                } else {
-                                    phi_284_ = array<u32, 2>(1u, 1u);
+                        let _e141 = phi_241_;
+                        if _e141 {
+                            let _e143 = boxes.member[_e130];
+                            if ((((((_e79.member.x <= _e143.member_1.y) && (_e143.member.x <= _e79.member_1.y)) && (_e79.member.y <= _e143.member_2.x)) && (_e143.member.y <= _e79.member_2.x)) && (_e79.member_1.x <= _e143.member_2.y)) && (_e143.member_1.x <= _e79.member_2.y)) {
+                                let _e169 = params.member.member_1.member_3;
+                                let _e170 = (_e52 == 0u);
+                                let _e173 = (_e77 < _e130);
+                                let _e177 = params.member.member.member_2[select(1u, 0u, _e170)];
+                                let _e180 = params.member.member.member_2[select(1u, 2u, _e170)];
+                                let _e183 = atomicAdd((&pairs.member[0u]), 1u);
+                                if ((_e183 + 1u) < _e183) {
+                                    let _e187 = atomicAdd((&pairs.member[2u]), 1u);
                                 }
-                                let _e180 = phi_284_;
-                                if (_e81 < _e138) {
-                                    phi_293_ = type_9(_e81, _e138);
-                                } else {
-                                    phi_293_ = type_9(_e138, _e81);
-                                }
-                                let _e187 = phi_293_;
-                                let _e191 = params.member.member.member_2[_e180[0]];
-                                let _e194 = params.member.member.member_2[_e180[1]];
-                                let _e197 = atomicAdd((&pairs.member[0u]), 1u);
-                                if ((_e197 + 1u) < _e197) {
-                                    let _e201 = atomicAdd((&pairs.member[2u]), 1u);
-                                }
-                                if (_e197 < _e177) {
-                                    let _e203 = (2u * _e197);
-                                    atomicStore((&pairs.member[(4u + _e203)]), (_e187.member - _e191));
-                                    atomicStore((&pairs.member[(_e203 + 5u)]), (_e187.member_1 - _e194));
+                                if (_e183 < _e169) {
+                                    let _e189 = (2u * _e183);
+                                    atomicStore((&pairs.member[(4u + _e189)]), (select(_e130, _e77, _e173) - _e177));
+                                    atomicStore((&pairs.member[(_e189 + 5u)]), (select(_e77, _e130, _e173) - _e180));
                                 }
                             }
                         }
                     }
-                    phi_335_ = type_21(_e124.member, _e124.member_1, (_e126 != (_e101.member | 1u)));
+                    phi_335_ = type_21(_e117.member, _e117.member_1, (_e119 != (_e97.member | 1u)));
                 } else {
                     phi_335_ = type_21();
                 }
-                let _e209 = phi_335_;
-                phi_169_ = _e209;
-                phi_336_ = _e101.member_2;
+                let _e195 = phi_335_;
+                phi_169_ = _e195;
+                phi_336_ = _e97.member_2;
             } else {
                 phi_169_ = type_21();
                 phi_336_ = false;
             }
-            let _e211 = phi_169_;
-            let _e213 = phi_336_;
+            let _e197 = phi_169_;
+            let _e199 = phi_336_;
             continue;
             continuing {
-                phi_165_ = _e113;
-                phi_168_ = _e211;
-                break if !(_e213);
+                phi_165_ = type_9(select(_e95.member, (_e95.member + 1u), _e100), select(_e95.member_1, _e95.member_1, _e100));
+                phi_168_ = _e197;
+                break if !(_e199);
             }
         }
     }

@@ -61,18 +61,6 @@ var<storage, read_write> boxes: type_12;
 var<storage> faces: type_17;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_108_: f32;
-    var phi_115_: f32;
-    var phi_122_: f32;
-    var phi_129_: f32;
-    var phi_136_: f32;
-    var phi_143_: f32;
-    var phi_159_: f32;
-    var phi_165_: f32;
-    var phi_171_: f32;
-    var phi_178_: f32;
-    var phi_184_: f32;
-    var phi_190_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -89,81 +77,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e27 = faces.member[_e20];
         let _e32 = boxes.member[_e27[0]];
         let _e34 = boxes.member[_e27[1]];
-        if (_e32.member[0] < _e34.member[0]) {
-            phi_108_ = _e32.member[0];
-        } else {
-            phi_108_ = _e34.member[0];
-        }
-        let _e41 = phi_108_;
-        if (_e32.member[1] < _e34.member[1]) {
-            phi_115_ = _e32.member[1];
-        } else {
-            phi_115_ = _e34.member[1];
-        }
-        let _e48 = phi_115_;
-        if (_e32.member[2] < _e34.member[2]) {
-            phi_122_ = _e32.member[2];
-        } else {
-            phi_122_ = _e34.member[2];
-        }
-        let _e55 = phi_122_;
-        if (_e32.member_1[0] > _e34.member_1[0]) {
-            phi_129_ = _e32.member_1[0];
-        } else {
-            phi_129_ = _e34.member_1[0];
-        }
-        let _e62 = phi_129_;
-        if (_e32.member_1[1] > _e34.member_1[1]) {
-            phi_136_ = _e32.member_1[1];
-        } else {
-            phi_136_ = _e34.member_1[1];
-        }
-        let _e69 = phi_136_;
-        if (_e32.member_1[2] > _e34.member_1[2]) {
-            phi_143_ = _e32.member_1[2];
-        } else {
-            phi_143_ = _e34.member_1[2];
-        }
-        let _e76 = phi_143_;
-        let _e78 = boxes.member[_e27[2]];
-        if (_e41 < _e78.member[0]) {
-            phi_159_ = _e41;
-        } else {
-            phi_159_ = _e78.member[0];
-        }
-        let _e83 = phi_159_;
-        if (_e48 < _e78.member[1]) {
-            phi_165_ = _e48;
-        } else {
-            phi_165_ = _e78.member[1];
-        }
-        let _e88 = phi_165_;
-        if (_e55 < _e78.member[2]) {
-            phi_171_ = _e55;
-        } else {
-            phi_171_ = _e78.member[2];
-        }
-        let _e93 = phi_171_;
-        if (_e62 > _e78.member_1[0]) {
-            phi_178_ = _e62;
-        } else {
-            phi_178_ = _e78.member_1[0];
-        }
-        let _e99 = phi_178_;
-        if (_e69 > _e78.member_1[1]) {
-            phi_184_ = _e69;
-        } else {
-            phi_184_ = _e78.member_1[1];
-        }
-        let _e104 = phi_184_;
-        if (_e76 > _e78.member_1[2]) {
-            phi_190_ = _e76;
-        } else {
-            phi_190_ = _e78.member_1[2];
-        }
-        let _e109 = phi_190_;
-        let _e115 = params.member.member.member_2[2u];
-        boxes.member[(_e115 + _e20)] = type_10(array<f32, 3>(_e83, _e88, _e93), array<f32, 3>(_e99, _e104, _e109));
+        let _e40 = select(_e34.member[0], _e32.member[0], (_e32.member[0] < _e34.member[0]));
+        let _e46 = select(_e34.member[1], _e32.member[1], (_e32.member[1] < _e34.member[1]));
+        let _e52 = select(_e34.member[2], _e32.member[2], (_e32.member[2] < _e34.member[2]));
+        let _e58 = select(_e34.member_1[0], _e32.member_1[0], (_e32.member_1[0] > _e34.member_1[0]));
+        let _e64 = select(_e34.member_1[1], _e32.member_1[1], (_e32.member_1[1] > _e34.member_1[1]));
+        let _e70 = select(_e34.member_1[2], _e32.member_1[2], (_e32.member_1[2] > _e34.member_1[2]));
+        let _e72 = boxes.member[_e27[2]];
+        let _e103 = params.member.member.member_2[2u];
+        boxes.member[(_e103 + _e20)] = type_10(array<f32, 3>(select(_e72.member[0], _e40, (_e40 < _e72.member[0])), select(_e72.member[1], _e46, (_e46 < _e72.member[1])), select(_e72.member[2], _e52, (_e52 < _e72.member[2]))), array<f32, 3>(select(_e72.member_1[0], _e58, (_e58 > _e72.member_1[0])), select(_e72.member_1[1], _e64, (_e64 > _e72.member_1[1])), select(_e72.member_1[2], _e70, (_e70 > _e72.member_1[2]))));
     }
     return;
 }

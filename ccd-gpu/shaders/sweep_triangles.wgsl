@@ -70,18 +70,6 @@ var<storage> boxes: type_12;
 var<storage, read_write> swept: type_12;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_114_: f32;
-    var phi_121_: f32;
-    var phi_128_: f32;
-    var phi_135_: f32;
-    var phi_142_: f32;
-    var phi_149_: f32;
-    var phi_165_: f32;
-    var phi_171_: f32;
-    var phi_177_: f32;
-    var phi_184_: f32;
-    var phi_190_: f32;
-    var phi_196_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -98,80 +86,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e27 = triangles.member[_e21];
         let _e33 = boxes.member[_e27.member[0]];
         let _e35 = boxes.member[_e27.member[1]];
-        if (_e33.member[0] < _e35.member[0]) {
-            phi_114_ = _e33.member[0];
-        } else {
-            phi_114_ = _e35.member[0];
-        }
-        let _e42 = phi_114_;
-        if (_e33.member[1] < _e35.member[1]) {
-            phi_121_ = _e33.member[1];
-        } else {
-            phi_121_ = _e35.member[1];
-        }
-        let _e49 = phi_121_;
-        if (_e33.member[2] < _e35.member[2]) {
-            phi_128_ = _e33.member[2];
-        } else {
-            phi_128_ = _e35.member[2];
-        }
-        let _e56 = phi_128_;
-        if (_e33.member_1[0] > _e35.member_1[0]) {
-            phi_135_ = _e33.member_1[0];
-        } else {
-            phi_135_ = _e35.member_1[0];
-        }
-        let _e63 = phi_135_;
-        if (_e33.member_1[1] > _e35.member_1[1]) {
-            phi_142_ = _e33.member_1[1];
-        } else {
-            phi_142_ = _e35.member_1[1];
-        }
-        let _e70 = phi_142_;
-        if (_e33.member_1[2] > _e35.member_1[2]) {
-            phi_149_ = _e33.member_1[2];
-        } else {
-            phi_149_ = _e35.member_1[2];
-        }
-        let _e77 = phi_149_;
-        let _e79 = boxes.member[_e27.member[2]];
-        if (_e42 < _e79.member[0]) {
-            phi_165_ = _e42;
-        } else {
-            phi_165_ = _e79.member[0];
-        }
-        let _e84 = phi_165_;
-        if (_e49 < _e79.member[1]) {
-            phi_171_ = _e49;
-        } else {
-            phi_171_ = _e79.member[1];
-        }
-        let _e89 = phi_171_;
-        if (_e56 < _e79.member[2]) {
-            phi_177_ = _e56;
-        } else {
-            phi_177_ = _e79.member[2];
-        }
-        let _e94 = phi_177_;
-        if (_e63 > _e79.member_1[0]) {
-            phi_184_ = _e63;
-        } else {
-            phi_184_ = _e79.member_1[0];
-        }
-        let _e100 = phi_184_;
-        if (_e70 > _e79.member_1[1]) {
-            phi_190_ = _e70;
-        } else {
-            phi_190_ = _e79.member_1[1];
-        }
-        let _e105 = phi_190_;
-        if (_e77 > _e79.member_1[2]) {
-            phi_196_ = _e77;
-        } else {
-            phi_196_ = _e79.member_1[2];
-        }
-        let _e110 = phi_196_;
-        swept.member[_e21] = type_10(array<f32, 3>(_e84, _e89, _e94), array<f32, 3>(_e100, _e105, _e110));
+        let _e41 = select(_e35.member[0], _e33.member[0], (_e33.member[0] < _e35.member[0]));
+        let _e47 = select(_e35.member[1], _e33.member[1], (_e33.member[1] < _e35.member[1]));
+        let _e53 = select(_e35.member[2], _e33.member[2], (_e33.member[2] < _e35.member[2]));
+        let _e59 = select(_e35.member_1[0], _e33.member_1[0], (_e33.member_1[0] > _e35.member_1[0]));
+        let _e65 = select(_e35.member_1[1], _e33.member_1[1], (_e33.member_1[1] > _e35.member_1[1]));
+        let _e71 = select(_e35.member_1[2], _e33.member_1[2], (_e33.member_1[2] > _e35.member_1[2]));
+        let _e73 = boxes.member[_e27.member[2]];
+        swept.member[_e21] = type_10(array<f32, 3>(select(_e73.member[0], _e41, (_e41 < _e73.member[0])), select(_e73.member[1], _e47, (_e47 < _e73.member[1])), select(_e73.member[2], _e53, (_e53 < _e73.member[2]))), array<f32, 3>(select(_e73.member_1[0], _e59, (_e59 > _e73.member_1[0])), select(_e73.member_1[1], _e65, (_e65 > _e73.member_1[1])), select(_e73.member_1[2], _e71, (_e71 > _e73.member_1[2]))));
     }
     return;
 }

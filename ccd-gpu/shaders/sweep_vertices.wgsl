@@ -87,30 +87,8 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_18;
     var local_1: type_18;
     var local_2: type_18;
-    var phi_120_: f32;
-    var phi_125_: f32;
-    var phi_130_: f32;
-    var phi_136_: f32;
-    var phi_141_: f32;
-    var phi_146_: f32;
     var phi_166_: type_9;
-    var phi_167_: type_9;
-    var phi_190_: type_9;
-    var phi_217_: bool;
-    var phi_234_: f32;
-    var phi_235_: f32;
-    var phi_236_: f32;
-    var phi_263_: bool;
-    var phi_280_: f32;
-    var phi_281_: f32;
-    var phi_282_: f32;
     var phi_326_: type_9;
-    var phi_327_: type_9;
-    var phi_350_: type_9;
-    var phi_372_: f32;
-    var phi_377_: f32;
-    var phi_399_: f32;
-    var phi_404_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -126,182 +104,68 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     if (_e33 < _e37) {
         let _e40 = paths.member[_e33];
         let _e43 = params.member.member.member_3;
-        if (_e40.member[0] < _e40.member_1[0]) {
-            phi_120_ = _e40.member[0];
-        } else {
-            phi_120_ = _e40.member_1[0];
-        }
-        let _e54 = phi_120_;
-        if (_e40.member[1] < _e40.member_1[1]) {
-            phi_125_ = _e40.member[1];
-        } else {
-            phi_125_ = _e40.member_1[1];
-        }
-        let _e57 = phi_125_;
-        if (_e40.member[2] < _e40.member_1[2]) {
-            phi_130_ = _e40.member[2];
-        } else {
-            phi_130_ = _e40.member_1[2];
-        }
-        let _e60 = phi_130_;
-        if (_e40.member[0] > _e40.member_1[0]) {
-            phi_136_ = _e40.member[0];
-        } else {
-            phi_136_ = _e40.member_1[0];
-        }
-        let _e63 = phi_136_;
-        if (_e40.member[1] > _e40.member_1[1]) {
-            phi_141_ = _e40.member[1];
-        } else {
-            phi_141_ = _e40.member_1[1];
-        }
-        let _e66 = phi_141_;
-        if (_e40.member[2] > _e40.member_1[2]) {
-            phi_146_ = _e40.member[2];
-        } else {
-            phi_146_ = _e40.member_1[2];
-        }
-        let _e69 = phi_146_;
+        let _e53 = select(_e40.member_1[0], _e40.member[0], (_e40.member[0] < _e40.member_1[0]));
+        let _e55 = select(_e40.member_1[1], _e40.member[1], (_e40.member[1] < _e40.member_1[1]));
+        let _e57 = select(_e40.member_1[2], _e40.member[2], (_e40.member[2] < _e40.member_1[2]));
+        let _e59 = select(_e40.member_1[0], _e40.member[0], (_e40.member[0] > _e40.member_1[0]));
+        let _e61 = select(_e40.member_1[1], _e40.member[1], (_e40.member[1] > _e40.member_1[1]));
+        let _e63 = select(_e40.member_1[2], _e40.member[2], (_e40.member[2] > _e40.member_1[2]));
         if (_e43 > 0f) {
-            local_1 = type_18(array<f32, 3>(_e54, _e57, _e60), array<f32, 3>(_e63, _e66, _e69));
+            local_1 = type_18(array<f32, 3>(_e53, _e55, _e57), array<f32, 3>(_e59, _e61, _e63));
             phi_166_ = type_9(0u, 3u);
             loop {
-                let _e78 = phi_166_;
-                if (_e78.member < _e78.member_1) {
-                    phi_167_ = type_9((_e78.member + 1u), _e78.member_1);
-                    phi_190_ = type_9(1u, _e78.member);
-                } else {
-                    phi_167_ = _e78;
-                    phi_190_ = type_9(0u, type_9().member_1);
-                }
-                let _e90 = phi_167_;
-                let _e92 = phi_190_;
-                let _e96 = (bitcast<i32>(_e92.member) != 0i);
-                if _e96 {
-                    let _e99 = local_1.member[_e92.member_1];
-                    let _e101 = -((_e99 - _e43));
-                    let _e102 = bitcast<u32>(_e101);
-                    if ((_e102 & 2139095040u) == 2139095040u) {
-                        phi_217_ = (_e101 < 0f);
-                    } else {
-                        phi_217_ = true;
-                    }
-                    let _e107 = phi_217_;
-                    if _e107 {
-                        if (_e101 > 0f) {
-                            phi_235_ = bitcast<f32>((_e102 + 1u));
-                        } else {
-                            if (_e101 < 0f) {
-                                phi_234_ = bitcast<f32>((_e102 - 1u));
-                            } else {
-                                phi_234_ = 0.000000000000000000000000000000000000000000001f;
-                            }
-                            let _e113 = phi_234_;
-                            phi_235_ = _e113;
-                        }
-                        let _e117 = phi_235_;
-                        phi_236_ = _e117;
-                    } else {
-                        phi_236_ = _e101;
-                    }
-                    let _e119 = phi_236_;
-                    local_1.member[_e92.member_1] = -(_e119);
-                    let _e125 = local_1.member_1[_e92.member_1];
-                    let _e126 = (_e125 + _e43);
-                    let _e127 = bitcast<u32>(_e126);
-                    if ((_e127 & 2139095040u) == 2139095040u) {
-                        phi_263_ = (_e126 < 0f);
-                    } else {
-                        phi_263_ = true;
-                    }
-                    let _e132 = phi_263_;
-                    if _e132 {
-                        if (_e126 > 0f) {
-                            phi_281_ = bitcast<f32>((_e127 + 1u));
-                        } else {
-                            if (_e126 < 0f) {
-                                phi_280_ = bitcast<f32>((_e127 - 1u));
-                            } else {
-                                phi_280_ = 0.000000000000000000000000000000000000000000001f;
-                            }
-                            let _e138 = phi_280_;
-                            phi_281_ = _e138;
-                        }
-                        let _e142 = phi_281_;
-                        phi_282_ = _e142;
-                    } else {
-                        phi_282_ = _e126;
-                    }
-                    let _e144 = phi_282_;
-                    local_1.member_1[_e92.member_1] = _e144;
+                let _e72 = phi_166_;
+                let _e75 = (_e72.member < _e72.member_1);
+                let _e86 = select(type_9().member_1, _e72.member, _e75);
+                let _e88 = (bitcast<i32>(select(0u, 1u, _e75)) != 0i);
+                if _e88 {
+                    let _e91 = local_1.member[_e86];
+                    let _e93 = -((_e91 - _e43));
+                    let _e94 = bitcast<u32>(_e93);
+                    local_1.member[_e86] = -(select(_e93, select(select(0.000000000000000000000000000000000000000000001f, bitcast<f32>((_e94 - 1u)), (_e93 < 0f)), bitcast<f32>((_e94 + 1u)), (_e93 > 0f)), select(true, (_e93 < 0f), ((_e94 & 2139095040u) == 2139095040u))));
+                    let _e113 = local_1.member_1[_e86];
+                    let _e114 = (_e113 + _e43);
+                    let _e115 = bitcast<u32>(_e114);
+                    local_1.member_1[_e86] = select(_e114, select(select(0.000000000000000000000000000000000000000000001f, bitcast<f32>((_e115 - 1u)), (_e114 < 0f)), bitcast<f32>((_e115 + 1u)), (_e114 > 0f)), select(true, (_e114 < 0f), ((_e115 & 2139095040u) == 2139095040u)));
                 }
                 continue;
                 continuing {
-                    phi_166_ = _e90;
-                    break if !(_e96);
+                    phi_166_ = type_9(select(_e72.member, (_e72.member + 1u), _e75), select(_e72.member_1, _e72.member_1, _e75));
+                    break if !(_e88);
                 }
             }
         } else {
-            local_1 = type_18(array<f32, 3>(_e54, _e57, _e60), array<f32, 3>(_e63, _e66, _e69));
+            local_1 = type_18(array<f32, 3>(_e53, _e55, _e57), array<f32, 3>(_e59, _e61, _e63));
         }
-        let _e148 = local_1;
-        local_2 = _e148;
+        let _e132 = local_1;
+        local_2 = _e132;
         local = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         phi_326_ = type_9(0u, 3u);
         loop {
-            let _e150 = phi_326_;
-            if (_e150.member < _e150.member_1) {
-                phi_327_ = type_9((_e150.member + 1u), _e150.member_1);
-                phi_350_ = type_9(1u, _e150.member);
-            } else {
-                phi_327_ = _e150;
-                phi_350_ = type_9(0u, type_9().member_1);
-            }
-            let _e162 = phi_327_;
-            let _e164 = phi_350_;
-            let _e168 = (bitcast<i32>(_e164.member) != 0i);
-            if _e168 {
-                let _e171 = local_2.member[_e164.member_1];
-                let _e172 = function_1(_e171);
-                let _e174 = -(290000000000000000000000000000000000000f);
-                if (_e172.member > _e174) {
-                    phi_372_ = _e172.member;
-                } else {
-                    phi_372_ = _e174;
-                }
-                let _e177 = phi_372_;
-                if (_e177 < 290000000000000000000000000000000000000f) {
-                    phi_377_ = _e177;
-                } else {
-                    phi_377_ = 290000000000000000000000000000000000000f;
-                }
-                let _e180 = phi_377_;
-                local.member[_e164.member_1] = _e180;
-                let _e185 = local_2.member_1[_e164.member_1];
-                let _e186 = function_(_e185);
-                let _e188 = -(290000000000000000000000000000000000000f);
-                if (_e186.member_1 > _e188) {
-                    phi_399_ = _e186.member_1;
-                } else {
-                    phi_399_ = _e188;
-                }
-                let _e191 = phi_399_;
-                if (_e191 < 290000000000000000000000000000000000000f) {
-                    phi_404_ = _e191;
-                } else {
-                    phi_404_ = 290000000000000000000000000000000000000f;
-                }
-                let _e194 = phi_404_;
-                local.member_1[_e164.member_1] = _e194;
+            let _e134 = phi_326_;
+            let _e137 = (_e134.member < _e134.member_1);
+            let _e148 = select(type_9().member_1, _e134.member, _e137);
+            let _e150 = (bitcast<i32>(select(0u, 1u, _e137)) != 0i);
+            if _e150 {
+                let _e153 = local_2.member[_e148];
+                let _e154 = function_1(_e153);
+                let _e156 = -(290000000000000000000000000000000000000f);
+                let _e158 = select(_e156, _e154.member, (_e154.member > _e156));
+                local.member[_e148] = select(290000000000000000000000000000000000000f, _e158, (_e158 < 290000000000000000000000000000000000000f));
+                let _e165 = local_2.member_1[_e148];
+                let _e166 = function_(_e165);
+                let _e168 = -(290000000000000000000000000000000000000f);
+                let _e170 = select(_e168, _e166.member_1, (_e166.member_1 > _e168));
+                local.member_1[_e148] = select(290000000000000000000000000000000000000f, _e170, (_e170 < 290000000000000000000000000000000000000f));
             }
             continue;
             continuing {
-                phi_326_ = _e162;
-                break if !(_e168);
+                phi_326_ = type_9(select(_e134.member, (_e134.member + 1u), _e137), select(_e134.member_1, _e134.member_1, _e137));
+                break if !(_e150);
             }
         }
-        let _e198 = local;
-        boxes.member[_e33] = type_18(array<f32, 3>(_e198.member[0], _e198.member[1], _e198.member[2]), array<f32, 3>(_e198.member_1[0], _e198.member_1[1], _e198.member_1[2]));
+        let _e176 = local;
+        boxes.member[_e33] = type_18(array<f32, 3>(_e176.member[0], _e176.member[1], _e176.member[2]), array<f32, 3>(_e176.member_1[0], _e176.member_1[1], _e176.member_1[2]));
     }
     return;
 }

@@ -91,25 +91,10 @@ var<storage, read_write> pairs: type_28;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_25;
-    var phi_112_: array<u32, 2>;
     var phi_144_: u32;
-    var phi_171_: array<u32, 2>;
-    var phi_202_: array<u32, 2>;
-    var phi_265_: array<u32, 2>;
-    var phi_298_: bool;
     var phi_370_: type_9;
-    var phi_371_: type_9;
-    var phi_394_: type_9;
-    var phi_494_: u32;
     var phi_520_: bool;
     var phi_550_: bool;
-    var phi_589_: u32;
-    var phi_590_: bool;
-    var phi_591_: u32;
-    var phi_592_: bool;
-    var phi_596_: u32;
-    var phi_610_: array<u32, 2>;
-    var phi_643_: bool;
     var phi_673_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -118,147 +103,104 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e26 = id_2;
-    let _e27 = n_2;
-    let _e28 = lane_2;
-    let _e40 = ((((_e26.y * _e27.x) + _e26.x) * 128u) + _e28);
-    let _e43 = params.member.member_1.member;
-    if (_e40 < _e43) {
-        let _e47 = params.member.member_2.member;
-        if (_e47 == 0u) {
-            phi_112_ = array<u32, 2>(0u, 2u);
+    let _e23 = id_2;
+    let _e24 = n_2;
+    let _e25 = lane_2;
+    let _e37 = ((((_e23.y * _e24.x) + _e23.x) * 128u) + _e25);
+    let _e40 = params.member.member_1.member;
+    if (_e37 < _e40) {
+        let _e44 = params.member.member_2.member;
+        let _e50 = params.member.member.member_2[select(1u, 0u, (_e44 == 0u))];
+        let _e53 = params.member.member_1.member_1;
+        let _e55 = ((_e50 + _e53) + _e37);
+        let _e58 = params.member.member_2.member_1;
+        if (_e58 == 0u) {
+            phi_144_ = _e55;
         } else {
-            phi_112_ = array<u32, 2>(1u, 1u);
+            let _e61 = order.member[_e55];
+            phi_144_ = _e61;
         }
-        let _e50 = phi_112_;
-        let _e55 = params.member.member.member_2[_e50[0]];
-        let _e58 = params.member.member_1.member_1;
-        let _e60 = ((_e55 + _e58) + _e40);
-        let _e63 = params.member.member_2.member_1;
-        if (_e63 == 0u) {
-            phi_144_ = _e60;
-        } else {
-            let _e66 = order.member[_e60];
-            phi_144_ = _e66;
-        }
-        let _e68 = phi_144_;
-        let _e69 = (_e68 - _e55);
-        let _e71 = boxes.member[_e68];
-        let _e86 = params.member.member_2.member;
-        if (_e86 == 0u) {
-            phi_171_ = array<u32, 2>(0u, 2u);
-        } else {
-            phi_171_ = array<u32, 2>(1u, 1u);
-        }
-        let _e89 = phi_171_;
-        let _e94 = params.member.member.member[_e89[1]];
-        let _e95 = (_e94 - 1u);
-        if (_e95 == 0u) {
-            let _e99 = params.member.member_2.member;
-            if (_e99 == 0u) {
-                phi_202_ = array<u32, 2>(0u, 2u);
-            } else {
-                phi_202_ = array<u32, 2>(1u, 1u);
-            }
-            let _e102 = phi_202_;
-            let _e107 = params.member.member.member_2[_e102[1]];
-            let _e109 = order.member[_e107];
-            let _e111 = boxes.member[_e109];
-            if ((((((_e111.member.x <= _e71.member_1.y) && (_e71.member.x <= _e111.member_1.y)) && (_e111.member.y <= _e71.member_2.x)) && (_e71.member.y <= _e111.member_2.x)) && (_e111.member_1.x <= _e71.member_2.y)) && (_e71.member_1.x <= _e111.member_2.y)) {
-                let _e137 = params.member.member_2.member;
-                if (_e137 == 0u) {
-                    phi_265_ = array<u32, 2>(0u, 2u);
-                } else {
-                    phi_265_ = array<u32, 2>(1u, 1u);
-                }
-                let _e140 = phi_265_;
-                let _e145 = params.member.member.member_2[_e140[1]];
-                let _e147 = order.member[_e145];
-                let _e148 = (_e147 - _e145);
-                let _e151 = params.member.member_2.member;
-                if (_e151 == 0u) {
-                    phi_298_ = true;
-                } else {
-                    phi_298_ = (_e148 > _e69);
-                }
-                let _e155 = phi_298_;
-                if _e155 {
-                    let _e158 = params.member.member_1.member_3;
-                    let _e160 = atomicAdd((&pairs.member[0u]), 1u);
-                    if ((_e160 + 1u) < _e160) {
-                        let _e164 = atomicAdd((&pairs.member[2u]), 1u);
+        let _e63 = phi_144_;
+        let _e64 = (_e63 - _e50);
+        let _e66 = boxes.member[_e63];
+        let _e81 = params.member.member_2.member;
+        let _e87 = params.member.member.member[select(1u, 2u, (_e81 == 0u))];
+        let _e88 = (_e87 - 1u);
+        if (_e88 == 0u) {
+            let _e92 = params.member.member_2.member;
+            let _e98 = params.member.member.member_2[select(1u, 2u, (_e92 == 0u))];
+            let _e100 = order.member[_e98];
+            let _e102 = boxes.member[_e100];
+            if ((((((_e102.member.x <= _e66.member_1.y) && (_e66.member.x <= _e102.member_1.y)) && (_e102.member.y <= _e66.member_2.x)) && (_e66.member.y <= _e102.member_2.x)) && (_e102.member_1.x <= _e66.member_2.y)) && (_e66.member_1.x <= _e102.member_2.y)) {
+                let _e128 = params.member.member_2.member;
+                let _e134 = params.member.member.member_2[select(1u, 2u, (_e128 == 0u))];
+                let _e136 = order.member[_e134];
+                let _e137 = (_e136 - _e134);
+                let _e140 = params.member.member_2.member;
+                if select((_e137 > _e64), true, (_e140 == 0u)) {
+                    let _e146 = params.member.member_1.member_3;
+                    let _e148 = atomicAdd((&pairs.member[0u]), 1u);
+                    if ((_e148 + 1u) < _e148) {
+                        let _e152 = atomicAdd((&pairs.member[2u]), 1u);
                     }
-                    if (_e160 < _e158) {
-                        let _e166 = (2u * _e160);
-                        atomicStore((&pairs.member[(4u + _e166)]), _e69);
-                        atomicStore((&pairs.member[(_e166 + 5u)]), _e148);
+                    if (_e148 < _e146) {
+                        let _e154 = (2u * _e148);
+                        atomicStore((&pairs.member[(4u + _e154)]), _e64);
+                        atomicStore((&pairs.member[(_e154 + 5u)]), _e137);
                     }
                 }
             }
         }
         local = type_25(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, false, true);
-        phi_370_ = type_9(0u, (2u * _e95));
+        phi_370_ = type_9(0u, (2u * _e88));
         loop {
-            let _e174 = phi_370_;
-            if (_e174.member < _e174.member_1) {
-                phi_371_ = type_9((_e174.member + 1u), _e174.member_1);
-                phi_394_ = type_9(1u, _e174.member);
-            } else {
-                phi_371_ = _e174;
-                phi_394_ = type_9(0u, type_9().member_1);
-            }
-            let _e186 = phi_371_;
-            let _e188 = phi_394_;
-            if (bitcast<i32>(_e188.member) != 0i) {
-                let _e193 = local.member_4;
-                if _e193 {
-                    let _e195 = local.member_2;
-                    let _e197 = nodes.member[_e195];
-                    let _e235 = local.member_3;
-                    let _e236 = (((_e197.member_3.w & 2147483648u) != 0u) != _e235);
-                    if _e236 {
-                        phi_494_ = _e197.member.w;
+            let _e162 = phi_370_;
+            let _e165 = (_e162.member < _e162.member_1);
+            if (bitcast<i32>(select(0u, 1u, _e165)) != 0i) {
+                let _e178 = local.member_4;
+                if _e178 {
+                    let _e180 = local.member_2;
+                    let _e182 = nodes.member[_e180];
+                    let _e220 = local.member_3;
+                    let _e221 = (((_e182.member_3.w & 2147483648u) != 0u) != _e220);
+                    let _e222 = select(_e182.member_1.w, _e182.member.w, _e221);
+                    if _e221 {
+                        phi_520_ = ((((((bitcast<f32>(_e182.member.x) <= _e66.member_1.y) && (_e66.member.x <= bitcast<f32>(_e182.member_1.x))) && (bitcast<f32>(_e182.member.y) <= _e66.member_2.x)) && (_e66.member.y <= bitcast<f32>(_e182.member_1.y))) && (bitcast<f32>(_e182.member.z) <= _e66.member_2.y)) && (_e66.member_1.x <= bitcast<f32>(_e182.member_1.z)));
                     } else {
-                        phi_494_ = _e197.member_1.w;
+                        phi_520_ = ((((((bitcast<f32>(_e182.member_2.x) <= _e66.member_1.y) && (_e66.member.x <= bitcast<f32>(_e182.member_3.x))) && (bitcast<f32>(_e182.member_2.y) <= _e66.member_2.x)) && (_e66.member.y <= bitcast<f32>(_e182.member_3.y))) && (bitcast<f32>(_e182.member_2.z) <= _e66.member_2.y)) && (_e66.member_1.x <= bitcast<f32>(_e182.member_3.z)));
                     }
-                    let _e238 = phi_494_;
-                    if _e236 {
-                        phi_520_ = ((((((bitcast<f32>(_e197.member.x) <= _e71.member_1.y) && (_e71.member.x <= bitcast<f32>(_e197.member_1.x))) && (bitcast<f32>(_e197.member.y) <= _e71.member_2.x)) && (_e71.member.y <= bitcast<f32>(_e197.member_1.y))) && (bitcast<f32>(_e197.member.z) <= _e71.member_2.y)) && (_e71.member_1.x <= bitcast<f32>(_e197.member_1.z)));
-                    } else {
-                        phi_520_ = ((((((bitcast<f32>(_e197.member_2.x) <= _e71.member_1.y) && (_e71.member.x <= bitcast<f32>(_e197.member_3.x))) && (bitcast<f32>(_e197.member_2.y) <= _e71.member_2.x)) && (_e71.member.y <= bitcast<f32>(_e197.member_3.y))) && (bitcast<f32>(_e197.member_2.z) <= _e71.member_2.y)) && (_e71.member_1.x <= bitcast<f32>(_e197.member_3.z)));
-                    }
-                    let _e262 = phi_520_;
-                    let _e264 = ((_e238 & 2147483648u) != 0u);
-                    if _e262 {
-                        if _e264 {
+                    let _e246 = phi_520_;
+                    let _e248 = ((_e222 & 2147483648u) != 0u);
+                    if _e246 {
+                        if _e248 {
                         } else {
-                            let _e266 = local.member_3;
-                            if _e266 {
+                            let _e250 = local.member_3;
+                            if _e250 {
                             } else {
-                                let _e268 = local.member_2;
-                                let _e270 = local.member_1;
-                                local.member[_e270] = _e268;
-                                let _e275 = local.member_1;
-                                local.member_1 = (_e275 + 1u);
+                                let _e252 = local.member_2;
+                                let _e254 = local.member_1;
+                                local.member[_e254] = _e252;
+                                let _e259 = local.member_1;
+                                local.member_1 = (_e259 + 1u);
                             }
-                            local.member_2 = _e238;
+                            local.member_2 = _e222;
                             local.member_3 = false;
                         }
-                        phi_550_ = _e264;
+                        phi_550_ = _e248;
                     } else {
                         phi_550_ = true;
                     }
-                    let _e280 = phi_550_;
-                    if _e280 {
-                        let _e282 = local.member_3;
-                        if _e282 {
-                            let _e285 = local.member_1;
-                            if (_e285 > 0u) {
-                                let _e290 = local.member_1;
-                                local.member_1 = (_e290 - 1u);
-                                let _e293 = local.member_1;
-                                let _e296 = local.member[_e293];
-                                local.member_2 = _e296;
+                    let _e264 = phi_550_;
+                    if _e264 {
+                        let _e266 = local.member_3;
+                        if _e266 {
+                            let _e269 = local.member_1;
+                            if (_e269 > 0u) {
+                                let _e274 = local.member_1;
+                                local.member_1 = (_e274 - 1u);
+                                let _e277 = local.member_1;
+                                let _e280 = local.member[_e277];
+                                local.member_2 = _e280;
                                 local.member_3 = true;
                             } else {
                                 local.member_4 = false;
@@ -267,71 +209,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             local.member_3 = true;
                         }
                     }
-                    if _e262 {
-                        if _e264 {
-                            phi_589_ = (_e238 & 2147483647u);
-                            phi_590_ = false;
-                        } else {
-                            phi_589_ = u32();
-                            phi_590_ = true;
-                        }
-                        let _e301 = phi_589_;
-                        let _e303 = phi_590_;
-                        phi_591_ = _e301;
-                        phi_592_ = _e303;
-                    } else {
-                        phi_591_ = u32();
-                        phi_592_ = true;
-                    }
-                    let _e305 = phi_591_;
-                    let _e307 = phi_592_;
-                    if _e307 {
-                        phi_596_ = 4294967295u;
-                    } else {
-                        phi_596_ = _e305;
-                    }
-                    let _e309 = phi_596_;
-                    if (_e309 != 4294967295u) {
-                        let _e313 = params.member.member_2.member;
-                        if (_e313 == 0u) {
-                            phi_610_ = array<u32, 2>(0u, 2u);
-                        } else {
-                            phi_610_ = array<u32, 2>(1u, 1u);
-                        }
-                        let _e316 = phi_610_;
-                        let _e321 = params.member.member.member_2[_e316[1]];
-                        let _e324 = order.member[(_e321 + _e309)];
-                        let _e325 = (_e324 - _e321);
-                        let _e328 = params.member.member_2.member;
-                        if (_e328 == 0u) {
-                            phi_643_ = true;
-                        } else {
-                            phi_643_ = (_e325 > _e69);
-                        }
-                        let _e332 = phi_643_;
-                        if _e332 {
-                            let _e335 = params.member.member_1.member_3;
-                            let _e337 = atomicAdd((&pairs.member[0u]), 1u);
-                            if ((_e337 + 1u) < _e337) {
-                                let _e341 = atomicAdd((&pairs.member[2u]), 1u);
+                    let _e288 = select(select(u32(), select(u32(), (_e222 & 2147483647u), _e248), _e246), 4294967295u, select(true, select(true, false, _e248), _e246));
+                    if (_e288 != 4294967295u) {
+                        let _e292 = params.member.member_2.member;
+                        let _e298 = params.member.member.member_2[select(1u, 2u, (_e292 == 0u))];
+                        let _e301 = order.member[(_e298 + _e288)];
+                        let _e302 = (_e301 - _e298);
+                        let _e305 = params.member.member_2.member;
+                        if select((_e302 > _e64), true, (_e305 == 0u)) {
+                            let _e311 = params.member.member_1.member_3;
+                            let _e313 = atomicAdd((&pairs.member[0u]), 1u);
+                            if ((_e313 + 1u) < _e313) {
+                                let _e317 = atomicAdd((&pairs.member[2u]), 1u);
                             }
-                            if (_e337 < _e335) {
-                                let _e343 = (2u * _e337);
-                                atomicStore((&pairs.member[(4u + _e343)]), _e69);
-                                atomicStore((&pairs.member[(_e343 + 5u)]), _e325);
+                            if (_e313 < _e311) {
+                                let _e319 = (2u * _e313);
+                                atomicStore((&pairs.member[(4u + _e319)]), _e64);
+                                atomicStore((&pairs.member[(_e319 + 5u)]), _e302);
                             }
                         }
                     }
                 }
-                phi_673_ = _e193;
+                phi_673_ = _e178;
             } else {
                 phi_673_ = false;
             }
-            let _e349 = phi_673_;
+            let _e325 = phi_673_;
             continue;
             continuing {
-                phi_370_ = _e186;
-                break if !(_e349);
+                phi_370_ = type_9(select(_e162.member, (_e162.member + 1u), _e165), select(_e162.member_1, _e162.member_1, _e165));
+                break if !(_e325);
             }
         }
     }

@@ -80,21 +80,9 @@ var<storage, read_write> words: type_25;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_19;
     var phi_91_: type_9;
-    var phi_92_: type_9;
-    var phi_115_: type_9;
-    var phi_163_: f32;
-    var phi_170_: f32;
-    var phi_177_: f32;
-    var phi_186_: f32;
-    var phi_194_: f32;
-    var phi_202_: f32;
     var phi_226_: bool;
     var phi_242_: bool;
     var phi_248_: type_9;
-    var phi_249_: type_9;
-    var phi_272_: type_9;
-    var phi_318_: u32;
-    var phi_299_: u32;
     var phi_319_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -110,122 +98,60 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     phi_91_ = type_9(0u, 8u);
     loop {
         let _e39 = phi_91_;
-        if (_e39.member < _e39.member_1) {
-            phi_92_ = type_9((_e39.member + 1u), _e39.member_1);
-            phi_115_ = type_9(1u, _e39.member);
-        } else {
-            phi_92_ = _e39;
-            phi_115_ = type_9(0u, type_9().member_1);
-        }
-        let _e51 = phi_92_;
-        let _e53 = phi_115_;
-        let _e57 = (bitcast<i32>(_e53.member) != 0i);
-        if _e57 {
-            let _e58 = ((((((_e23.y * _e24.x) + _e23.x) * 256u) + _e25) * 8u) + _e53.member_1);
-            let _e61 = params.member.member_1.member;
-            if (_e58 < _e61) {
-                let _e64 = worlds.member[_e58];
-                let _e66 = boxes.member[_e58];
-                let _e81 = local.member[0u];
-                if (_e81 < _e66.member.x) {
-                    phi_163_ = _e81;
-                } else {
-                    phi_163_ = _e66.member.x;
-                }
-                let _e84 = phi_163_;
-                let _e87 = local.member[1u];
-                if (_e87 < _e66.member.y) {
-                    phi_170_ = _e87;
-                } else {
-                    phi_170_ = _e66.member.y;
-                }
-                let _e90 = phi_170_;
-                let _e93 = local.member[2u];
-                if (_e93 < _e66.member_1.x) {
-                    phi_177_ = _e93;
-                } else {
-                    phi_177_ = _e66.member_1.x;
-                }
-                let _e96 = phi_177_;
-                let _e99 = local.member_1[0u];
-                if (_e99 > _e66.member_1.y) {
-                    phi_186_ = _e99;
-                } else {
-                    phi_186_ = _e66.member_1.y;
-                }
-                let _e102 = phi_186_;
-                let _e105 = local.member_1[1u];
-                if (_e105 > _e66.member_2.x) {
-                    phi_194_ = _e105;
-                } else {
-                    phi_194_ = _e66.member_2.x;
-                }
-                let _e108 = phi_194_;
-                let _e111 = local.member_1[2u];
-                if (_e111 > _e66.member_2.y) {
-                    phi_202_ = _e111;
-                } else {
-                    phi_202_ = _e66.member_2.y;
-                }
-                let _e114 = phi_202_;
-                local = type_19(array<f32, 3>(_e84, _e90, _e96), array<f32, 3>(_e102, _e108, _e114));
-                if ((_e53.member_1 + 1u) == 8u) {
+        let _e42 = (_e39.member < _e39.member_1);
+        let _e53 = select(type_9().member_1, _e39.member, _e42);
+        let _e55 = (bitcast<i32>(select(0u, 1u, _e42)) != 0i);
+        if _e55 {
+            let _e56 = ((((((_e23.y * _e24.x) + _e23.x) * 256u) + _e25) * 8u) + _e53);
+            let _e59 = params.member.member_1.member;
+            if (_e56 < _e59) {
+                let _e62 = worlds.member[_e56];
+                let _e64 = boxes.member[_e56];
+                let _e79 = local.member[0u];
+                let _e84 = local.member[1u];
+                let _e89 = local.member[2u];
+                let _e94 = local.member_1[0u];
+                let _e99 = local.member_1[1u];
+                let _e104 = local.member_1[2u];
+                local = type_19(array<f32, 3>(select(_e64.member.x, _e79, (_e79 < _e64.member.x)), select(_e64.member.y, _e84, (_e84 < _e64.member.y)), select(_e64.member_1.x, _e89, (_e89 < _e64.member_1.x))), array<f32, 3>(select(_e64.member_1.y, _e94, (_e94 > _e64.member_1.y)), select(_e64.member_2.x, _e99, (_e99 > _e64.member_2.x)), select(_e64.member_2.y, _e104, (_e104 > _e64.member_2.y))));
+                if ((_e53 + 1u) == 8u) {
                     phi_226_ = true;
                 } else {
-                    let _e123 = params.member.member_1.member;
-                    phi_226_ = ((_e58 + 1u) == _e123);
+                    let _e115 = params.member.member_1.member;
+                    phi_226_ = ((_e56 + 1u) == _e115);
                 }
-                let _e126 = phi_226_;
-                if _e126 {
-                    phi_242_ = _e126;
+                let _e118 = phi_226_;
+                if _e118 {
+                    phi_242_ = _e118;
                 } else {
-                    let _e129 = worlds.member[(_e58 + 1u)];
-                    phi_242_ = (_e129 != _e64);
+                    let _e121 = worlds.member[(_e56 + 1u)];
+                    phi_242_ = (_e121 != _e62);
                 }
-                let _e132 = phi_242_;
-                if _e132 {
+                let _e124 = phi_242_;
+                if _e124 {
                     phi_248_ = type_9(0u, 6u);
                     loop {
-                        let _e134 = phi_248_;
-                        if (_e134.member < _e134.member_1) {
-                            phi_249_ = type_9((_e134.member + 1u), _e134.member_1);
-                            phi_272_ = type_9(1u, _e134.member);
-                        } else {
-                            phi_249_ = _e134;
-                            phi_272_ = type_9(0u, type_9().member_1);
-                        }
-                        let _e146 = phi_249_;
-                        let _e148 = phi_272_;
-                        let _e152 = (bitcast<i32>(_e148.member) != 0i);
-                        if _e152 {
-                            if (_e148.member_1 < 3u) {
-                                let _e168 = local.member[_e148.member_1];
-                                let _e169 = bitcast<u32>(_e168);
-                                if ((_e169 >> bitcast<u32>(31i)) == 1u) {
-                                    phi_299_ = ~(_e169);
-                                } else {
-                                    phi_299_ = (_e169 | 2147483648u);
-                                }
-                                let _e176 = phi_299_;
-                                phi_319_ = ~(_e176);
-                            } else {
-                                let _e157 = local.member_1[(_e148.member_1 - 3u)];
+                        let _e126 = phi_248_;
+                        let _e129 = (_e126.member < _e126.member_1);
+                        let _e140 = select(type_9().member_1, _e126.member, _e129);
+                        let _e142 = (bitcast<i32>(select(0u, 1u, _e129)) != 0i);
+                        if _e142 {
+                            if (_e140 < 3u) {
+                                let _e157 = local.member[_e140];
                                 let _e158 = bitcast<u32>(_e157);
-                                if ((_e158 >> bitcast<u32>(31i)) == 1u) {
-                                    phi_318_ = ~(_e158);
-                                } else {
-                                    phi_318_ = (_e158 | 2147483648u);
-                                }
-                                let _e165 = phi_318_;
-                                phi_319_ = _e165;
+                                phi_319_ = ~(select((_e158 | 2147483648u), ~(_e158), ((_e158 >> bitcast<u32>(31i)) == 1u)));
+                            } else {
+                                let _e147 = local.member_1[(_e140 - 3u)];
+                                let _e148 = bitcast<u32>(_e147);
+                                phi_319_ = select((_e148 | 2147483648u), ~(_e148), ((_e148 >> bitcast<u32>(31i)) == 1u));
                             }
-                            let _e179 = phi_319_;
-                            let _e183 = atomicMax((&words.member[((6u * _e64) + _e148.member_1)]), _e179);
+                            let _e167 = phi_319_;
+                            let _e171 = atomicMax((&words.member[((6u * _e62) + _e140)]), _e167);
                         }
                         continue;
                         continuing {
-                            phi_248_ = _e146;
-                            break if !(_e152);
+                            phi_248_ = type_9(select(_e126.member, (_e126.member + 1u), _e129), select(_e126.member_1, _e126.member_1, _e129));
+                            break if !(_e142);
                         }
                     }
                     local = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
@@ -234,8 +160,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         continue;
         continuing {
-            phi_91_ = _e51;
-            break if !(_e57);
+            phi_91_ = type_9(select(_e39.member, (_e39.member + 1u), _e42), select(_e39.member_1, _e39.member_1, _e42));
+            break if !(_e55);
         }
     }
     return;

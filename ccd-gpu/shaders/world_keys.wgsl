@@ -89,26 +89,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_2: type_18;
     var local_3: type_22;
     var local_4: type_18;
-    var phi_143_: u32;
     var phi_144_: u32;
     var phi_158_: type_9;
-    var phi_159_: type_9;
-    var phi_182_: type_9;
-    var phi_209_: u32;
-    var phi_236_: u32;
     var phi_270_: type_9;
     var phi_273_: f32;
-    var phi_271_: type_9;
-    var phi_296_: type_9;
-    var phi_326_: f32;
     var phi_274_: f32;
     var local_5: f32;
     var local_6: f32;
     var phi_336_: f32;
     var phi_388_: type_9;
-    var phi_389_: type_9;
-    var phi_412_: type_9;
-    var phi_475_: u32;
     var phi_476_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -128,166 +117,115 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             phi_144_ = 2u;
         } else {
             let _e75 = params.member.member.member_2[1u];
-            if (_e63 >= _e75) {
-                phi_143_ = 1u;
-            } else {
-                phi_143_ = 0u;
-            }
-            let _e78 = phi_143_;
-            phi_144_ = _e78;
+            phi_144_ = select(0u, 1u, (_e63 >= _e75));
         }
-        let _e80 = phi_144_;
-        let _e82 = worlds.member[_e63];
-        let _e83 = (6u * _e82);
+        let _e79 = phi_144_;
+        let _e81 = worlds.member[_e63];
+        let _e82 = (6u * _e81);
         local_2 = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         phi_158_ = type_9(0u, 3u);
         loop {
-            let _e85 = phi_158_;
-            if (_e85.member < _e85.member_1) {
-                phi_159_ = type_9((_e85.member + 1u), _e85.member_1);
-                phi_182_ = type_9(1u, _e85.member);
-            } else {
-                phi_159_ = _e85;
-                phi_182_ = type_9(0u, type_9().member_1);
-            }
-            let _e97 = phi_159_;
-            let _e99 = phi_182_;
-            let _e103 = (bitcast<i32>(_e99.member) != 0i);
-            if _e103 {
-                let _e106 = words.member[(_e83 + _e99.member_1)];
-                let _e107 = ~(_e106);
-                if ((_e107 >> bitcast<u32>(31i)) == 1u) {
-                    phi_209_ = (_e107 & 2147483647u);
-                } else {
-                    phi_209_ = ~(_e107);
-                }
-                let _e114 = phi_209_;
-                local_2.member[_e99.member_1] = bitcast<f32>(_e114);
-                let _e121 = words.member[((_e83 + 3u) + _e99.member_1)];
-                if ((_e121 >> bitcast<u32>(31i)) == 1u) {
-                    phi_236_ = (_e121 & 2147483647u);
-                } else {
-                    phi_236_ = ~(_e121);
-                }
-                let _e128 = phi_236_;
-                local_2.member_1[_e99.member_1] = bitcast<f32>(_e128);
+            let _e84 = phi_158_;
+            let _e87 = (_e84.member < _e84.member_1);
+            let _e98 = select(type_9().member_1, _e84.member, _e87);
+            let _e100 = (bitcast<i32>(select(0u, 1u, _e87)) != 0i);
+            if _e100 {
+                let _e103 = words.member[(_e82 + _e98)];
+                let _e104 = ~(_e103);
+                local_2.member[_e98] = bitcast<f32>(select(~(_e104), (_e104 & 2147483647u), ((_e104 >> bitcast<u32>(31i)) == 1u)));
+                let _e117 = words.member[((_e82 + 3u) + _e98)];
+                local_2.member_1[_e98] = bitcast<f32>(select(~(_e117), (_e117 & 2147483647u), ((_e117 >> bitcast<u32>(31i)) == 1u)));
             }
             continue;
             continuing {
-                phi_158_ = _e97;
-                break if !(_e103);
+                phi_158_ = type_9(select(_e84.member, (_e84.member + 1u), _e87), select(_e84.member_1, _e84.member_1, _e87));
+                break if !(_e100);
             }
         }
-        let _e133 = local_2;
-        local_4 = _e133;
+        let _e128 = local_2;
+        local_4 = _e128;
         phi_270_ = type_9(0u, 3u);
         phi_273_ = 0f;
         loop {
-            let _e135 = phi_270_;
-            let _e137 = phi_273_;
-            local_5 = _e137;
-            local_6 = _e137;
-            if (_e135.member < _e135.member_1) {
-                phi_271_ = type_9((_e135.member + 1u), _e135.member_1);
-                phi_296_ = type_9(1u, _e135.member);
-            } else {
-                phi_271_ = _e135;
-                phi_296_ = type_9(0u, type_9().member_1);
-            }
-            let _e149 = phi_271_;
-            let _e151 = phi_296_;
-            let _e155 = (bitcast<i32>(_e151.member) != 0i);
-            if _e155 {
-                let _e158 = local_4.member_1[_e151.member_1];
-                let _e162 = local_4.member[_e151.member_1];
-                let _e164 = ((_e158 * 0.5f) - (_e162 * 0.5f));
-                if (_e164 > _e137) {
-                    phi_326_ = _e164;
-                } else {
-                    phi_326_ = _e137;
-                }
-                let _e167 = phi_326_;
-                phi_274_ = _e167;
+            let _e130 = phi_270_;
+            let _e132 = phi_273_;
+            local_5 = _e132;
+            local_6 = _e132;
+            let _e135 = (_e130.member < _e130.member_1);
+            let _e146 = select(type_9().member_1, _e130.member, _e135);
+            let _e148 = (bitcast<i32>(select(0u, 1u, _e135)) != 0i);
+            if _e148 {
+                let _e151 = local_4.member_1[_e146];
+                let _e155 = local_4.member[_e146];
+                let _e157 = ((_e151 * 0.5f) - (_e155 * 0.5f));
+                phi_274_ = select(_e132, _e157, (_e157 > _e132));
             } else {
                 phi_274_ = f32();
             }
-            let _e169 = phi_274_;
+            let _e161 = phi_274_;
             continue;
             continuing {
-                phi_270_ = _e149;
-                phi_273_ = _e169;
-                break if !(_e155);
+                phi_270_ = type_9(select(_e130.member, (_e130.member + 1u), _e135), select(_e130.member_1, _e130.member_1, _e135));
+                phi_273_ = _e161;
+                break if !(_e148);
             }
         }
-        let _e172 = local_5;
-        if (_e172 > 0.000000000000000000000000000001f) {
-            let _e176 = local_6;
-            phi_336_ = ((0.5f * 1024f) / _e176);
+        let _e164 = local_5;
+        if (_e164 > 0.000000000000000000000000000001f) {
+            let _e168 = local_6;
+            phi_336_ = ((0.5f * 1024f) / _e168);
         } else {
             phi_336_ = 0f;
         }
-        let _e179 = phi_336_;
-        let _e181 = local_4.member;
-        local_3 = type_22(_e181, _e179, (1024f - 1f));
-        let _e186 = params.member.member_2.member;
-        let _e188 = boxes.member[_e63];
-        local_1 = type_18(array<f32, 3>(_e188.member.x, _e188.member.y, _e188.member_1.x), array<f32, 3>(_e188.member_1.y, _e188.member_2.x, _e188.member_2.y));
+        let _e171 = phi_336_;
+        let _e173 = local_4.member;
+        local_3 = type_22(_e173, _e171, (1024f - 1f));
+        let _e178 = params.member.member_2.member;
+        let _e180 = boxes.member[_e63];
+        local_1 = type_18(array<f32, 3>(_e180.member.x, _e180.member.y, _e180.member_1.x), array<f32, 3>(_e180.member_1.y, _e180.member_2.x, _e180.member_2.y));
         local = array<u32, 3>(0u, 0u, 0u);
         phi_388_ = type_9(0u, 3u);
         loop {
-            let _e205 = phi_388_;
-            if (_e205.member < _e205.member_1) {
-                phi_389_ = type_9((_e205.member + 1u), _e205.member_1);
-                phi_412_ = type_9(1u, _e205.member);
-            } else {
-                phi_389_ = _e205;
-                phi_412_ = type_9(0u, type_9().member_1);
-            }
-            let _e217 = phi_389_;
-            let _e219 = phi_412_;
-            let _e223 = (bitcast<i32>(_e219.member) != 0i);
-            if _e223 {
-                let _e226 = local_1.member[_e219.member_1];
-                let _e230 = local_1.member_1[_e219.member_1];
-                let _e235 = local_3.member[_e219.member_1];
-                let _e238 = local_3.member_1;
-                let _e239 = ((((_e226 * 0.5f) + (_e230 * 0.5f)) - _e235) * _e238);
-                let _e241 = local_3.member_2;
-                if (_e239 >= _e241) {
-                    let _e252 = local_3.member_2;
-                    phi_476_ = select(select(u32(_e252), 0u, (_e252 < 0f)), 4294967295u, (_e252 > 4294967000f));
+            let _e197 = phi_388_;
+            let _e200 = (_e197.member < _e197.member_1);
+            let _e211 = select(type_9().member_1, _e197.member, _e200);
+            let _e213 = (bitcast<i32>(select(0u, 1u, _e200)) != 0i);
+            if _e213 {
+                let _e216 = local_1.member[_e211];
+                let _e220 = local_1.member_1[_e211];
+                let _e225 = local_3.member[_e211];
+                let _e228 = local_3.member_1;
+                let _e229 = ((((_e216 * 0.5f) + (_e220 * 0.5f)) - _e225) * _e228);
+                let _e231 = local_3.member_2;
+                if (_e229 >= _e231) {
+                    let _e241 = local_3.member_2;
+                    phi_476_ = select(select(u32(_e241), 0u, (_e241 < 0f)), 4294967295u, (_e241 > 4294967000f));
                 } else {
-                    if (_e239 > 0f) {
-                        phi_475_ = select(select(u32(_e239), 0u, (_e239 < 0f)), 4294967295u, (_e239 > 4294967000f));
-                    } else {
-                        phi_475_ = 0u;
-                    }
-                    let _e250 = phi_475_;
-                    phi_476_ = _e250;
+                    phi_476_ = select(0u, select(select(u32(_e229), 0u, (_e229 < 0f)), 4294967295u, (_e229 > 4294967000f)), (_e229 > 0f));
                 }
-                let _e259 = phi_476_;
-                local[_e219.member_1] = _e259;
+                let _e248 = phi_476_;
+                local[_e211] = _e248;
             }
             continue;
             continuing {
-                phi_388_ = _e217;
-                break if !(_e223);
+                phi_388_ = type_9(select(_e197.member, (_e197.member + 1u), _e200), select(_e197.member_1, _e197.member_1, _e200));
+                break if !(_e213);
             }
         }
-        let _e262 = local;
-        let _e266 = (_e262[0] & 1023u);
-        let _e270 = ((_e266 | (_e266 << bitcast<u32>(16i))) & 50331903u);
-        let _e274 = ((_e270 | (_e270 << bitcast<u32>(8i))) & 50393103u);
-        let _e278 = ((_e274 | (_e274 << bitcast<u32>(4i))) & 51130563u);
-        let _e285 = (_e262[1] & 1023u);
-        let _e289 = ((_e285 | (_e285 << bitcast<u32>(16i))) & 50331903u);
-        let _e293 = ((_e289 | (_e289 << bitcast<u32>(8i))) & 50393103u);
-        let _e297 = ((_e293 | (_e293 << bitcast<u32>(4i))) & 51130563u);
-        let _e305 = (_e262[2] & 1023u);
-        let _e309 = ((_e305 | (_e305 << bitcast<u32>(16i))) & 50331903u);
-        let _e313 = ((_e309 | (_e309 << bitcast<u32>(8i))) & 50393103u);
-        let _e317 = ((_e313 | (_e313 << bitcast<u32>(4i))) & 51130563u);
-        keys.member[_e63] = (((_e80 << bitcast<u32>(30i)) | (_e82 << bitcast<u32>(((30u - _e186) & 31u)))) | ((((((_e278 | (_e278 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(2i)) | (((_e297 | (_e297 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(1i))) | ((_e317 | (_e317 << bitcast<u32>(2i))) & 153391689u)) >> bitcast<u32>((_e186 & 31u))));
+        let _e251 = local;
+        let _e255 = (_e251[0] & 1023u);
+        let _e259 = ((_e255 | (_e255 << bitcast<u32>(16i))) & 50331903u);
+        let _e263 = ((_e259 | (_e259 << bitcast<u32>(8i))) & 50393103u);
+        let _e267 = ((_e263 | (_e263 << bitcast<u32>(4i))) & 51130563u);
+        let _e274 = (_e251[1] & 1023u);
+        let _e278 = ((_e274 | (_e274 << bitcast<u32>(16i))) & 50331903u);
+        let _e282 = ((_e278 | (_e278 << bitcast<u32>(8i))) & 50393103u);
+        let _e286 = ((_e282 | (_e282 << bitcast<u32>(4i))) & 51130563u);
+        let _e294 = (_e251[2] & 1023u);
+        let _e298 = ((_e294 | (_e294 << bitcast<u32>(16i))) & 50331903u);
+        let _e302 = ((_e298 | (_e298 << bitcast<u32>(8i))) & 50393103u);
+        let _e306 = ((_e302 | (_e302 << bitcast<u32>(4i))) & 51130563u);
+        keys.member[_e63] = (((_e79 << bitcast<u32>(30i)) | (_e81 << bitcast<u32>(((30u - _e178) & 31u)))) | ((((((_e267 | (_e267 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(2i)) | (((_e286 | (_e286 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(1i))) | ((_e306 | (_e306 << bitcast<u32>(2i))) & 153391689u)) >> bitcast<u32>((_e178 & 31u))));
         order.member[_e63] = _e63;
     }
     return;

@@ -122,18 +122,6 @@ pub fn advance<R: Real>(
     Advance::Stuck(reach)
 }
 
-/// Whether no direction that [`advance`] tries separates features that touch or nearly do, at time
-/// `t`: it would be stuck there.
-#[inline(always)]
-pub fn stuck_at<R: Real>(m: &Motion<R>, patch: Patch, t: R) -> bool {
-    let field = Field::new(m, patch, R::splat(0.0));
-    let w = nearest(m, patch, t);
-    !(field.towards(w).clear_at(t)
-        || field.towards(along_axis(w, 1)).clear_at(t)
-        || field.towards(along_axis(w, 2)).clear_at(t)
-        || field.towards(along_axis(w, 3)).clear_at(t))
-}
-
 /// What separates two features, but for the direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Field<R> {

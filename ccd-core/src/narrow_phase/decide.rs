@@ -6,9 +6,10 @@ use crate::kernel::memory::{Stored, at};
 use crate::layout::VERTEX_FACE;
 use crate::layout::{Frame, IntegerDecision, Pair, Path, join, split};
 use crate::math::q62::Q62;
+use crate::math::real::Real;
 use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::integer_search::{self, Ends, Found, NO_UNIT, Window};
-use crate::narrow_phase::query::{Verdict, search};
+use crate::narrow_phase::query::{Verdict, contact, near};
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 use crate::narrow_phase::search::{Answer, Search};
 
@@ -63,10 +64,11 @@ pub fn wide_search_of(frame: &Frame) -> Search<f64> {
     }
 }
 
-/// Whether a host decides exactly what stays undecided in `f64`: if there is no minimum distance.
+/// Whether a contact is a minimum distance: without one a host decides exactly what stays undecided
+/// in `f64`.
 #[inline(always)]
-pub fn is_decided_again(frame: &Frame) -> bool {
-    frame.distance_bits[0] | frame.distance_bits[1] == 0
+pub fn is_near(frame: &Frame) -> bool {
+    frame.distance_bits[0] | frame.distance_bits[1] != 0
 }
 
 /// Rounds that workgroup `group` of `groups` needs for its share of `n` items.
@@ -149,11 +151,17 @@ pub fn narrow_verdicts(answer: Answer<f32>, frame: &Frame) -> Verdicts {
     Verdicts { undecided, ..v }
 }
 
+/// `NEAR`: by a minimum distance. A kernel for either takes half as long to compile as one for both.
+#[inline(always)]
+fn search<const NEAR: bool, R: Real>(m: &Motion<R>, patch: Patch, s: &Search<R>) -> Answer<R> {
+    if NEAR { near(m, patch, s) } else { contact(m, patch, s) }
+}
+
 /// Decides a pair of a kind without `f64`: by integers, if these are asked, and what they leave
 /// open in `f32`. `elements`: see [`words_of_pair`]. `positions`: words of positions as given, if
-/// paths are not exact.
+/// paths are not exact. `NEAR`: by a minimum distance, which integers know nothing of.
 #[inline(always)]
-pub fn narrow<P: Stored<Path>>(
+pub fn narrow<const NEAR: bool, P: Stored<Path>>(
     pair: Pair,
     frame: &Frame,
     args: &IntegerDecision,
@@ -164,8 +172,8 @@ pub fn narrow<P: Stored<Path>>(
     let (patch, ids) = words_of_pair(args.of_pairs.kind, pair, elements);
     let (x0, x1) = ends(ids, paths);
     let motion = Motion::new(patch, &x0, &x1, frame.path_error);
-    let unit = integer_search::unit(&motion);
-    if args.tolerance > 0 && unit != NO_UNIT {
+    let unit = if NEAR { NO_UNIT } else { integer_search::unit(&motion) };
+    if !NEAR && args.tolerance > 0 && unit != NO_UNIT {
         let points = if frame.has(Frame::FLAG_EXACT) {
             let point = |i: usize| [in_units(x0[i], unit), in_units(x1[i], unit)];
             [point(0), point(1), point(2), point(3)]
@@ -184,7 +192,7 @@ pub fn narrow<P: Stored<Path>>(
             return verdicts;
         }
     }
-    narrow_verdicts(search(&motion, patch, &search_of(frame)), frame)
+    narrow_verdicts(search::<NEAR, f32>(&motion, patch, &search_of(frame)), frame)
 }
 
 #[inline(always)]
@@ -224,9 +232,10 @@ fn time_of(units: u32) -> [u32; 2] {
     [fraction << 20, ((1023 - zeros) << 20) | (fraction >> 12)]
 }
 
-/// Decides a pair of a kind in `f64`. `elements`: see [`words_of_pair`].
+/// Decides a pair of a kind in `f64`. `elements`: see [`words_of_pair`]. `NEAR`: by a minimum
+/// distance.
 #[inline(always)]
-pub fn wide<P: Stored<Path>>(
+pub fn wide<const NEAR: bool, P: Stored<Path>>(
     kind: u32,
     pair: Pair,
     frame: &Frame,
@@ -237,7 +246,7 @@ pub fn wide<P: Stored<Path>>(
     let (patch, ids) = words_of_pair(kind, pair, elements);
     let (x0, x1) = wide_ends(ids, frame, paths, positions);
     let motion = Motion::new(patch, &x0, &x1, 0.0);
-    verdicts(search(&motion, patch, &wide_search_of(frame)), split)
+    verdicts(search::<NEAR, f64>(&motion, patch, &wide_search_of(frame)), split)
 }
 
 /// Positions as given: in `f32` if those are exact.
@@ -282,7 +291,6 @@ pub fn words_of_pair(kind: u32, pair: Pair, elements: &[u32]) -> (Patch, [u32; 4
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::real::Real;
     use crate::random::Random;
 
     /// Times of a window and the tolerance are rounded so that nothing is lost, and contacts are

@@ -8,10 +8,10 @@ pub use crate::narrow_phase::search::{LEAST_TOLERANCE, TOI_TOLERANCE, Verdict};
 
 use crate::math::real::Real;
 use crate::narrow_phase::approach::{Approach, Departure};
-use crate::narrow_phase::conservative_advancement::{Advance, SHORTLY, advance, stuck_at, within};
+use crate::narrow_phase::conservative_advancement::{Advance, SHORTLY, advance, within};
 use crate::narrow_phase::containment::{Inside, inside};
 use crate::narrow_phase::coplanarity::Coplanarity;
-use crate::narrow_phase::cubic_roots::Cubic;
+use crate::narrow_phase::cubic_roots::{Cubic, Interval};
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 use crate::narrow_phase::search::{Answer, Search};
 
@@ -115,16 +115,29 @@ pub fn solve<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R
 /// first of a contact among these. Where it would be later than [`Search::latest`], the verdict may
 /// be a miss.
 pub fn search<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {
-    let (m, min_distance) = in_unit(m, search.min_distance);
-    if min_distance > R::splat(0.0) {
-        at_distance(&m, patch, &Search { min_distance, ..*search })
+    if search.min_distance > R::splat(0.0) {
+        near(m, patch, search)
     } else {
-        let verdict = touching(&m, patch, search);
-        // It certainly is apart until the time of impact, and certainly touches after it.
-        let nears = matches!(verdict, Verdict::Hit { toi } if toi > search.from);
-        let approach = if nears { Approach::Approaching } else { Approach::Unknown };
-        Answer { verdict, approach }
+        contact(m, patch, search)
     }
+}
+
+/// [`search`] without a minimum distance, whatever the search says.
+#[inline(always)]
+pub(super) fn contact<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {
+    let (m, _) = in_unit(m, R::splat(0.0));
+    let verdict = touching(&m, patch, search);
+    // It certainly is apart until the time of impact, and certainly touches after it.
+    let nears = matches!(verdict, Verdict::Hit { toi } if toi > search.from);
+    let approach = if nears { Approach::Approaching } else { Approach::Unknown };
+    Answer { verdict, approach }
+}
+
+/// [`search`] with a minimum distance.
+#[inline(always)]
+pub(super) fn near<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {
+    let (m, min_distance) = in_unit(m, search.min_distance);
+    at_distance(&m, patch, &Search { min_distance, ..*search })
 }
 
 /// Vectors whose greatest component is within this factor of 1, 2^16, need no other unit: fourth
@@ -162,36 +175,39 @@ fn touching<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Verdict
     }
     // The bound is of 3 f; 0.34 is a third, rounded up.
     let cubic = Cubic::new(plane.c, plane.bound * R::splat(0.34)).refined(search.tolerance);
-    // What rests on each other: no interval that may hold a zero starts later, and nothing would
-    // certify that they do not touch there.
-    if cubic.may_vanish_at(search.from) && stuck_at(m, patch, search.from) {
-        return Verdict::Undecided { toi: search.from };
-    }
     let (ends, n_pieces) = cubic.pieces();
-    for i in 0..n_pieces {
-        let (from, to) = (ends[i].max(search.from), ends[i + 1].min(search.until));
-        if !(from <= to) {
-            continue;
-        }
-        if cubic.is_nonzero_until(search.latest, from, to) {
-            return Verdict::Miss;
-        }
-        let at = cubic.zero_in_piece(from, to);
-        if at.is_empty() {
-            continue;
-        }
-        // Nothing below is earlier.
-        if at.lo > search.latest {
-            return Verdict::Miss;
-        }
-        let place = inside(m, patch, at.lo, at.hi);
-        if matches!(place, Inside::Outside) {
-            continue;
-        }
-        let touches = matches!(place, Inside::Inside) && at.crosses;
-        let early = search.tolerance * R::splat(0.99);
-        if touches && at.hi - at.lo <= early {
-            return Verdict::Hit { toi: at.lo };
+    let early = search.tolerance * R::splat(0.99);
+    // The start comes first, as a piece of its own, where features may rest on each other: no
+    // interval that may hold a zero starts later, and nothing would certify that they do not touch
+    // there. In one loop, because kernels have a copy of `advance` for each call.
+    let first = if cubic.may_vanish_at(search.from) { 0 } else { 1 };
+    for i in first..n_pieces + 1 {
+        let mut at = Interval { lo: search.from, hi: search.from, crosses: false };
+        let mut touches = false;
+        if i > 0 {
+            let (from, to) = (ends[i - 1].max(search.from), ends[i].min(search.until));
+            if !(from <= to) {
+                continue;
+            }
+            if cubic.is_nonzero_until(search.latest, from, to) {
+                return Verdict::Miss;
+            }
+            at = cubic.zero_in_piece(from, to);
+            if at.is_empty() {
+                continue;
+            }
+            // Nothing below is earlier.
+            if at.lo > search.latest {
+                return Verdict::Miss;
+            }
+            let place = inside(m, patch, at.lo, at.hi);
+            if matches!(place, Inside::Outside) {
+                continue;
+            }
+            touches = matches!(place, Inside::Inside) && at.crosses;
+            if touches && at.hi - at.lo <= early {
+                return Verdict::Hit { toi: at.lo };
+            }
         }
         if let Advance::Stuck(toi) = advance(m, patch, at.lo, at.hi, zero, search.tolerance) {
             // What touches in the interval does after this time.

@@ -135,11 +135,14 @@ impl OnDevice {
     /// What it says of the same in `f64`.
     pub fn wide(&self, (patch, ids): Query) -> Verdicts {
         let (frame, paths, given) = (&self.frame, &self.paths, &self.given);
-        match patch {
-            Patch::Triangle => {
-                decide::wide(0, Pair { a: ids[0], b: 0 }, frame, paths, given, &ids[1..])
-            }
-            Patch::Parallelogram => decide::wide(1, Pair { a: 0, b: 1 }, frame, paths, given, &ids),
+        let (kind, pair, elements) = match patch {
+            Patch::Triangle => (0, Pair { a: ids[0], b: 0 }, &ids[1..]),
+            Patch::Parallelogram => (1, Pair { a: 0, b: 1 }, &ids[..]),
+        };
+        if decide::is_near(frame) {
+            decide::wide::<true, _>(kind, pair, frame, paths, given, elements)
+        } else {
+            decide::wide::<false, _>(kind, pair, frame, paths, given, elements)
         }
     }
 }

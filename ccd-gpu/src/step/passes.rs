@@ -4,7 +4,8 @@ use super::buffers::Buffers;
 use super::upload::{Boxes, Positions};
 use super::{Goal, SAMPLE};
 use crate::bind::{
-    Decide, DecideWide, PlaceVertices, Shorten, SweepEdges, SweepFaces, SweepVertices,
+    Decide, DecideNear, DecideNearWide, DecideWide, PlaceVertices, Shorten, SweepEdges, SweepFaces,
+    SweepVertices,
 };
 use crate::broad_phase::block_bvh::Features;
 use crate::growable_list::{HEADER_BYTES, parts};
@@ -159,14 +160,30 @@ impl Buffers {
         let window = if exact { Window::of(&decide::wide_search_of(&frame)) } else { None };
         for dispatch in parts(capacity, limit, self.contacts.capacity()) {
             let groups = self.groups.min(dispatch.n.div_ceil(threads));
-            if wide {
-                let kernel = DecideWide { paths, positions, elements, input, contacts, earliest };
-                recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
-            } else {
-                let kernel =
-                    Decide { paths, positions, elements, input, contacts, undecided, earliest };
-                let args = IntegerDecision::new(args, window);
-                recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
+            // One of four, so that a first step waits for no more than it needs.
+            macro_rules! decide {
+                ($args:expr, $($kernel:tt)*) => {
+                    recorder.dispatch(&$($kernel)*, &Params { frame, dispatch, args: $args }, groups)
+                };
+            }
+            let integer = IntegerDecision::new(args, window);
+            match (wide, decide::is_near(&frame)) {
+                (true, false) => decide!(
+                    args,
+                    DecideWide { paths, positions, elements, input, contacts, earliest }
+                ),
+                (true, true) => decide!(
+                    args,
+                    DecideNearWide { paths, positions, elements, input, contacts, earliest }
+                ),
+                (false, false) => decide!(
+                    integer,
+                    Decide { paths, positions, elements, input, contacts, undecided, earliest }
+                ),
+                (false, true) => decide!(
+                    integer,
+                    DecideNear { paths, positions, elements, input, contacts, undecided, earliest }
+                ),
             }
         }
     }

@@ -6,6 +6,7 @@
 
 mod instructions;
 mod rewrite;
+mod selects;
 
 use rewrite::{forbid_contraction, glsl_memory_model, may_be_inlined, plain_name, without_lines};
 use spirv_builder::{Capability, ModuleResult, ShaderPanicStrategy, SpirvBuilder, SpirvMetadata};
@@ -40,6 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let words = glsl_memory_model(&may_be_inlined(&plain_name(&words)))?;
         let words = forbid_contraction(&without_lines(&words));
         // What the optimiser creates anew needs the decoration too.
+        let words = selects::selects(&optimize(&words)?);
         let words = forbid_contraction(&optimize(&words)?);
         spirv_tools::val::create(Some(ENVIRONMENT))
             .validate(&words, None)
