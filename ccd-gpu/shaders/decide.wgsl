@@ -50,116 +50,107 @@ struct type_16 {
     member_1: f32,
 }
 
-struct type_18 {
-    member: u32,
-    member_1: u32,
-    member_2: u32,
-    member_3: u32,
-    member_4: array<u32, 2>,
-    member_5: u32,
-}
-
-struct type_21 {
+struct type_20 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
 }
 
-struct type_22 {
+struct type_21 {
     member: u32,
     member_1: array<u32, 4>,
 }
 
-struct type_23 {
+struct type_22 {
     member: vec4<f32>,
     member_1: vec4<f32>,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_28 {
+struct type_27 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_29 {
+struct type_28 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
     member_2: array<f32, 4>,
 }
 
-struct type_30 {
-    member: type_9,
-    member_1: u32,
-    member_2: u32,
-    member_3: u32,
-}
-
-struct type_31 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_30,
-}
-
-struct type_32 {
-    member: type_31,
-}
-
-struct type_33 {
-    member: type_28,
+struct type_29 {
+    member: type_27,
     member_1: f32,
 }
 
-struct type_34 {
+struct type_30 {
     member: u32,
     member_1: f32,
 }
 
-struct type_35 {
+struct type_31 {
     member: u32,
     member_1: u32,
     member_2: array<u32, 2>,
     member_3: bool,
 }
 
-struct type_38 {
+struct type_34 {
     member: array<f32, 4>,
     member_1: f32,
     member_2: f32,
     member_3: f32,
 }
 
-struct type_46 {
+struct type_37 {
+    member: type_9,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+}
+
+struct type_38 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_37,
+}
+
+struct type_39 {
+    member: type_38,
+}
+
+struct type_45 {
     member: f32,
     member_1: f32,
     member_2: bool,
 }
 
-struct type_50 {
+struct type_49 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(4) 
 var<storage> input: type_11;
 var<workgroup> counters: array<atomic<u32>, 4>;
-@group(0) @binding(0) 
-var<storage> params: type_32;
 @group(0) @binding(1) 
-var<storage> paths: type_25;
+var<storage> paths: type_24;
 @group(0) @binding(3) 
 var<storage> elements: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> contacts: type_50;
-@group(0) @binding(6) 
-var<storage, read_write> undecided: type_50;
-@group(0) @binding(7) 
-var<storage, read_write> earliest: type_50;
+var<storage, read_write> contacts: type_49;
+@group(0) @binding(0) 
+var<storage> params: type_39;
 @group(0) @binding(2) 
 var<storage> positions: type_11;
+@group(0) @binding(6) 
+var<storage, read_write> undecided: type_49;
+@group(0) @binding(7) 
+var<storage, read_write> earliest: type_49;
 
 fn function_(param: f32, param_1: f32) -> f32 {
     return select(param, param_1, select((param_1 >= param), true, (param != param)));
@@ -271,10 +262,10 @@ fn function_4(param_12: f32) -> array<u32, 2> {
     return array<u32, 2>(select((_e7 << bitcast<u32>(29i)), 0u, _e9), select(((_e7 ^ _e8) | ((_e8 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e9));
 }
 
-fn function_5(param_13: ptr<function, type_38>, param_14: f32, param_15: f32, param_16: f32) -> bool {
-    var phi_14908_: bool;
-    var phi_14909_: bool;
-    var phi_14914_: bool;
+fn function_5(param_13: ptr<function, type_34>, param_14: f32, param_15: f32, param_16: f32) -> bool {
+    var phi_14901_: bool;
+    var phi_14902_: bool;
+    var phi_14907_: bool;
 
     let _e14 = (*param_13).member_3;
     let _e16 = (*param_13).member_3;
@@ -298,19 +289,19 @@ fn function_5(param_13: ptr<function, type_38>, param_14: f32, param_15: f32, pa
         let _e79 = (*param_13).member_1;
         if (select(_e43, -(_e43), (_e43 < 0f)) > _e79) {
             let _e84 = (select(_e69, -(_e69), (_e69 < 0f)) > (_e71 + _e73));
-            phi_14908_ = select(bool(), ((_e43 > 0f) == (_e69 > 0f)), _e84);
-            phi_14909_ = select(true, false, _e84);
+            phi_14901_ = select(bool(), ((_e43 > 0f) == (_e69 > 0f)), _e84);
+            phi_14902_ = select(true, false, _e84);
         } else {
-            phi_14908_ = bool();
-            phi_14909_ = true;
+            phi_14901_ = bool();
+            phi_14902_ = true;
         }
-        let _e91 = phi_14908_;
-        let _e93 = phi_14909_;
-        phi_14914_ = select(_e91, false, _e93);
+        let _e91 = phi_14901_;
+        let _e93 = phi_14902_;
+        phi_14907_ = select(_e91, false, _e93);
     } else {
-        phi_14914_ = false;
+        phi_14907_ = false;
     }
-    let _e96 = phi_14914_;
+    let _e96 = phi_14907_;
     return _e96;
 }
 
@@ -403,52 +394,52 @@ fn function_13(param_37: u32, param_38: u32) -> type_9 {
 }
 
 fn function_14(param_39: array<u32, 2>, param_40: i32) -> type_9 {
-    var phi_14400_: type_9;
-    var phi_14401_: type_9;
-    var phi_14402_: type_9;
-    var phi_14403_: type_9;
-    var phi_14404_: type_9;
-    var phi_14405_: bool;
+    var phi_14393_: type_9;
+    var phi_14394_: type_9;
+    var phi_14395_: type_9;
+    var phi_14396_: type_9;
+    var phi_14397_: type_9;
+    var phi_14398_: bool;
 
     let _e24 = ((param_39[1] >> bitcast<u32>(20i)) & 2047u);
     let _e28 = ((param_39[1] & 1048575u) | select(1048576u, 0u, (_e24 == 0u)));
     let _e33 = ((bitcast<i32>(select(1u, _e24, (1u < _e24))) - 1015i) - param_40);
     let _e35 = (bitcast<u32>(_e33) % 32u);
     if (_e33 >= 64i) {
-        phi_14404_ = type_9();
-        phi_14405_ = true;
+        phi_14397_ = type_9();
+        phi_14398_ = true;
     } else {
         let _e37 = (_e33 <= -53i);
         if _e37 {
-            phi_14403_ = type_9();
+            phi_14396_ = type_9();
         } else {
             if (_e33 >= 32i) {
-                phi_14402_ = type_9((param_39[0] << bitcast<u32>((_e35 & 31u))), 0u);
+                phi_14395_ = type_9((param_39[0] << bitcast<u32>((_e35 & 31u))), 0u);
             } else {
                 if (_e33 >= 0i) {
-                    phi_14401_ = type_9(((_e28 << bitcast<u32>((_e35 & 31u))) | ((param_39[0] >> bitcast<u32>(1i)) >> bitcast<u32>(((31u - _e35) & 31u)))), (param_39[0] << bitcast<u32>((_e35 & 31u))));
+                    phi_14394_ = type_9(((_e28 << bitcast<u32>((_e35 & 31u))) | ((param_39[0] >> bitcast<u32>(1i)) >> bitcast<u32>(((31u - _e35) & 31u)))), (param_39[0] << bitcast<u32>((_e35 & 31u))));
                 } else {
                     if (_e33 > -32i) {
                         let _e49 = bitcast<u32>(-(_e33));
-                        phi_14400_ = type_9(bitcast<u32>((bitcast<i32>(_e28) >> bitcast<u32>((_e49 & 31u)))), ((param_39[0] >> bitcast<u32>((_e49 & 31u))) | ((_e28 << bitcast<u32>(((31u - _e49) & 31u))) << bitcast<u32>(1i))));
+                        phi_14393_ = type_9(bitcast<u32>((bitcast<i32>(_e28) >> bitcast<u32>((_e49 & 31u)))), ((param_39[0] >> bitcast<u32>((_e49 & 31u))) | ((_e28 << bitcast<u32>(((31u - _e49) & 31u))) << bitcast<u32>(1i))));
                     } else {
-                        phi_14400_ = type_9(0u, (_e28 >> bitcast<u32>(((bitcast<u32>(-(_e33)) - 32u) & 31u))));
+                        phi_14393_ = type_9(0u, (_e28 >> bitcast<u32>(((bitcast<u32>(-(_e33)) - 32u) & 31u))));
                     }
-                    let _e67 = phi_14400_;
-                    phi_14401_ = _e67;
+                    let _e67 = phi_14393_;
+                    phi_14394_ = _e67;
                 }
-                let _e83 = phi_14401_;
-                phi_14402_ = _e83;
+                let _e83 = phi_14394_;
+                phi_14395_ = _e83;
             }
-            let _e89 = phi_14402_;
-            phi_14403_ = _e89;
+            let _e89 = phi_14395_;
+            phi_14396_ = _e89;
         }
-        let _e91 = phi_14403_;
-        phi_14404_ = _e91;
-        phi_14405_ = _e37;
+        let _e91 = phi_14396_;
+        phi_14397_ = _e91;
+        phi_14398_ = _e37;
     }
-    let _e93 = phi_14404_;
-    let _e95 = phi_14405_;
+    let _e93 = phi_14397_;
+    let _e95 = phi_14398_;
     let _e97 = select(_e93.member, 0u, _e95);
     let _e99 = select(_e93.member_1, 0u, _e95);
     let _e102 = ((param_39[1] >> bitcast<u32>(31i)) != 0u);
@@ -456,17 +447,17 @@ fn function_14(param_39: array<u32, 2>, param_40: i32) -> type_9 {
 }
 
 fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_29;
-    var local_1: type_29;
-    var local_2: type_21;
-    var local_3: type_21;
-    var local_4: type_21;
+    var local: type_28;
+    var local_1: type_28;
+    var local_2: type_20;
+    var local_3: type_20;
+    var local_4: type_20;
     var local_5: array<type_16, 4>;
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
-    var local_8: type_38;
+    var local_8: type_34;
     var local_9: array<f32, 4>;
-    var local_10: type_28;
+    var local_10: type_27;
     var local_11: array<type_9, 3>;
     var local_12: array<type_9, 3>;
     var local_13: array<type_9, 3>;
@@ -502,94 +493,94 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_43: array<array<f32, 3>, 4>;
     var local_44: array<array<f32, 3>, 4>;
     var phi_917_: u32;
-    var phi_962_: u32;
-    var phi_965_: type_9;
-    var phi_1125_: type_22;
-    var phi_1539_: type_28;
-    var phi_3247_: array<array<array<type_9, 3>, 2>, 4>;
-    var phi_3794_: array<array<array<type_9, 3>, 2>, 3>;
-    var phi_5089_: type_9;
-    var phi_5092_: array<type_9, 4>;
-    var phi_5096_: u32;
-    var phi_5098_: u32;
-    var phi_5318_: bool;
-    var phi_5447_: u32;
-    var phi_6596_: array<type_9, 2>;
-    var phi_6625_: array<type_9, 2>;
-    var phi_6654_: array<type_9, 2>;
-    var phi_6668_: type_9;
+    var phi_963_: u32;
+    var phi_966_: type_9;
+    var phi_1124_: type_21;
+    var phi_1538_: type_27;
+    var phi_3246_: array<array<array<type_9, 3>, 2>, 4>;
+    var phi_3793_: array<array<array<type_9, 3>, 2>, 3>;
+    var phi_5088_: type_9;
+    var phi_5091_: array<type_9, 4>;
+    var phi_5095_: u32;
+    var phi_5097_: u32;
+    var phi_5317_: bool;
+    var phi_5446_: u32;
+    var phi_6595_: array<type_9, 2>;
+    var phi_6624_: array<type_9, 2>;
+    var phi_6653_: array<type_9, 2>;
+    var phi_6667_: type_9;
+    var phi_6989_: type_9;
     var phi_6990_: type_9;
     var phi_6991_: type_9;
     var phi_6992_: type_9;
-    var phi_6993_: type_9;
+    var phi_7106_: bool;
     var phi_7107_: bool;
     var phi_7108_: bool;
-    var phi_7109_: bool;
+    var phi_7113_: u32;
     var phi_7114_: u32;
-    var phi_7115_: u32;
-    var phi_7116_: bool;
-    var phi_7117_: u32;
-    var phi_7118_: bool;
-    var phi_7119_: u32;
-    var phi_7120_: bool;
-    var phi_7125_: u32;
+    var phi_7115_: bool;
+    var phi_7116_: u32;
+    var phi_7117_: bool;
+    var phi_7118_: u32;
+    var phi_7119_: bool;
+    var phi_7124_: u32;
+    var phi_7136_: bool;
     var phi_7137_: bool;
     var phi_7138_: bool;
-    var phi_7139_: bool;
+    var phi_7139_: u32;
     var phi_7140_: u32;
-    var phi_7141_: u32;
-    var phi_7142_: bool;
-    var phi_7477_: array<type_9, 4>;
-    var phi_7478_: u32;
-    var phi_7479_: array<type_9, 4>;
+    var phi_7141_: bool;
+    var phi_7476_: array<type_9, 4>;
+    var phi_7477_: u32;
+    var phi_7478_: array<type_9, 4>;
+    var phi_7480_: u32;
     var phi_7481_: u32;
-    var phi_7482_: u32;
-    var phi_7483_: array<type_9, 4>;
+    var phi_7482_: array<type_9, 4>;
+    var phi_7484_: u32;
     var phi_7485_: u32;
-    var phi_7486_: u32;
-    var phi_7487_: array<type_9, 4>;
-    var phi_7489_: bool;
+    var phi_7486_: array<type_9, 4>;
+    var phi_7488_: bool;
+    var phi_7489_: u32;
     var phi_7490_: u32;
-    var phi_7491_: u32;
+    var phi_7491_: bool;
     var phi_7492_: bool;
-    var phi_7493_: bool;
+    var phi_7493_: u32;
     var phi_7494_: u32;
-    var phi_7495_: u32;
-    var phi_7496_: bool;
+    var phi_7495_: bool;
+    var phi_7790_: array<type_9, 4>;
     var phi_7791_: array<type_9, 4>;
-    var phi_7792_: array<type_9, 4>;
+    var phi_7792_: u32;
     var phi_7793_: u32;
-    var phi_7794_: u32;
-    var phi_7795_: bool;
-    var phi_7800_: array<type_9, 4>;
+    var phi_7794_: bool;
+    var phi_7799_: array<type_9, 4>;
+    var phi_7800_: u32;
     var phi_7801_: u32;
-    var phi_7802_: u32;
+    var phi_7802_: bool;
     var phi_7803_: bool;
     var phi_7804_: bool;
-    var phi_7805_: bool;
-    var phi_7806_: array<type_9, 4>;
+    var phi_7805_: array<type_9, 4>;
+    var phi_7807_: u32;
     var phi_7808_: u32;
-    var phi_7809_: u32;
+    var phi_7809_: bool;
     var phi_7810_: bool;
-    var phi_7811_: bool;
+    var phi_7811_: u32;
     var phi_7812_: u32;
-    var phi_7813_: u32;
+    var phi_7813_: bool;
     var phi_7814_: bool;
     var phi_7815_: bool;
-    var phi_7816_: bool;
-    var phi_5093_: array<type_9, 4>;
-    var phi_5097_: u32;
-    var phi_5099_: u32;
-    var phi_7817_: u32;
+    var phi_5092_: array<type_9, 4>;
+    var phi_5096_: u32;
+    var phi_5098_: u32;
+    var phi_7816_: u32;
+    var phi_7817_: bool;
     var phi_7818_: bool;
-    var phi_7819_: bool;
+    var phi_7819_: u32;
     var phi_7820_: u32;
-    var phi_7821_: u32;
+    var phi_7821_: bool;
     var phi_7822_: bool;
     var phi_7823_: bool;
     var phi_7824_: bool;
     var phi_7825_: bool;
-    var phi_7826_: bool;
     var local_45: bool;
     var local_46: bool;
     var local_47: bool;
@@ -617,101 +608,102 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_69: u32;
     var local_70: u32;
     var local_71: u32;
+    var phi_8200_: bool;
     var phi_8201_: bool;
     var phi_8202_: bool;
     var phi_8203_: bool;
-    var phi_8204_: bool;
     var local_72: bool;
     var local_73: u32;
     var local_74: u32;
     var local_75: u32;
     var local_76: u32;
-    var phi_8236_: type_9;
+    var phi_8235_: type_9;
+    var phi_8236_: bool;
     var phi_8237_: bool;
-    var phi_8238_: bool;
-    var phi_8278_: array<u32, 2>;
-    var phi_8284_: type_35;
-    var phi_8291_: type_35;
-    var phi_8292_: bool;
-    var phi_8293_: type_35;
-    var phi_8294_: bool;
-    var phi_8565_: bool;
-    var phi_8659_: type_33;
-    var phi_8660_: bool;
-    var phi_8661_: type_33;
-    var phi_8662_: bool;
-    var phi_8663_: type_33;
-    var phi_8664_: bool;
-    var phi_8669_: type_33;
-    var phi_9394_: bool;
-    var phi_9406_: f32;
+    var phi_8277_: array<u32, 2>;
+    var phi_8283_: type_31;
+    var phi_8290_: type_31;
+    var phi_8291_: bool;
+    var phi_8292_: type_31;
+    var phi_8293_: bool;
+    var phi_8564_: bool;
+    var phi_8658_: type_29;
+    var phi_8659_: bool;
+    var phi_8660_: type_29;
+    var phi_8661_: bool;
+    var phi_8662_: type_29;
+    var phi_8663_: bool;
+    var phi_8668_: type_29;
+    var phi_9393_: bool;
+    var phi_9405_: f32;
+    var phi_9476_: type_14;
+    var phi_9479_: f32;
     var phi_9477_: type_14;
+    var phi_9520_: type_15;
     var phi_9480_: f32;
-    var phi_9478_: type_14;
-    var phi_9521_: type_15;
-    var phi_9481_: f32;
     var local_77: f32;
-    var phi_9534_: f32;
-    var phi_9565_: type_9;
-    var phi_9568_: u32;
+    var phi_9533_: f32;
+    var phi_9564_: type_9;
+    var phi_9567_: u32;
+    var phi_9634_: u32;
     var phi_9635_: u32;
+    var phi_9568_: u32;
     var phi_9636_: u32;
-    var phi_9569_: u32;
-    var phi_9637_: u32;
-    var phi_9693_: type_9;
-    var phi_9849_: type_46;
-    var phi_9850_: bool;
-    var phi_9851_: type_46;
-    var phi_9852_: bool;
-    var phi_9883_: type_9;
+    var phi_9692_: type_9;
+    var phi_9848_: type_45;
+    var phi_9849_: bool;
+    var phi_9850_: type_45;
+    var phi_9851_: bool;
+    var phi_9882_: type_9;
+    var phi_9885_: f32;
+    var phi_9887_: f32;
+    var phi_9889_: f32;
+    var phi_9999_: bool;
+    var phi_10006_: f32;
+    var phi_10007_: bool;
     var phi_9886_: f32;
     var phi_9888_: f32;
     var phi_9890_: f32;
-    var phi_10000_: bool;
-    var phi_10007_: f32;
-    var phi_10008_: bool;
-    var phi_9887_: f32;
-    var phi_9889_: f32;
-    var phi_9891_: f32;
-    var phi_10009_: f32;
+    var phi_10008_: f32;
+    var phi_10009_: bool;
     var phi_10010_: bool;
-    var phi_10011_: bool;
     var local_78: bool;
     var local_79: f32;
     var local_80: f32;
-    var phi_10016_: f32;
-    var phi_10032_: type_9;
-    var phi_10035_: f32;
-    var phi_10100_: f32;
+    var phi_10015_: f32;
+    var phi_10031_: type_9;
+    var phi_10034_: f32;
+    var phi_10099_: f32;
+    var phi_10100_: bool;
     var phi_10101_: bool;
     var phi_10102_: bool;
-    var phi_10103_: bool;
-    var phi_10104_: f32;
-    var phi_10036_: f32;
+    var phi_10103_: f32;
+    var phi_10035_: f32;
+    var phi_10104_: bool;
     var phi_10105_: bool;
     var phi_10106_: bool;
     var phi_10107_: bool;
-    var phi_10108_: bool;
     var local_81: bool;
     var local_82: bool;
     var local_83: bool;
     var local_84: bool;
     var local_85: f32;
-    var phi_10122_: f32;
-    var phi_10124_: type_46;
+    var phi_10121_: f32;
+    var phi_10123_: type_45;
+    var phi_10848_: u32;
     var phi_10849_: u32;
-    var phi_10850_: u32;
-    var phi_11111_: array<type_16, 4>;
-    var phi_11131_: type_9;
+    var phi_11110_: array<type_16, 4>;
+    var phi_11130_: type_9;
+    var phi_11133_: bool;
     var phi_11134_: bool;
-    var phi_11135_: bool;
+    var phi_11185_: bool;
     var phi_11186_: bool;
-    var phi_11187_: bool;
     var local_86: bool;
     var local_87: bool;
+    var phi_11200_: u32;
     var phi_11201_: u32;
-    var phi_11202_: u32;
-    var phi_11203_: bool;
+    var phi_11202_: bool;
+    var phi_11233_: bool;
     var phi_11234_: bool;
     var phi_11235_: bool;
     var phi_11236_: bool;
@@ -723,156 +715,155 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_11242_: bool;
     var phi_11243_: bool;
     var phi_11244_: bool;
-    var phi_11245_: bool;
-    var phi_11246_: type_46;
-    var phi_11247_: bool;
-    var phi_11248_: type_46;
+    var phi_11245_: type_45;
+    var phi_11246_: bool;
+    var phi_11247_: type_45;
+    var phi_11248_: bool;
     var phi_11249_: bool;
     var phi_11250_: bool;
     var phi_11251_: bool;
-    var phi_11252_: bool;
-    var phi_11253_: type_46;
-    var phi_11254_: bool;
-    var phi_11255_: type_46;
+    var phi_11252_: type_45;
+    var phi_11253_: bool;
+    var phi_11254_: type_45;
+    var phi_11255_: bool;
     var phi_11256_: bool;
     var phi_11257_: bool;
     var phi_11258_: bool;
     var phi_11259_: bool;
-    var phi_11260_: bool;
-    var phi_11268_: type_46;
-    var phi_11269_: bool;
-    var phi_11270_: type_46;
+    var phi_11267_: type_45;
+    var phi_11268_: bool;
+    var phi_11269_: type_45;
+    var phi_11270_: bool;
     var phi_11271_: bool;
     var phi_11272_: bool;
     var phi_11273_: bool;
     var phi_11274_: bool;
-    var phi_11275_: bool;
-    var phi_11698_: type_9;
+    var phi_11697_: type_9;
+    var phi_11700_: f32;
+    var phi_11702_: f32;
+    var phi_11704_: f32;
+    var phi_11706_: f32;
+    var phi_11708_: bool;
+    var phi_11710_: u32;
+    var phi_11861_: array<f32, 3>;
+    var phi_11927_: type_14;
+    var phi_11930_: f32;
+    var phi_11928_: type_14;
+    var phi_11971_: type_15;
+    var phi_11931_: f32;
+    var local_88: f32;
+    var phi_11984_: f32;
+    var phi_12107_: type_28;
+    var phi_12108_: bool;
+    var phi_12109_: type_28;
+    var phi_12110_: bool;
+    var phi_12118_: type_28;
+    var phi_12289_: bool;
+    var phi_12290_: bool;
+    var phi_12291_: bool;
+    var phi_12292_: bool;
+    var phi_12293_: bool;
+    var phi_12294_: bool;
+    var phi_12595_: bool;
+    var phi_12596_: bool;
+    var phi_12597_: bool;
+    var phi_12598_: bool;
+    var phi_12599_: bool;
+    var phi_12600_: bool;
+    var phi_12608_: bool;
+    var phi_12715_: f32;
+    var phi_12716_: bool;
+    var phi_12717_: f32;
+    var phi_12718_: bool;
+    var phi_12719_: f32;
+    var phi_12720_: bool;
+    var phi_12721_: bool;
+    var phi_12783_: f32;
+    var phi_12784_: bool;
+    var phi_12785_: f32;
+    var phi_12786_: bool;
+    var phi_12787_: f32;
+    var phi_12788_: bool;
+    var phi_12789_: bool;
+    var phi_12856_: f32;
+    var phi_12857_: bool;
+    var phi_12858_: f32;
+    var phi_12859_: bool;
+    var phi_12860_: f32;
+    var phi_12861_: bool;
+    var phi_12862_: bool;
+    var phi_12924_: f32;
+    var phi_12925_: bool;
+    var phi_12926_: f32;
+    var phi_12927_: bool;
+    var phi_12928_: f32;
+    var phi_12929_: bool;
+    var phi_12930_: bool;
+    var phi_13459_: f32;
+    var phi_13460_: f32;
+    var phi_13461_: bool;
+    var phi_13463_: f32;
+    var phi_13464_: f32;
+    var phi_13465_: f32;
+    var phi_13467_: bool;
+    var phi_13468_: bool;
+    var phi_13470_: bool;
+    var phi_13471_: f32;
+    var phi_13472_: f32;
+    var phi_13473_: f32;
+    var phi_13475_: bool;
+    var phi_13476_: bool;
+    var phi_13477_: bool;
+    var phi_13479_: bool;
+    var phi_13480_: f32;
+    var phi_13481_: f32;
+    var phi_13482_: f32;
+    var phi_13484_: bool;
+    var phi_13485_: bool;
+    var phi_13486_: bool;
+    var phi_13488_: bool;
+    var phi_13821_: f32;
+    var phi_13823_: u32;
+    var phi_13824_: f32;
+    var phi_13825_: bool;
+    var phi_13826_: bool;
+    var phi_13827_: bool;
+    var phi_13828_: u32;
+    var phi_13829_: f32;
+    var phi_13830_: f32;
+    var phi_13831_: f32;
+    var phi_13832_: f32;
+    var phi_13833_: bool;
+    var phi_13834_: u32;
+    var phi_13835_: bool;
+    var phi_13836_: bool;
+    var phi_13837_: bool;
+    var phi_13838_: bool;
+    var phi_13840_: bool;
+    var phi_13868_: f32;
+    var phi_13869_: f32;
+    var phi_13870_: f32;
+    var phi_13871_: f32;
+    var phi_13872_: bool;
+    var phi_13873_: u32;
+    var phi_13874_: bool;
+    var phi_13875_: bool;
+    var phi_13876_: bool;
+    var phi_13877_: bool;
+    var phi_13879_: bool;
     var phi_11701_: f32;
     var phi_11703_: f32;
     var phi_11705_: f32;
     var phi_11707_: f32;
     var phi_11709_: bool;
     var phi_11711_: u32;
-    var phi_11862_: array<f32, 3>;
-    var phi_11928_: type_14;
-    var phi_11931_: f32;
-    var phi_11929_: type_14;
-    var phi_11972_: type_15;
-    var phi_11932_: f32;
-    var local_88: f32;
-    var phi_11985_: f32;
-    var phi_12108_: type_29;
-    var phi_12109_: bool;
-    var phi_12110_: type_29;
-    var phi_12111_: bool;
-    var phi_12119_: type_29;
-    var phi_12290_: bool;
-    var phi_12291_: bool;
-    var phi_12292_: bool;
-    var phi_12293_: bool;
-    var phi_12294_: bool;
-    var phi_12295_: bool;
-    var phi_12596_: bool;
-    var phi_12597_: bool;
-    var phi_12598_: bool;
-    var phi_12599_: bool;
-    var phi_12600_: bool;
-    var phi_12601_: bool;
-    var phi_12609_: bool;
-    var phi_12716_: f32;
-    var phi_12717_: bool;
-    var phi_12718_: f32;
-    var phi_12719_: bool;
-    var phi_12720_: f32;
-    var phi_12721_: bool;
-    var phi_12722_: bool;
-    var phi_12784_: f32;
-    var phi_12785_: bool;
-    var phi_12786_: f32;
-    var phi_12787_: bool;
-    var phi_12788_: f32;
-    var phi_12789_: bool;
-    var phi_12790_: bool;
-    var phi_12857_: f32;
-    var phi_12858_: bool;
-    var phi_12859_: f32;
-    var phi_12860_: bool;
-    var phi_12861_: f32;
-    var phi_12862_: bool;
-    var phi_12863_: bool;
-    var phi_12925_: f32;
-    var phi_12926_: bool;
-    var phi_12927_: f32;
-    var phi_12928_: bool;
-    var phi_12929_: f32;
-    var phi_12930_: bool;
-    var phi_12931_: bool;
-    var phi_13460_: f32;
-    var phi_13461_: f32;
-    var phi_13462_: bool;
-    var phi_13464_: f32;
-    var phi_13465_: f32;
-    var phi_13466_: f32;
-    var phi_13468_: bool;
-    var phi_13469_: bool;
-    var phi_13471_: bool;
-    var phi_13472_: f32;
-    var phi_13473_: f32;
-    var phi_13474_: f32;
-    var phi_13476_: bool;
-    var phi_13477_: bool;
-    var phi_13478_: bool;
-    var phi_13480_: bool;
-    var phi_13481_: f32;
-    var phi_13482_: f32;
-    var phi_13483_: f32;
-    var phi_13485_: bool;
-    var phi_13486_: bool;
-    var phi_13487_: bool;
-    var phi_13489_: bool;
-    var phi_13822_: f32;
-    var phi_13824_: u32;
-    var phi_13825_: f32;
-    var phi_13826_: bool;
-    var phi_13827_: bool;
-    var phi_13828_: bool;
-    var phi_13829_: u32;
-    var phi_13830_: f32;
-    var phi_13831_: f32;
-    var phi_13832_: f32;
-    var phi_13833_: f32;
-    var phi_13834_: bool;
-    var phi_13835_: u32;
-    var phi_13836_: bool;
-    var phi_13837_: bool;
-    var phi_13838_: bool;
-    var phi_13839_: bool;
-    var phi_13841_: bool;
-    var phi_13869_: f32;
-    var phi_13870_: f32;
-    var phi_13871_: f32;
-    var phi_13872_: f32;
-    var phi_13873_: bool;
-    var phi_13874_: u32;
-    var phi_13875_: bool;
-    var phi_13876_: bool;
-    var phi_13877_: bool;
-    var phi_13878_: bool;
-    var phi_13880_: bool;
-    var phi_11702_: f32;
-    var phi_11704_: f32;
-    var phi_11706_: f32;
-    var phi_11708_: f32;
-    var phi_11710_: bool;
-    var phi_11712_: u32;
-    var phi_13881_: f32;
+    var phi_13880_: f32;
+    var phi_13882_: bool;
     var phi_13883_: bool;
     var phi_13884_: bool;
     var phi_13885_: bool;
-    var phi_13886_: bool;
+    var phi_13887_: bool;
     var phi_13888_: bool;
-    var phi_13889_: bool;
     var local_89: bool;
     var local_90: bool;
     var local_91: bool;
@@ -885,50 +876,49 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_98: bool;
     var local_99: f32;
     var local_100: f32;
-    var phi_13957_: f32;
+    var phi_13956_: f32;
+    var phi_13957_: bool;
     var phi_13958_: bool;
     var phi_13959_: bool;
     var phi_13960_: bool;
     var phi_13961_: bool;
-    var phi_13962_: bool;
-    var phi_13963_: type_46;
-    var phi_13964_: bool;
-    var phi_13965_: f32;
-    var phi_13966_: type_46;
+    var phi_13962_: type_45;
+    var phi_13963_: bool;
+    var phi_13964_: f32;
+    var phi_13965_: type_45;
+    var phi_13966_: bool;
     var phi_13967_: bool;
     var phi_13968_: bool;
     var phi_13969_: bool;
     var phi_13970_: bool;
     var phi_13971_: bool;
-    var phi_13972_: bool;
     var local_101: bool;
     var local_102: bool;
-    var local_103: type_46;
+    var local_103: type_45;
     var local_104: f32;
     var local_105: f32;
-    var phi_13988_: type_34;
-    var phi_13989_: bool;
+    var phi_13987_: type_30;
+    var phi_13988_: bool;
     var local_106: f32;
-    var phi_13995_: type_34;
+    var phi_13994_: type_30;
+    var phi_13995_: bool;
     var phi_13996_: bool;
     var phi_13997_: bool;
     var phi_13998_: bool;
-    var phi_13999_: bool;
     var local_107: bool;
-    var local_108: type_46;
-    var phi_14041_: type_34;
-    var phi_14042_: type_34;
-    var phi_14043_: bool;
-    var phi_14087_: type_35;
-    var phi_14127_: bool;
-    var phi_14143_: bool;
-    var phi_14162_: type_35;
+    var local_108: type_45;
+    var phi_14040_: type_30;
+    var phi_14041_: type_30;
+    var phi_14042_: bool;
+    var phi_14086_: type_31;
+    var phi_14126_: bool;
+    var phi_14142_: bool;
+    var phi_14161_: type_31;
+    var phi_14162_: type_31;
+    var phi_14163_: type_9;
     var phi_14194_: u32;
-    var phi_14198_: type_18;
-    var phi_14199_: bool;
-    var phi_14200_: bool;
-    var phi_14219_: u32;
-    var phi_14286_: u32;
+    var phi_14216_: u32;
+    var phi_14282_: u32;
     var local_109: u32;
     var local_110: bool;
     var local_111: bool;
@@ -941,1075 +931,1075 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e157 = id_2;
-    let _e158 = n_2;
-    let _e159 = lane_2;
-    let _e172 = ((_e157.y * _e158.x) + _e157.x);
-    let _e175 = (_e158.x * _e158.y);
-    let _e178 = params.member.member_1.member_2;
-    let _e180 = input.member[0u];
-    let _e182 = select(_e180, _e178, (_e178 < _e180));
-    let _e184 = params.member.member_1.member_1;
-    if (_e182 > _e184) {
-        let _e187 = params.member.member_1.member_1;
-        phi_917_ = (_e182 - _e187);
+    let _e158 = id_2;
+    let _e159 = n_2;
+    let _e160 = lane_2;
+    let _e173 = ((_e158.y * _e159.x) + _e158.x);
+    let _e176 = (_e159.x * _e159.y);
+    let _e179 = params.member.member_1.member_2;
+    let _e181 = input.member[0u];
+    let _e183 = select(_e181, _e179, (_e179 < _e181));
+    let _e185 = params.member.member_1.member_1;
+    if (_e183 > _e185) {
+        let _e188 = params.member.member_1.member_1;
+        phi_917_ = (_e183 - _e188);
     } else {
         phi_917_ = 0u;
     }
-    let _e190 = phi_917_;
-    let _e192 = params.member.member_1.member;
-    let _e194 = select(_e190, _e192, (_e192 < _e190));
-    let _e195 = (_e194 / 64u);
-    let _e199 = select(_e195, (_e195 + 1u), ((_e194 % 64u) > 0u));
-    if (_e199 > _e172) {
-        let _e201 = (_e199 - _e172);
-        if (_e175 == 0u) {
+    let _e191 = phi_917_;
+    let _e193 = params.member.member_1.member;
+    let _e195 = select(_e191, _e193, (_e193 < _e191));
+    let _e197 = (_e195 / 64u);
+    let _e201 = select(_e197, (_e197 + 1u), ((_e195 % 64u) > 0u));
+    if (_e201 > _e173) {
+        let _e203 = (_e201 - _e173);
+        if (_e176 == 0u) {
             return;
         }
-        let _e203 = (_e201 / _e175);
-        if (_e175 == 0u) {
+        let _e205 = (_e203 / _e176);
+        if (_e176 == 0u) {
             return;
         }
-        phi_962_ = select(_e203, (_e203 + 1u), ((_e201 % _e175) > 0u));
+        phi_963_ = select(_e205, (_e205 + 1u), ((_e203 % _e176) > 0u));
     } else {
-        phi_962_ = 0u;
+        phi_963_ = 0u;
     }
-    let _e210 = phi_962_;
-    phi_965_ = type_9(0u, _e210);
+    let _e212 = phi_963_;
+    phi_966_ = type_9(0u, _e212);
     loop {
-        let _e213 = phi_965_;
-        let _e216 = (_e213.member < _e213.member_1);
-        let _e229 = (bitcast<i32>(select(0u, 1u, _e216)) != 0i);
-        if _e229 {
-            let _e233 = (((_e172 + (select(type_9().member_1, _e213.member, _e216) * _e175)) * 64u) + _e159);
-            let _e237 = params.member.member_2.member.member;
-            if (_e233 < _e194) {
-                let _e242 = params.member.member_1.member_1;
-                let _e244 = (2u * (_e242 + _e233));
-                let _e247 = input.member[(4u + _e244)];
-                let _e250 = input.member[(_e244 + 5u)];
-                let _e255 = params.member.member_2.member.member;
-                if (_e255 == 0u) {
-                    let _e271 = (3u * _e250);
-                    let _e273 = elements.member[_e271];
-                    let _e276 = elements.member[(_e271 + 1u)];
-                    let _e279 = elements.member[(_e271 + 2u)];
-                    phi_1125_ = type_22(0u, array<u32, 4>(_e247, _e273, _e276, _e279));
+        let _e215 = phi_966_;
+        let _e218 = (_e215.member < _e215.member_1);
+        let _e231 = (bitcast<i32>(select(0u, 1u, _e218)) != 0i);
+        if _e231 {
+            let _e235 = (((_e173 + (select(type_9().member_1, _e215.member, _e218) * _e176)) * 64u) + _e160);
+            if (_e235 < _e195) {
+                let _e239 = params.member.member_1.member_1;
+                let _e241 = (2u * (_e239 + _e235));
+                let _e244 = input.member[(4u + _e241)];
+                let _e247 = input.member[(_e241 + 5u)];
+                let _e253 = params.member.member_2.member.member;
+                if (_e253 == 0u) {
+                    let _e269 = (3u * _e247);
+                    let _e271 = elements.member[_e269];
+                    let _e274 = elements.member[(_e269 + 1u)];
+                    let _e277 = elements.member[(_e269 + 2u)];
+                    phi_1124_ = type_21(0u, array<u32, 4>(_e244, _e271, _e274, _e277));
                 } else {
-                    let _e257 = (2u * _e247);
-                    let _e258 = (2u * _e250);
-                    let _e260 = elements.member[_e257];
-                    let _e262 = elements.member[_e258];
-                    let _e265 = elements.member[(_e257 + 1u)];
-                    let _e268 = elements.member[(_e258 + 1u)];
-                    phi_1125_ = type_22(1u, array<u32, 4>(_e260, _e265, _e262, _e268));
+                    let _e255 = (2u * _e244);
+                    let _e256 = (2u * _e247);
+                    let _e258 = elements.member[_e255];
+                    let _e260 = elements.member[_e256];
+                    let _e263 = elements.member[(_e255 + 1u)];
+                    let _e266 = elements.member[(_e256 + 1u)];
+                    phi_1124_ = type_21(1u, array<u32, 4>(_e258, _e263, _e260, _e266));
                 }
-                let _e283 = phi_1125_;
-                local_42 = array<u32, 4>(_e283.member_1[0], _e283.member_1[1], _e283.member_1[2], _e283.member_1[3]);
-                let _e292 = paths.member[_e283.member_1[0]];
-                let _e306 = paths.member[_e283.member_1[1]];
-                let _e320 = paths.member[_e283.member_1[2]];
-                let _e334 = paths.member[_e283.member_1[3]];
-                local_43 = array<array<f32, 3>, 4>(array<f32, 3>(_e292.member.x, _e292.member.y, _e292.member.z), array<f32, 3>(_e306.member.x, _e306.member.y, _e306.member.z), array<f32, 3>(_e320.member.x, _e320.member.y, _e320.member.z), array<f32, 3>(_e334.member.x, _e334.member.y, _e334.member.z));
-                local_44 = array<array<f32, 3>, 4>(array<f32, 3>(_e292.member_1.x, _e292.member_1.y, _e292.member_1.z), array<f32, 3>(_e306.member_1.x, _e306.member_1.y, _e306.member_1.z), array<f32, 3>(_e320.member_1.x, _e320.member_1.y, _e320.member_1.z), array<f32, 3>(_e334.member_1.x, _e334.member_1.y, _e334.member_1.z));
-                let _e358 = params.member.member.member_4;
-                if (_e283.member != 0u) {
-                    let _e449 = local_43;
-                    let _e454 = local_43;
-                    let _e463 = local_44;
-                    let _e468 = local_44;
-                    let _e478 = local_43;
-                    let _e483 = local_43;
-                    let _e492 = local_44;
-                    let _e497 = local_44;
-                    let _e507 = local_43;
-                    let _e512 = local_43;
-                    let _e521 = local_44;
-                    let _e526 = local_44;
-                    phi_1539_ = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e449[2][0] - _e454[0][0]), (_e449[2][1] - _e454[0][1]), (_e449[2][2] - _e454[0][2])), array<f32, 3>((_e463[2][0] - _e468[0][0]), (_e463[2][1] - _e468[0][1]), (_e463[2][2] - _e468[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e478[1][0] - _e483[0][0]), (_e478[1][1] - _e483[0][1]), (_e478[1][2] - _e483[0][2])), array<f32, 3>((_e492[1][0] - _e497[0][0]), (_e492[1][1] - _e497[0][1]), (_e492[1][2] - _e497[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e507[2][0] - _e512[3][0]), (_e507[2][1] - _e512[3][1]), (_e507[2][2] - _e512[3][2])), array<f32, 3>((_e521[2][0] - _e526[3][0]), (_e521[2][1] - _e526[3][1]), (_e521[2][2] - _e526[3][2]))), (_e358 + _e358));
+                let _e281 = phi_1124_;
+                local_42 = array<u32, 4>(_e281.member_1[0], _e281.member_1[1], _e281.member_1[2], _e281.member_1[3]);
+                let _e290 = paths.member[_e281.member_1[0]];
+                let _e304 = paths.member[_e281.member_1[1]];
+                let _e318 = paths.member[_e281.member_1[2]];
+                let _e332 = paths.member[_e281.member_1[3]];
+                local_43 = array<array<f32, 3>, 4>(array<f32, 3>(_e290.member.x, _e290.member.y, _e290.member.z), array<f32, 3>(_e304.member.x, _e304.member.y, _e304.member.z), array<f32, 3>(_e318.member.x, _e318.member.y, _e318.member.z), array<f32, 3>(_e332.member.x, _e332.member.y, _e332.member.z));
+                local_44 = array<array<f32, 3>, 4>(array<f32, 3>(_e290.member_1.x, _e290.member_1.y, _e290.member_1.z), array<f32, 3>(_e304.member_1.x, _e304.member_1.y, _e304.member_1.z), array<f32, 3>(_e318.member_1.x, _e318.member_1.y, _e318.member_1.z), array<f32, 3>(_e332.member_1.x, _e332.member_1.y, _e332.member_1.z));
+                let _e356 = params.member.member.member_4;
+                if (_e281.member != 0u) {
+                    let _e447 = local_43;
+                    let _e452 = local_43;
+                    let _e461 = local_44;
+                    let _e466 = local_44;
+                    let _e476 = local_43;
+                    let _e481 = local_43;
+                    let _e490 = local_44;
+                    let _e495 = local_44;
+                    let _e505 = local_43;
+                    let _e510 = local_43;
+                    let _e519 = local_44;
+                    let _e524 = local_44;
+                    phi_1538_ = type_27(array<array<f32, 3>, 2>(array<f32, 3>((_e447[2][0] - _e452[0][0]), (_e447[2][1] - _e452[0][1]), (_e447[2][2] - _e452[0][2])), array<f32, 3>((_e461[2][0] - _e466[0][0]), (_e461[2][1] - _e466[0][1]), (_e461[2][2] - _e466[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e476[1][0] - _e481[0][0]), (_e476[1][1] - _e481[0][1]), (_e476[1][2] - _e481[0][2])), array<f32, 3>((_e490[1][0] - _e495[0][0]), (_e490[1][1] - _e495[0][1]), (_e490[1][2] - _e495[0][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e505[2][0] - _e510[3][0]), (_e505[2][1] - _e510[3][1]), (_e505[2][2] - _e510[3][2])), array<f32, 3>((_e519[2][0] - _e524[3][0]), (_e519[2][1] - _e524[3][1]), (_e519[2][2] - _e524[3][2]))), (_e356 + _e356));
                 } else {
-                    let _e360 = local_43;
-                    let _e365 = local_43;
-                    let _e374 = local_44;
-                    let _e379 = local_44;
-                    let _e389 = local_43;
-                    let _e394 = local_43;
-                    let _e403 = local_44;
-                    let _e408 = local_44;
-                    let _e418 = local_43;
-                    let _e423 = local_43;
-                    let _e432 = local_44;
-                    let _e437 = local_44;
-                    phi_1539_ = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e360[0][0] - _e365[1][0]), (_e360[0][1] - _e365[1][1]), (_e360[0][2] - _e365[1][2])), array<f32, 3>((_e374[0][0] - _e379[1][0]), (_e374[0][1] - _e379[1][1]), (_e374[0][2] - _e379[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e389[2][0] - _e394[1][0]), (_e389[2][1] - _e394[1][1]), (_e389[2][2] - _e394[1][2])), array<f32, 3>((_e403[2][0] - _e408[1][0]), (_e403[2][1] - _e408[1][1]), (_e403[2][2] - _e408[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e418[3][0] - _e423[1][0]), (_e418[3][1] - _e423[1][1]), (_e418[3][2] - _e423[1][2])), array<f32, 3>((_e432[3][0] - _e437[1][0]), (_e432[3][1] - _e437[1][1]), (_e432[3][2] - _e437[1][2]))), (_e358 + _e358));
+                    let _e358 = local_43;
+                    let _e363 = local_43;
+                    let _e372 = local_44;
+                    let _e377 = local_44;
+                    let _e387 = local_43;
+                    let _e392 = local_43;
+                    let _e401 = local_44;
+                    let _e406 = local_44;
+                    let _e416 = local_43;
+                    let _e421 = local_43;
+                    let _e430 = local_44;
+                    let _e435 = local_44;
+                    phi_1538_ = type_27(array<array<f32, 3>, 2>(array<f32, 3>((_e358[0][0] - _e363[1][0]), (_e358[0][1] - _e363[1][1]), (_e358[0][2] - _e363[1][2])), array<f32, 3>((_e372[0][0] - _e377[1][0]), (_e372[0][1] - _e377[1][1]), (_e372[0][2] - _e377[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e387[2][0] - _e392[1][0]), (_e387[2][1] - _e392[1][1]), (_e387[2][2] - _e392[1][2])), array<f32, 3>((_e401[2][0] - _e406[1][0]), (_e401[2][1] - _e406[1][1]), (_e401[2][2] - _e406[1][2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e416[3][0] - _e421[1][0]), (_e416[3][1] - _e421[1][1]), (_e416[3][2] - _e421[1][2])), array<f32, 3>((_e430[3][0] - _e435[1][0]), (_e430[3][1] - _e435[1][1]), (_e430[3][2] - _e435[1][2]))), (_e356 + _e356));
                 }
-                let _e539 = phi_1539_;
-                let _e545 = select(_e539.member[0][0], -(_e539.member[0][0]), (_e539.member[0][0] < 0f));
-                let _e549 = select(_e539.member[0][1], -(_e539.member[0][1]), (_e539.member[0][1] < 0f));
-                let _e551 = select(_e549, _e545, (_e545 > _e549));
-                let _e555 = select(_e539.member[0][2], -(_e539.member[0][2]), (_e539.member[0][2] < 0f));
-                let _e557 = select(_e555, _e551, (_e551 > _e555));
-                let _e563 = select(_e539.member[1][0], -(_e539.member[1][0]), (_e539.member[1][0] < 0f));
-                let _e567 = select(_e539.member[1][1], -(_e539.member[1][1]), (_e539.member[1][1] < 0f));
-                let _e569 = select(_e567, _e563, (_e563 > _e567));
-                let _e573 = select(_e539.member[1][2], -(_e539.member[1][2]), (_e539.member[1][2] < 0f));
-                let _e575 = select(_e573, _e569, (_e569 > _e573));
-                let _e585 = select(_e539.member_1[0][0], -(_e539.member_1[0][0]), (_e539.member_1[0][0] < 0f));
-                let _e589 = select(_e539.member_1[0][1], -(_e539.member_1[0][1]), (_e539.member_1[0][1] < 0f));
-                let _e591 = select(_e589, _e585, (_e585 > _e589));
-                let _e595 = select(_e539.member_1[0][2], -(_e539.member_1[0][2]), (_e539.member_1[0][2] < 0f));
-                let _e597 = select(_e595, _e591, (_e591 > _e595));
-                let _e603 = select(_e539.member_1[1][0], -(_e539.member_1[1][0]), (_e539.member_1[1][0] < 0f));
-                let _e607 = select(_e539.member_1[1][1], -(_e539.member_1[1][1]), (_e539.member_1[1][1] < 0f));
-                let _e609 = select(_e607, _e603, (_e603 > _e607));
-                let _e613 = select(_e539.member_1[1][2], -(_e539.member_1[1][2]), (_e539.member_1[1][2] < 0f));
-                let _e615 = select(_e613, _e609, (_e609 > _e613));
-                let _e625 = select(_e539.member_2[0][0], -(_e539.member_2[0][0]), (_e539.member_2[0][0] < 0f));
-                let _e629 = select(_e539.member_2[0][1], -(_e539.member_2[0][1]), (_e539.member_2[0][1] < 0f));
-                let _e631 = select(_e629, _e625, (_e625 > _e629));
-                let _e635 = select(_e539.member_2[0][2], -(_e539.member_2[0][2]), (_e539.member_2[0][2] < 0f));
-                let _e637 = select(_e635, _e631, (_e631 > _e635));
-                let _e643 = select(_e539.member_2[1][0], -(_e539.member_2[1][0]), (_e539.member_2[1][0] < 0f));
-                let _e647 = select(_e539.member_2[1][1], -(_e539.member_2[1][1]), (_e539.member_2[1][1] < 0f));
-                let _e649 = select(_e647, _e643, (_e643 > _e647));
-                let _e653 = select(_e539.member_2[1][2], -(_e539.member_2[1][2]), (_e539.member_2[1][2] < 0f));
-                let _e655 = select(_e653, _e649, (_e649 > _e653));
-                let _e660 = function_((select(_e575, _e557, (_e557 > _e575)) + _e539.member_3), (select(_e615, _e597, (_e597 > _e615)) + _e539.member_3));
-                let _e661 = function_(_e660, (select(_e655, _e637, (_e637 > _e655)) + _e539.member_3));
-                let _e666 = bitcast<i32>(((bitcast<u32>(_e661) + 4u) >> bitcast<u32>(23i)));
-                let _e667 = (_e666 >= 64i);
-                let _e668 = (_e666 <= 190i);
-                let _e674 = select(select(i32(), select(i32(), (_e666 - 126i), _e668), _e667), 2147483647i, select(true, select(true, false, _e668), _e667));
-                let _e676 = params.member.member_2.member_3;
-                if (_e676 > 0u) {
-                    if (_e674 != 2147483647i) {
-                        let _e680 = params.member.member.member_1;
-                        if ((_e680 & 8u) != 0u) {
-                            let _e920 = local_43;
-                            let _e925 = bitcast<u32>(_e920[0][0]);
-                            let _e926 = (_e925 & 2147483647u);
-                            let _e927 = (_e926 < 8388608u);
-                            let _e938 = function_14(array<u32, 2>(select((_e925 << bitcast<u32>(29i)), 0u, _e927), select(((_e925 ^ _e926) | ((_e926 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e927)), _e674);
-                            let _e939 = bitcast<u32>(_e920[0][1]);
-                            let _e940 = (_e939 & 2147483647u);
-                            let _e941 = (_e940 < 8388608u);
-                            let _e952 = function_14(array<u32, 2>(select((_e939 << bitcast<u32>(29i)), 0u, _e941), select(((_e939 ^ _e940) | ((_e940 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e941)), _e674);
-                            let _e953 = bitcast<u32>(_e920[0][2]);
-                            let _e954 = (_e953 & 2147483647u);
-                            let _e955 = (_e954 < 8388608u);
-                            let _e966 = function_14(array<u32, 2>(select((_e953 << bitcast<u32>(29i)), 0u, _e955), select(((_e953 ^ _e954) | ((_e954 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e955)), _e674);
-                            let _e968 = local_44;
-                            let _e973 = bitcast<u32>(_e968[0][0]);
-                            let _e974 = (_e973 & 2147483647u);
-                            let _e975 = (_e974 < 8388608u);
-                            let _e986 = function_14(array<u32, 2>(select((_e973 << bitcast<u32>(29i)), 0u, _e975), select(((_e973 ^ _e974) | ((_e974 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e975)), _e674);
-                            let _e987 = bitcast<u32>(_e968[0][1]);
-                            let _e988 = (_e987 & 2147483647u);
-                            let _e989 = (_e988 < 8388608u);
-                            let _e1000 = function_14(array<u32, 2>(select((_e987 << bitcast<u32>(29i)), 0u, _e989), select(((_e987 ^ _e988) | ((_e988 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e989)), _e674);
-                            let _e1001 = bitcast<u32>(_e968[0][2]);
-                            let _e1002 = (_e1001 & 2147483647u);
-                            let _e1003 = (_e1002 < 8388608u);
-                            let _e1014 = function_14(array<u32, 2>(select((_e1001 << bitcast<u32>(29i)), 0u, _e1003), select(((_e1001 ^ _e1002) | ((_e1002 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1003)), _e674);
-                            let _e1017 = local_43;
-                            let _e1022 = bitcast<u32>(_e1017[1][0]);
-                            let _e1023 = (_e1022 & 2147483647u);
-                            let _e1024 = (_e1023 < 8388608u);
-                            let _e1035 = function_14(array<u32, 2>(select((_e1022 << bitcast<u32>(29i)), 0u, _e1024), select(((_e1022 ^ _e1023) | ((_e1023 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1024)), _e674);
-                            let _e1036 = bitcast<u32>(_e1017[1][1]);
-                            let _e1037 = (_e1036 & 2147483647u);
-                            let _e1038 = (_e1037 < 8388608u);
-                            let _e1049 = function_14(array<u32, 2>(select((_e1036 << bitcast<u32>(29i)), 0u, _e1038), select(((_e1036 ^ _e1037) | ((_e1037 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1038)), _e674);
-                            let _e1050 = bitcast<u32>(_e1017[1][2]);
-                            let _e1051 = (_e1050 & 2147483647u);
-                            let _e1052 = (_e1051 < 8388608u);
-                            let _e1063 = function_14(array<u32, 2>(select((_e1050 << bitcast<u32>(29i)), 0u, _e1052), select(((_e1050 ^ _e1051) | ((_e1051 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1052)), _e674);
-                            let _e1065 = local_44;
-                            let _e1070 = bitcast<u32>(_e1065[1][0]);
-                            let _e1071 = (_e1070 & 2147483647u);
-                            let _e1072 = (_e1071 < 8388608u);
-                            let _e1083 = function_14(array<u32, 2>(select((_e1070 << bitcast<u32>(29i)), 0u, _e1072), select(((_e1070 ^ _e1071) | ((_e1071 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1072)), _e674);
-                            let _e1084 = bitcast<u32>(_e1065[1][1]);
-                            let _e1085 = (_e1084 & 2147483647u);
-                            let _e1086 = (_e1085 < 8388608u);
-                            let _e1097 = function_14(array<u32, 2>(select((_e1084 << bitcast<u32>(29i)), 0u, _e1086), select(((_e1084 ^ _e1085) | ((_e1085 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1086)), _e674);
-                            let _e1098 = bitcast<u32>(_e1065[1][2]);
-                            let _e1099 = (_e1098 & 2147483647u);
-                            let _e1100 = (_e1099 < 8388608u);
-                            let _e1111 = function_14(array<u32, 2>(select((_e1098 << bitcast<u32>(29i)), 0u, _e1100), select(((_e1098 ^ _e1099) | ((_e1099 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1100)), _e674);
-                            let _e1114 = local_43;
-                            let _e1119 = bitcast<u32>(_e1114[2][0]);
-                            let _e1120 = (_e1119 & 2147483647u);
-                            let _e1121 = (_e1120 < 8388608u);
-                            let _e1132 = function_14(array<u32, 2>(select((_e1119 << bitcast<u32>(29i)), 0u, _e1121), select(((_e1119 ^ _e1120) | ((_e1120 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1121)), _e674);
-                            let _e1133 = bitcast<u32>(_e1114[2][1]);
-                            let _e1134 = (_e1133 & 2147483647u);
-                            let _e1135 = (_e1134 < 8388608u);
-                            let _e1146 = function_14(array<u32, 2>(select((_e1133 << bitcast<u32>(29i)), 0u, _e1135), select(((_e1133 ^ _e1134) | ((_e1134 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1135)), _e674);
-                            let _e1147 = bitcast<u32>(_e1114[2][2]);
-                            let _e1148 = (_e1147 & 2147483647u);
-                            let _e1149 = (_e1148 < 8388608u);
-                            let _e1160 = function_14(array<u32, 2>(select((_e1147 << bitcast<u32>(29i)), 0u, _e1149), select(((_e1147 ^ _e1148) | ((_e1148 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1149)), _e674);
-                            let _e1162 = local_44;
-                            let _e1167 = bitcast<u32>(_e1162[2][0]);
-                            let _e1168 = (_e1167 & 2147483647u);
-                            let _e1169 = (_e1168 < 8388608u);
-                            let _e1180 = function_14(array<u32, 2>(select((_e1167 << bitcast<u32>(29i)), 0u, _e1169), select(((_e1167 ^ _e1168) | ((_e1168 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1169)), _e674);
-                            let _e1181 = bitcast<u32>(_e1162[2][1]);
-                            let _e1182 = (_e1181 & 2147483647u);
-                            let _e1183 = (_e1182 < 8388608u);
-                            let _e1194 = function_14(array<u32, 2>(select((_e1181 << bitcast<u32>(29i)), 0u, _e1183), select(((_e1181 ^ _e1182) | ((_e1182 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1183)), _e674);
-                            let _e1195 = bitcast<u32>(_e1162[2][2]);
-                            let _e1196 = (_e1195 & 2147483647u);
-                            let _e1197 = (_e1196 < 8388608u);
-                            let _e1208 = function_14(array<u32, 2>(select((_e1195 << bitcast<u32>(29i)), 0u, _e1197), select(((_e1195 ^ _e1196) | ((_e1196 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1197)), _e674);
-                            let _e1211 = local_43;
-                            let _e1216 = bitcast<u32>(_e1211[3][0]);
-                            let _e1217 = (_e1216 & 2147483647u);
-                            let _e1218 = (_e1217 < 8388608u);
-                            let _e1229 = function_14(array<u32, 2>(select((_e1216 << bitcast<u32>(29i)), 0u, _e1218), select(((_e1216 ^ _e1217) | ((_e1217 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1218)), _e674);
-                            let _e1230 = bitcast<u32>(_e1211[3][1]);
-                            let _e1231 = (_e1230 & 2147483647u);
-                            let _e1232 = (_e1231 < 8388608u);
-                            let _e1243 = function_14(array<u32, 2>(select((_e1230 << bitcast<u32>(29i)), 0u, _e1232), select(((_e1230 ^ _e1231) | ((_e1231 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1232)), _e674);
-                            let _e1244 = bitcast<u32>(_e1211[3][2]);
-                            let _e1245 = (_e1244 & 2147483647u);
-                            let _e1246 = (_e1245 < 8388608u);
-                            let _e1257 = function_14(array<u32, 2>(select((_e1244 << bitcast<u32>(29i)), 0u, _e1246), select(((_e1244 ^ _e1245) | ((_e1245 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1246)), _e674);
-                            let _e1259 = local_44;
-                            let _e1264 = bitcast<u32>(_e1259[3][0]);
-                            let _e1265 = (_e1264 & 2147483647u);
-                            let _e1266 = (_e1265 < 8388608u);
-                            let _e1277 = function_14(array<u32, 2>(select((_e1264 << bitcast<u32>(29i)), 0u, _e1266), select(((_e1264 ^ _e1265) | ((_e1265 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1266)), _e674);
-                            let _e1278 = bitcast<u32>(_e1259[3][1]);
-                            let _e1279 = (_e1278 & 2147483647u);
-                            let _e1280 = (_e1279 < 8388608u);
-                            let _e1291 = function_14(array<u32, 2>(select((_e1278 << bitcast<u32>(29i)), 0u, _e1280), select(((_e1278 ^ _e1279) | ((_e1279 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1280)), _e674);
-                            let _e1292 = bitcast<u32>(_e1259[3][2]);
-                            let _e1293 = (_e1292 & 2147483647u);
-                            let _e1294 = (_e1293 < 8388608u);
-                            let _e1305 = function_14(array<u32, 2>(select((_e1292 << bitcast<u32>(29i)), 0u, _e1294), select(((_e1292 ^ _e1293) | ((_e1293 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1294)), _e674);
-                            phi_3247_ = array<array<array<type_9, 3>, 2>, 4>(array<array<type_9, 3>, 2>(array<type_9, 3>(_e938, _e952, _e966), array<type_9, 3>(_e986, _e1000, _e1014)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e1035, _e1049, _e1063), array<type_9, 3>(_e1083, _e1097, _e1111)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e1132, _e1146, _e1160), array<type_9, 3>(_e1180, _e1194, _e1208)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e1229, _e1243, _e1257), array<type_9, 3>(_e1277, _e1291, _e1305)));
+                let _e537 = phi_1538_;
+                let _e543 = select(_e537.member[0][0], -(_e537.member[0][0]), (_e537.member[0][0] < 0f));
+                let _e547 = select(_e537.member[0][1], -(_e537.member[0][1]), (_e537.member[0][1] < 0f));
+                let _e549 = select(_e547, _e543, (_e543 > _e547));
+                let _e553 = select(_e537.member[0][2], -(_e537.member[0][2]), (_e537.member[0][2] < 0f));
+                let _e555 = select(_e553, _e549, (_e549 > _e553));
+                let _e561 = select(_e537.member[1][0], -(_e537.member[1][0]), (_e537.member[1][0] < 0f));
+                let _e565 = select(_e537.member[1][1], -(_e537.member[1][1]), (_e537.member[1][1] < 0f));
+                let _e567 = select(_e565, _e561, (_e561 > _e565));
+                let _e571 = select(_e537.member[1][2], -(_e537.member[1][2]), (_e537.member[1][2] < 0f));
+                let _e573 = select(_e571, _e567, (_e567 > _e571));
+                let _e583 = select(_e537.member_1[0][0], -(_e537.member_1[0][0]), (_e537.member_1[0][0] < 0f));
+                let _e587 = select(_e537.member_1[0][1], -(_e537.member_1[0][1]), (_e537.member_1[0][1] < 0f));
+                let _e589 = select(_e587, _e583, (_e583 > _e587));
+                let _e593 = select(_e537.member_1[0][2], -(_e537.member_1[0][2]), (_e537.member_1[0][2] < 0f));
+                let _e595 = select(_e593, _e589, (_e589 > _e593));
+                let _e601 = select(_e537.member_1[1][0], -(_e537.member_1[1][0]), (_e537.member_1[1][0] < 0f));
+                let _e605 = select(_e537.member_1[1][1], -(_e537.member_1[1][1]), (_e537.member_1[1][1] < 0f));
+                let _e607 = select(_e605, _e601, (_e601 > _e605));
+                let _e611 = select(_e537.member_1[1][2], -(_e537.member_1[1][2]), (_e537.member_1[1][2] < 0f));
+                let _e613 = select(_e611, _e607, (_e607 > _e611));
+                let _e623 = select(_e537.member_2[0][0], -(_e537.member_2[0][0]), (_e537.member_2[0][0] < 0f));
+                let _e627 = select(_e537.member_2[0][1], -(_e537.member_2[0][1]), (_e537.member_2[0][1] < 0f));
+                let _e629 = select(_e627, _e623, (_e623 > _e627));
+                let _e633 = select(_e537.member_2[0][2], -(_e537.member_2[0][2]), (_e537.member_2[0][2] < 0f));
+                let _e635 = select(_e633, _e629, (_e629 > _e633));
+                let _e641 = select(_e537.member_2[1][0], -(_e537.member_2[1][0]), (_e537.member_2[1][0] < 0f));
+                let _e645 = select(_e537.member_2[1][1], -(_e537.member_2[1][1]), (_e537.member_2[1][1] < 0f));
+                let _e647 = select(_e645, _e641, (_e641 > _e645));
+                let _e651 = select(_e537.member_2[1][2], -(_e537.member_2[1][2]), (_e537.member_2[1][2] < 0f));
+                let _e653 = select(_e651, _e647, (_e647 > _e651));
+                let _e658 = function_((select(_e573, _e555, (_e555 > _e573)) + _e537.member_3), (select(_e613, _e595, (_e595 > _e613)) + _e537.member_3));
+                let _e659 = function_(_e658, (select(_e653, _e635, (_e635 > _e653)) + _e537.member_3));
+                let _e664 = bitcast<i32>(((bitcast<u32>(_e659) + 4u) >> bitcast<u32>(23i)));
+                let _e665 = (_e664 >= 64i);
+                let _e666 = (_e664 <= 190i);
+                let _e672 = select(select(i32(), select(i32(), (_e664 - 126i), _e666), _e665), 2147483647i, select(true, select(true, false, _e666), _e665));
+                let _e674 = params.member.member_2.member_3;
+                if (_e674 > 0u) {
+                    if (_e672 != 2147483647i) {
+                        let _e678 = params.member.member.member_1;
+                        if ((_e678 & 8u) != 0u) {
+                            let _e918 = local_43;
+                            let _e923 = bitcast<u32>(_e918[0][0]);
+                            let _e924 = (_e923 & 2147483647u);
+                            let _e925 = (_e924 < 8388608u);
+                            let _e936 = function_14(array<u32, 2>(select((_e923 << bitcast<u32>(29i)), 0u, _e925), select(((_e923 ^ _e924) | ((_e924 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e925)), _e672);
+                            let _e937 = bitcast<u32>(_e918[0][1]);
+                            let _e938 = (_e937 & 2147483647u);
+                            let _e939 = (_e938 < 8388608u);
+                            let _e950 = function_14(array<u32, 2>(select((_e937 << bitcast<u32>(29i)), 0u, _e939), select(((_e937 ^ _e938) | ((_e938 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e939)), _e672);
+                            let _e951 = bitcast<u32>(_e918[0][2]);
+                            let _e952 = (_e951 & 2147483647u);
+                            let _e953 = (_e952 < 8388608u);
+                            let _e964 = function_14(array<u32, 2>(select((_e951 << bitcast<u32>(29i)), 0u, _e953), select(((_e951 ^ _e952) | ((_e952 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e953)), _e672);
+                            let _e966 = local_44;
+                            let _e971 = bitcast<u32>(_e966[0][0]);
+                            let _e972 = (_e971 & 2147483647u);
+                            let _e973 = (_e972 < 8388608u);
+                            let _e984 = function_14(array<u32, 2>(select((_e971 << bitcast<u32>(29i)), 0u, _e973), select(((_e971 ^ _e972) | ((_e972 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e973)), _e672);
+                            let _e985 = bitcast<u32>(_e966[0][1]);
+                            let _e986 = (_e985 & 2147483647u);
+                            let _e987 = (_e986 < 8388608u);
+                            let _e998 = function_14(array<u32, 2>(select((_e985 << bitcast<u32>(29i)), 0u, _e987), select(((_e985 ^ _e986) | ((_e986 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e987)), _e672);
+                            let _e999 = bitcast<u32>(_e966[0][2]);
+                            let _e1000 = (_e999 & 2147483647u);
+                            let _e1001 = (_e1000 < 8388608u);
+                            let _e1012 = function_14(array<u32, 2>(select((_e999 << bitcast<u32>(29i)), 0u, _e1001), select(((_e999 ^ _e1000) | ((_e1000 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1001)), _e672);
+                            let _e1015 = local_43;
+                            let _e1020 = bitcast<u32>(_e1015[1][0]);
+                            let _e1021 = (_e1020 & 2147483647u);
+                            let _e1022 = (_e1021 < 8388608u);
+                            let _e1033 = function_14(array<u32, 2>(select((_e1020 << bitcast<u32>(29i)), 0u, _e1022), select(((_e1020 ^ _e1021) | ((_e1021 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1022)), _e672);
+                            let _e1034 = bitcast<u32>(_e1015[1][1]);
+                            let _e1035 = (_e1034 & 2147483647u);
+                            let _e1036 = (_e1035 < 8388608u);
+                            let _e1047 = function_14(array<u32, 2>(select((_e1034 << bitcast<u32>(29i)), 0u, _e1036), select(((_e1034 ^ _e1035) | ((_e1035 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1036)), _e672);
+                            let _e1048 = bitcast<u32>(_e1015[1][2]);
+                            let _e1049 = (_e1048 & 2147483647u);
+                            let _e1050 = (_e1049 < 8388608u);
+                            let _e1061 = function_14(array<u32, 2>(select((_e1048 << bitcast<u32>(29i)), 0u, _e1050), select(((_e1048 ^ _e1049) | ((_e1049 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1050)), _e672);
+                            let _e1063 = local_44;
+                            let _e1068 = bitcast<u32>(_e1063[1][0]);
+                            let _e1069 = (_e1068 & 2147483647u);
+                            let _e1070 = (_e1069 < 8388608u);
+                            let _e1081 = function_14(array<u32, 2>(select((_e1068 << bitcast<u32>(29i)), 0u, _e1070), select(((_e1068 ^ _e1069) | ((_e1069 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1070)), _e672);
+                            let _e1082 = bitcast<u32>(_e1063[1][1]);
+                            let _e1083 = (_e1082 & 2147483647u);
+                            let _e1084 = (_e1083 < 8388608u);
+                            let _e1095 = function_14(array<u32, 2>(select((_e1082 << bitcast<u32>(29i)), 0u, _e1084), select(((_e1082 ^ _e1083) | ((_e1083 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1084)), _e672);
+                            let _e1096 = bitcast<u32>(_e1063[1][2]);
+                            let _e1097 = (_e1096 & 2147483647u);
+                            let _e1098 = (_e1097 < 8388608u);
+                            let _e1109 = function_14(array<u32, 2>(select((_e1096 << bitcast<u32>(29i)), 0u, _e1098), select(((_e1096 ^ _e1097) | ((_e1097 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1098)), _e672);
+                            let _e1112 = local_43;
+                            let _e1117 = bitcast<u32>(_e1112[2][0]);
+                            let _e1118 = (_e1117 & 2147483647u);
+                            let _e1119 = (_e1118 < 8388608u);
+                            let _e1130 = function_14(array<u32, 2>(select((_e1117 << bitcast<u32>(29i)), 0u, _e1119), select(((_e1117 ^ _e1118) | ((_e1118 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1119)), _e672);
+                            let _e1131 = bitcast<u32>(_e1112[2][1]);
+                            let _e1132 = (_e1131 & 2147483647u);
+                            let _e1133 = (_e1132 < 8388608u);
+                            let _e1144 = function_14(array<u32, 2>(select((_e1131 << bitcast<u32>(29i)), 0u, _e1133), select(((_e1131 ^ _e1132) | ((_e1132 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1133)), _e672);
+                            let _e1145 = bitcast<u32>(_e1112[2][2]);
+                            let _e1146 = (_e1145 & 2147483647u);
+                            let _e1147 = (_e1146 < 8388608u);
+                            let _e1158 = function_14(array<u32, 2>(select((_e1145 << bitcast<u32>(29i)), 0u, _e1147), select(((_e1145 ^ _e1146) | ((_e1146 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1147)), _e672);
+                            let _e1160 = local_44;
+                            let _e1165 = bitcast<u32>(_e1160[2][0]);
+                            let _e1166 = (_e1165 & 2147483647u);
+                            let _e1167 = (_e1166 < 8388608u);
+                            let _e1178 = function_14(array<u32, 2>(select((_e1165 << bitcast<u32>(29i)), 0u, _e1167), select(((_e1165 ^ _e1166) | ((_e1166 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1167)), _e672);
+                            let _e1179 = bitcast<u32>(_e1160[2][1]);
+                            let _e1180 = (_e1179 & 2147483647u);
+                            let _e1181 = (_e1180 < 8388608u);
+                            let _e1192 = function_14(array<u32, 2>(select((_e1179 << bitcast<u32>(29i)), 0u, _e1181), select(((_e1179 ^ _e1180) | ((_e1180 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1181)), _e672);
+                            let _e1193 = bitcast<u32>(_e1160[2][2]);
+                            let _e1194 = (_e1193 & 2147483647u);
+                            let _e1195 = (_e1194 < 8388608u);
+                            let _e1206 = function_14(array<u32, 2>(select((_e1193 << bitcast<u32>(29i)), 0u, _e1195), select(((_e1193 ^ _e1194) | ((_e1194 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1195)), _e672);
+                            let _e1209 = local_43;
+                            let _e1214 = bitcast<u32>(_e1209[3][0]);
+                            let _e1215 = (_e1214 & 2147483647u);
+                            let _e1216 = (_e1215 < 8388608u);
+                            let _e1227 = function_14(array<u32, 2>(select((_e1214 << bitcast<u32>(29i)), 0u, _e1216), select(((_e1214 ^ _e1215) | ((_e1215 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1216)), _e672);
+                            let _e1228 = bitcast<u32>(_e1209[3][1]);
+                            let _e1229 = (_e1228 & 2147483647u);
+                            let _e1230 = (_e1229 < 8388608u);
+                            let _e1241 = function_14(array<u32, 2>(select((_e1228 << bitcast<u32>(29i)), 0u, _e1230), select(((_e1228 ^ _e1229) | ((_e1229 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1230)), _e672);
+                            let _e1242 = bitcast<u32>(_e1209[3][2]);
+                            let _e1243 = (_e1242 & 2147483647u);
+                            let _e1244 = (_e1243 < 8388608u);
+                            let _e1255 = function_14(array<u32, 2>(select((_e1242 << bitcast<u32>(29i)), 0u, _e1244), select(((_e1242 ^ _e1243) | ((_e1243 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1244)), _e672);
+                            let _e1257 = local_44;
+                            let _e1262 = bitcast<u32>(_e1257[3][0]);
+                            let _e1263 = (_e1262 & 2147483647u);
+                            let _e1264 = (_e1263 < 8388608u);
+                            let _e1275 = function_14(array<u32, 2>(select((_e1262 << bitcast<u32>(29i)), 0u, _e1264), select(((_e1262 ^ _e1263) | ((_e1263 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1264)), _e672);
+                            let _e1276 = bitcast<u32>(_e1257[3][1]);
+                            let _e1277 = (_e1276 & 2147483647u);
+                            let _e1278 = (_e1277 < 8388608u);
+                            let _e1289 = function_14(array<u32, 2>(select((_e1276 << bitcast<u32>(29i)), 0u, _e1278), select(((_e1276 ^ _e1277) | ((_e1277 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1278)), _e672);
+                            let _e1290 = bitcast<u32>(_e1257[3][2]);
+                            let _e1291 = (_e1290 & 2147483647u);
+                            let _e1292 = (_e1291 < 8388608u);
+                            let _e1303 = function_14(array<u32, 2>(select((_e1290 << bitcast<u32>(29i)), 0u, _e1292), select(((_e1290 ^ _e1291) | ((_e1291 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e1292)), _e672);
+                            phi_3246_ = array<array<array<type_9, 3>, 2>, 4>(array<array<type_9, 3>, 2>(array<type_9, 3>(_e936, _e950, _e964), array<type_9, 3>(_e984, _e998, _e1012)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e1033, _e1047, _e1061), array<type_9, 3>(_e1081, _e1095, _e1109)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e1130, _e1144, _e1158), array<type_9, 3>(_e1178, _e1192, _e1206)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e1227, _e1241, _e1255), array<type_9, 3>(_e1275, _e1289, _e1303)));
                         } else {
-                            let _e685 = params.member.member.member_10[1u];
-                            let _e690 = (_e674 - (bitcast<i32>((_e685 >> bitcast<u32>(20i))) - 1023i));
-                            let _e691 = local_42;
-                            let _e695 = params.member.member.member[0u];
-                            let _e697 = (6u * (_e695 + _e691[0]));
-                            let _e698 = (6u * _e691[0]);
-                            let _e700 = positions.member[_e698];
-                            let _e703 = positions.member[(_e698 + 1u)];
-                            let _e705 = function_14(array<u32, 2>(_e700, _e703), _e690);
-                            let _e708 = positions.member[(_e698 + 2u)];
-                            let _e711 = positions.member[(_e698 + 3u)];
-                            let _e713 = function_14(array<u32, 2>(_e708, _e711), _e690);
-                            let _e716 = positions.member[(_e698 + 4u)];
-                            let _e719 = positions.member[(_e698 + 5u)];
-                            let _e721 = function_14(array<u32, 2>(_e716, _e719), _e690);
-                            let _e724 = positions.member[_e697];
-                            let _e727 = positions.member[(_e697 + 1u)];
-                            let _e729 = function_14(array<u32, 2>(_e724, _e727), _e690);
-                            let _e732 = positions.member[(_e697 + 2u)];
-                            let _e735 = positions.member[(_e697 + 3u)];
-                            let _e737 = function_14(array<u32, 2>(_e732, _e735), _e690);
-                            let _e740 = positions.member[(_e697 + 4u)];
-                            let _e743 = positions.member[(_e697 + 5u)];
-                            let _e745 = function_14(array<u32, 2>(_e740, _e743), _e690);
-                            let _e748 = local_42;
-                            let _e752 = params.member.member.member[0u];
-                            let _e754 = (6u * (_e752 + _e748[1]));
-                            let _e755 = (6u * _e748[1]);
-                            let _e757 = positions.member[_e755];
-                            let _e760 = positions.member[(_e755 + 1u)];
-                            let _e762 = function_14(array<u32, 2>(_e757, _e760), _e690);
-                            let _e765 = positions.member[(_e755 + 2u)];
-                            let _e768 = positions.member[(_e755 + 3u)];
-                            let _e770 = function_14(array<u32, 2>(_e765, _e768), _e690);
-                            let _e773 = positions.member[(_e755 + 4u)];
-                            let _e776 = positions.member[(_e755 + 5u)];
-                            let _e778 = function_14(array<u32, 2>(_e773, _e776), _e690);
-                            let _e781 = positions.member[_e754];
-                            let _e784 = positions.member[(_e754 + 1u)];
-                            let _e786 = function_14(array<u32, 2>(_e781, _e784), _e690);
-                            let _e789 = positions.member[(_e754 + 2u)];
-                            let _e792 = positions.member[(_e754 + 3u)];
-                            let _e794 = function_14(array<u32, 2>(_e789, _e792), _e690);
-                            let _e797 = positions.member[(_e754 + 4u)];
-                            let _e800 = positions.member[(_e754 + 5u)];
-                            let _e802 = function_14(array<u32, 2>(_e797, _e800), _e690);
-                            let _e805 = local_42;
-                            let _e809 = params.member.member.member[0u];
-                            let _e811 = (6u * (_e809 + _e805[2]));
-                            let _e812 = (6u * _e805[2]);
-                            let _e814 = positions.member[_e812];
-                            let _e817 = positions.member[(_e812 + 1u)];
-                            let _e819 = function_14(array<u32, 2>(_e814, _e817), _e690);
-                            let _e822 = positions.member[(_e812 + 2u)];
-                            let _e825 = positions.member[(_e812 + 3u)];
-                            let _e827 = function_14(array<u32, 2>(_e822, _e825), _e690);
-                            let _e830 = positions.member[(_e812 + 4u)];
-                            let _e833 = positions.member[(_e812 + 5u)];
-                            let _e835 = function_14(array<u32, 2>(_e830, _e833), _e690);
-                            let _e838 = positions.member[_e811];
-                            let _e841 = positions.member[(_e811 + 1u)];
-                            let _e843 = function_14(array<u32, 2>(_e838, _e841), _e690);
-                            let _e846 = positions.member[(_e811 + 2u)];
-                            let _e849 = positions.member[(_e811 + 3u)];
-                            let _e851 = function_14(array<u32, 2>(_e846, _e849), _e690);
-                            let _e854 = positions.member[(_e811 + 4u)];
-                            let _e857 = positions.member[(_e811 + 5u)];
-                            let _e859 = function_14(array<u32, 2>(_e854, _e857), _e690);
-                            let _e862 = local_42;
-                            let _e866 = params.member.member.member[0u];
-                            let _e868 = (6u * (_e866 + _e862[3]));
-                            let _e869 = (6u * _e862[3]);
-                            let _e871 = positions.member[_e869];
-                            let _e874 = positions.member[(_e869 + 1u)];
-                            let _e876 = function_14(array<u32, 2>(_e871, _e874), _e690);
-                            let _e879 = positions.member[(_e869 + 2u)];
-                            let _e882 = positions.member[(_e869 + 3u)];
-                            let _e884 = function_14(array<u32, 2>(_e879, _e882), _e690);
-                            let _e887 = positions.member[(_e869 + 4u)];
-                            let _e890 = positions.member[(_e869 + 5u)];
-                            let _e892 = function_14(array<u32, 2>(_e887, _e890), _e690);
-                            let _e895 = positions.member[_e868];
-                            let _e898 = positions.member[(_e868 + 1u)];
-                            let _e900 = function_14(array<u32, 2>(_e895, _e898), _e690);
-                            let _e903 = positions.member[(_e868 + 2u)];
-                            let _e906 = positions.member[(_e868 + 3u)];
-                            let _e908 = function_14(array<u32, 2>(_e903, _e906), _e690);
-                            let _e911 = positions.member[(_e868 + 4u)];
-                            let _e914 = positions.member[(_e868 + 5u)];
-                            let _e916 = function_14(array<u32, 2>(_e911, _e914), _e690);
-                            phi_3247_ = array<array<array<type_9, 3>, 2>, 4>(array<array<type_9, 3>, 2>(array<type_9, 3>(_e705, _e713, _e721), array<type_9, 3>(_e729, _e737, _e745)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e762, _e770, _e778), array<type_9, 3>(_e786, _e794, _e802)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e819, _e827, _e835), array<type_9, 3>(_e843, _e851, _e859)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e876, _e884, _e892), array<type_9, 3>(_e900, _e908, _e916)));
+                            let _e683 = params.member.member.member_10[1u];
+                            let _e688 = (_e672 - (bitcast<i32>((_e683 >> bitcast<u32>(20i))) - 1023i));
+                            let _e689 = local_42;
+                            let _e693 = params.member.member.member[0u];
+                            let _e695 = (6u * (_e693 + _e689[0]));
+                            let _e696 = (6u * _e689[0]);
+                            let _e698 = positions.member[_e696];
+                            let _e701 = positions.member[(_e696 + 1u)];
+                            let _e703 = function_14(array<u32, 2>(_e698, _e701), _e688);
+                            let _e706 = positions.member[(_e696 + 2u)];
+                            let _e709 = positions.member[(_e696 + 3u)];
+                            let _e711 = function_14(array<u32, 2>(_e706, _e709), _e688);
+                            let _e714 = positions.member[(_e696 + 4u)];
+                            let _e717 = positions.member[(_e696 + 5u)];
+                            let _e719 = function_14(array<u32, 2>(_e714, _e717), _e688);
+                            let _e722 = positions.member[_e695];
+                            let _e725 = positions.member[(_e695 + 1u)];
+                            let _e727 = function_14(array<u32, 2>(_e722, _e725), _e688);
+                            let _e730 = positions.member[(_e695 + 2u)];
+                            let _e733 = positions.member[(_e695 + 3u)];
+                            let _e735 = function_14(array<u32, 2>(_e730, _e733), _e688);
+                            let _e738 = positions.member[(_e695 + 4u)];
+                            let _e741 = positions.member[(_e695 + 5u)];
+                            let _e743 = function_14(array<u32, 2>(_e738, _e741), _e688);
+                            let _e746 = local_42;
+                            let _e750 = params.member.member.member[0u];
+                            let _e752 = (6u * (_e750 + _e746[1]));
+                            let _e753 = (6u * _e746[1]);
+                            let _e755 = positions.member[_e753];
+                            let _e758 = positions.member[(_e753 + 1u)];
+                            let _e760 = function_14(array<u32, 2>(_e755, _e758), _e688);
+                            let _e763 = positions.member[(_e753 + 2u)];
+                            let _e766 = positions.member[(_e753 + 3u)];
+                            let _e768 = function_14(array<u32, 2>(_e763, _e766), _e688);
+                            let _e771 = positions.member[(_e753 + 4u)];
+                            let _e774 = positions.member[(_e753 + 5u)];
+                            let _e776 = function_14(array<u32, 2>(_e771, _e774), _e688);
+                            let _e779 = positions.member[_e752];
+                            let _e782 = positions.member[(_e752 + 1u)];
+                            let _e784 = function_14(array<u32, 2>(_e779, _e782), _e688);
+                            let _e787 = positions.member[(_e752 + 2u)];
+                            let _e790 = positions.member[(_e752 + 3u)];
+                            let _e792 = function_14(array<u32, 2>(_e787, _e790), _e688);
+                            let _e795 = positions.member[(_e752 + 4u)];
+                            let _e798 = positions.member[(_e752 + 5u)];
+                            let _e800 = function_14(array<u32, 2>(_e795, _e798), _e688);
+                            let _e803 = local_42;
+                            let _e807 = params.member.member.member[0u];
+                            let _e809 = (6u * (_e807 + _e803[2]));
+                            let _e810 = (6u * _e803[2]);
+                            let _e812 = positions.member[_e810];
+                            let _e815 = positions.member[(_e810 + 1u)];
+                            let _e817 = function_14(array<u32, 2>(_e812, _e815), _e688);
+                            let _e820 = positions.member[(_e810 + 2u)];
+                            let _e823 = positions.member[(_e810 + 3u)];
+                            let _e825 = function_14(array<u32, 2>(_e820, _e823), _e688);
+                            let _e828 = positions.member[(_e810 + 4u)];
+                            let _e831 = positions.member[(_e810 + 5u)];
+                            let _e833 = function_14(array<u32, 2>(_e828, _e831), _e688);
+                            let _e836 = positions.member[_e809];
+                            let _e839 = positions.member[(_e809 + 1u)];
+                            let _e841 = function_14(array<u32, 2>(_e836, _e839), _e688);
+                            let _e844 = positions.member[(_e809 + 2u)];
+                            let _e847 = positions.member[(_e809 + 3u)];
+                            let _e849 = function_14(array<u32, 2>(_e844, _e847), _e688);
+                            let _e852 = positions.member[(_e809 + 4u)];
+                            let _e855 = positions.member[(_e809 + 5u)];
+                            let _e857 = function_14(array<u32, 2>(_e852, _e855), _e688);
+                            let _e860 = local_42;
+                            let _e864 = params.member.member.member[0u];
+                            let _e866 = (6u * (_e864 + _e860[3]));
+                            let _e867 = (6u * _e860[3]);
+                            let _e869 = positions.member[_e867];
+                            let _e872 = positions.member[(_e867 + 1u)];
+                            let _e874 = function_14(array<u32, 2>(_e869, _e872), _e688);
+                            let _e877 = positions.member[(_e867 + 2u)];
+                            let _e880 = positions.member[(_e867 + 3u)];
+                            let _e882 = function_14(array<u32, 2>(_e877, _e880), _e688);
+                            let _e885 = positions.member[(_e867 + 4u)];
+                            let _e888 = positions.member[(_e867 + 5u)];
+                            let _e890 = function_14(array<u32, 2>(_e885, _e888), _e688);
+                            let _e893 = positions.member[_e866];
+                            let _e896 = positions.member[(_e866 + 1u)];
+                            let _e898 = function_14(array<u32, 2>(_e893, _e896), _e688);
+                            let _e901 = positions.member[(_e866 + 2u)];
+                            let _e904 = positions.member[(_e866 + 3u)];
+                            let _e906 = function_14(array<u32, 2>(_e901, _e904), _e688);
+                            let _e909 = positions.member[(_e866 + 4u)];
+                            let _e912 = positions.member[(_e866 + 5u)];
+                            let _e914 = function_14(array<u32, 2>(_e909, _e912), _e688);
+                            phi_3246_ = array<array<array<type_9, 3>, 2>, 4>(array<array<type_9, 3>, 2>(array<type_9, 3>(_e703, _e711, _e719), array<type_9, 3>(_e727, _e735, _e743)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e760, _e768, _e776), array<type_9, 3>(_e784, _e792, _e800)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e817, _e825, _e833), array<type_9, 3>(_e841, _e849, _e857)), array<array<type_9, 3>, 2>(array<type_9, 3>(_e874, _e882, _e890), array<type_9, 3>(_e898, _e906, _e914)));
                         }
-                        let _e1310 = phi_3247_;
-                        let _e1312 = params.member.member_2.member_1;
-                        let _e1314 = params.member.member_2.member_2;
-                        let _e1316 = params.member.member_2.member_3;
-                        if (_e283.member != 0u) {
-                            phi_3794_ = array<array<array<type_9, 3>, 2>, 3>(array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1310[2][0][0].member - _e1310[0][0][0].member) - select(0u, 1u, (_e1310[2][0][0].member_1 < _e1310[0][0][0].member_1))), (_e1310[2][0][0].member_1 - _e1310[0][0][0].member_1)), type_9(((_e1310[2][0][1].member - _e1310[0][0][1].member) - select(0u, 1u, (_e1310[2][0][1].member_1 < _e1310[0][0][1].member_1))), (_e1310[2][0][1].member_1 - _e1310[0][0][1].member_1)), type_9(((_e1310[2][0][2].member - _e1310[0][0][2].member) - select(0u, 1u, (_e1310[2][0][2].member_1 < _e1310[0][0][2].member_1))), (_e1310[2][0][2].member_1 - _e1310[0][0][2].member_1))), array<type_9, 3>(type_9(((_e1310[2][1][0].member - _e1310[0][1][0].member) - select(0u, 1u, (_e1310[2][1][0].member_1 < _e1310[0][1][0].member_1))), (_e1310[2][1][0].member_1 - _e1310[0][1][0].member_1)), type_9(((_e1310[2][1][1].member - _e1310[0][1][1].member) - select(0u, 1u, (_e1310[2][1][1].member_1 < _e1310[0][1][1].member_1))), (_e1310[2][1][1].member_1 - _e1310[0][1][1].member_1)), type_9(((_e1310[2][1][2].member - _e1310[0][1][2].member) - select(0u, 1u, (_e1310[2][1][2].member_1 < _e1310[0][1][2].member_1))), (_e1310[2][1][2].member_1 - _e1310[0][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1310[1][0][0].member - _e1310[0][0][0].member) - select(0u, 1u, (_e1310[1][0][0].member_1 < _e1310[0][0][0].member_1))), (_e1310[1][0][0].member_1 - _e1310[0][0][0].member_1)), type_9(((_e1310[1][0][1].member - _e1310[0][0][1].member) - select(0u, 1u, (_e1310[1][0][1].member_1 < _e1310[0][0][1].member_1))), (_e1310[1][0][1].member_1 - _e1310[0][0][1].member_1)), type_9(((_e1310[1][0][2].member - _e1310[0][0][2].member) - select(0u, 1u, (_e1310[1][0][2].member_1 < _e1310[0][0][2].member_1))), (_e1310[1][0][2].member_1 - _e1310[0][0][2].member_1))), array<type_9, 3>(type_9(((_e1310[1][1][0].member - _e1310[0][1][0].member) - select(0u, 1u, (_e1310[1][1][0].member_1 < _e1310[0][1][0].member_1))), (_e1310[1][1][0].member_1 - _e1310[0][1][0].member_1)), type_9(((_e1310[1][1][1].member - _e1310[0][1][1].member) - select(0u, 1u, (_e1310[1][1][1].member_1 < _e1310[0][1][1].member_1))), (_e1310[1][1][1].member_1 - _e1310[0][1][1].member_1)), type_9(((_e1310[1][1][2].member - _e1310[0][1][2].member) - select(0u, 1u, (_e1310[1][1][2].member_1 < _e1310[0][1][2].member_1))), (_e1310[1][1][2].member_1 - _e1310[0][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1310[2][0][0].member - _e1310[3][0][0].member) - select(0u, 1u, (_e1310[2][0][0].member_1 < _e1310[3][0][0].member_1))), (_e1310[2][0][0].member_1 - _e1310[3][0][0].member_1)), type_9(((_e1310[2][0][1].member - _e1310[3][0][1].member) - select(0u, 1u, (_e1310[2][0][1].member_1 < _e1310[3][0][1].member_1))), (_e1310[2][0][1].member_1 - _e1310[3][0][1].member_1)), type_9(((_e1310[2][0][2].member - _e1310[3][0][2].member) - select(0u, 1u, (_e1310[2][0][2].member_1 < _e1310[3][0][2].member_1))), (_e1310[2][0][2].member_1 - _e1310[3][0][2].member_1))), array<type_9, 3>(type_9(((_e1310[2][1][0].member - _e1310[3][1][0].member) - select(0u, 1u, (_e1310[2][1][0].member_1 < _e1310[3][1][0].member_1))), (_e1310[2][1][0].member_1 - _e1310[3][1][0].member_1)), type_9(((_e1310[2][1][1].member - _e1310[3][1][1].member) - select(0u, 1u, (_e1310[2][1][1].member_1 < _e1310[3][1][1].member_1))), (_e1310[2][1][1].member_1 - _e1310[3][1][1].member_1)), type_9(((_e1310[2][1][2].member - _e1310[3][1][2].member) - select(0u, 1u, (_e1310[2][1][2].member_1 < _e1310[3][1][2].member_1))), (_e1310[2][1][2].member_1 - _e1310[3][1][2].member_1)))));
+                        let _e1308 = phi_3246_;
+                        let _e1310 = params.member.member_2.member_1;
+                        let _e1312 = params.member.member_2.member_2;
+                        let _e1314 = params.member.member_2.member_3;
+                        if (_e281.member != 0u) {
+                            phi_3793_ = array<array<array<type_9, 3>, 2>, 3>(array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1308[2][0][0].member - _e1308[0][0][0].member) - select(0u, 1u, (_e1308[2][0][0].member_1 < _e1308[0][0][0].member_1))), (_e1308[2][0][0].member_1 - _e1308[0][0][0].member_1)), type_9(((_e1308[2][0][1].member - _e1308[0][0][1].member) - select(0u, 1u, (_e1308[2][0][1].member_1 < _e1308[0][0][1].member_1))), (_e1308[2][0][1].member_1 - _e1308[0][0][1].member_1)), type_9(((_e1308[2][0][2].member - _e1308[0][0][2].member) - select(0u, 1u, (_e1308[2][0][2].member_1 < _e1308[0][0][2].member_1))), (_e1308[2][0][2].member_1 - _e1308[0][0][2].member_1))), array<type_9, 3>(type_9(((_e1308[2][1][0].member - _e1308[0][1][0].member) - select(0u, 1u, (_e1308[2][1][0].member_1 < _e1308[0][1][0].member_1))), (_e1308[2][1][0].member_1 - _e1308[0][1][0].member_1)), type_9(((_e1308[2][1][1].member - _e1308[0][1][1].member) - select(0u, 1u, (_e1308[2][1][1].member_1 < _e1308[0][1][1].member_1))), (_e1308[2][1][1].member_1 - _e1308[0][1][1].member_1)), type_9(((_e1308[2][1][2].member - _e1308[0][1][2].member) - select(0u, 1u, (_e1308[2][1][2].member_1 < _e1308[0][1][2].member_1))), (_e1308[2][1][2].member_1 - _e1308[0][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1308[1][0][0].member - _e1308[0][0][0].member) - select(0u, 1u, (_e1308[1][0][0].member_1 < _e1308[0][0][0].member_1))), (_e1308[1][0][0].member_1 - _e1308[0][0][0].member_1)), type_9(((_e1308[1][0][1].member - _e1308[0][0][1].member) - select(0u, 1u, (_e1308[1][0][1].member_1 < _e1308[0][0][1].member_1))), (_e1308[1][0][1].member_1 - _e1308[0][0][1].member_1)), type_9(((_e1308[1][0][2].member - _e1308[0][0][2].member) - select(0u, 1u, (_e1308[1][0][2].member_1 < _e1308[0][0][2].member_1))), (_e1308[1][0][2].member_1 - _e1308[0][0][2].member_1))), array<type_9, 3>(type_9(((_e1308[1][1][0].member - _e1308[0][1][0].member) - select(0u, 1u, (_e1308[1][1][0].member_1 < _e1308[0][1][0].member_1))), (_e1308[1][1][0].member_1 - _e1308[0][1][0].member_1)), type_9(((_e1308[1][1][1].member - _e1308[0][1][1].member) - select(0u, 1u, (_e1308[1][1][1].member_1 < _e1308[0][1][1].member_1))), (_e1308[1][1][1].member_1 - _e1308[0][1][1].member_1)), type_9(((_e1308[1][1][2].member - _e1308[0][1][2].member) - select(0u, 1u, (_e1308[1][1][2].member_1 < _e1308[0][1][2].member_1))), (_e1308[1][1][2].member_1 - _e1308[0][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1308[2][0][0].member - _e1308[3][0][0].member) - select(0u, 1u, (_e1308[2][0][0].member_1 < _e1308[3][0][0].member_1))), (_e1308[2][0][0].member_1 - _e1308[3][0][0].member_1)), type_9(((_e1308[2][0][1].member - _e1308[3][0][1].member) - select(0u, 1u, (_e1308[2][0][1].member_1 < _e1308[3][0][1].member_1))), (_e1308[2][0][1].member_1 - _e1308[3][0][1].member_1)), type_9(((_e1308[2][0][2].member - _e1308[3][0][2].member) - select(0u, 1u, (_e1308[2][0][2].member_1 < _e1308[3][0][2].member_1))), (_e1308[2][0][2].member_1 - _e1308[3][0][2].member_1))), array<type_9, 3>(type_9(((_e1308[2][1][0].member - _e1308[3][1][0].member) - select(0u, 1u, (_e1308[2][1][0].member_1 < _e1308[3][1][0].member_1))), (_e1308[2][1][0].member_1 - _e1308[3][1][0].member_1)), type_9(((_e1308[2][1][1].member - _e1308[3][1][1].member) - select(0u, 1u, (_e1308[2][1][1].member_1 < _e1308[3][1][1].member_1))), (_e1308[2][1][1].member_1 - _e1308[3][1][1].member_1)), type_9(((_e1308[2][1][2].member - _e1308[3][1][2].member) - select(0u, 1u, (_e1308[2][1][2].member_1 < _e1308[3][1][2].member_1))), (_e1308[2][1][2].member_1 - _e1308[3][1][2].member_1)))));
                         } else {
-                            phi_3794_ = array<array<array<type_9, 3>, 2>, 3>(array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1310[0][0][0].member - _e1310[1][0][0].member) - select(0u, 1u, (_e1310[0][0][0].member_1 < _e1310[1][0][0].member_1))), (_e1310[0][0][0].member_1 - _e1310[1][0][0].member_1)), type_9(((_e1310[0][0][1].member - _e1310[1][0][1].member) - select(0u, 1u, (_e1310[0][0][1].member_1 < _e1310[1][0][1].member_1))), (_e1310[0][0][1].member_1 - _e1310[1][0][1].member_1)), type_9(((_e1310[0][0][2].member - _e1310[1][0][2].member) - select(0u, 1u, (_e1310[0][0][2].member_1 < _e1310[1][0][2].member_1))), (_e1310[0][0][2].member_1 - _e1310[1][0][2].member_1))), array<type_9, 3>(type_9(((_e1310[0][1][0].member - _e1310[1][1][0].member) - select(0u, 1u, (_e1310[0][1][0].member_1 < _e1310[1][1][0].member_1))), (_e1310[0][1][0].member_1 - _e1310[1][1][0].member_1)), type_9(((_e1310[0][1][1].member - _e1310[1][1][1].member) - select(0u, 1u, (_e1310[0][1][1].member_1 < _e1310[1][1][1].member_1))), (_e1310[0][1][1].member_1 - _e1310[1][1][1].member_1)), type_9(((_e1310[0][1][2].member - _e1310[1][1][2].member) - select(0u, 1u, (_e1310[0][1][2].member_1 < _e1310[1][1][2].member_1))), (_e1310[0][1][2].member_1 - _e1310[1][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1310[2][0][0].member - _e1310[1][0][0].member) - select(0u, 1u, (_e1310[2][0][0].member_1 < _e1310[1][0][0].member_1))), (_e1310[2][0][0].member_1 - _e1310[1][0][0].member_1)), type_9(((_e1310[2][0][1].member - _e1310[1][0][1].member) - select(0u, 1u, (_e1310[2][0][1].member_1 < _e1310[1][0][1].member_1))), (_e1310[2][0][1].member_1 - _e1310[1][0][1].member_1)), type_9(((_e1310[2][0][2].member - _e1310[1][0][2].member) - select(0u, 1u, (_e1310[2][0][2].member_1 < _e1310[1][0][2].member_1))), (_e1310[2][0][2].member_1 - _e1310[1][0][2].member_1))), array<type_9, 3>(type_9(((_e1310[2][1][0].member - _e1310[1][1][0].member) - select(0u, 1u, (_e1310[2][1][0].member_1 < _e1310[1][1][0].member_1))), (_e1310[2][1][0].member_1 - _e1310[1][1][0].member_1)), type_9(((_e1310[2][1][1].member - _e1310[1][1][1].member) - select(0u, 1u, (_e1310[2][1][1].member_1 < _e1310[1][1][1].member_1))), (_e1310[2][1][1].member_1 - _e1310[1][1][1].member_1)), type_9(((_e1310[2][1][2].member - _e1310[1][1][2].member) - select(0u, 1u, (_e1310[2][1][2].member_1 < _e1310[1][1][2].member_1))), (_e1310[2][1][2].member_1 - _e1310[1][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1310[3][0][0].member - _e1310[1][0][0].member) - select(0u, 1u, (_e1310[3][0][0].member_1 < _e1310[1][0][0].member_1))), (_e1310[3][0][0].member_1 - _e1310[1][0][0].member_1)), type_9(((_e1310[3][0][1].member - _e1310[1][0][1].member) - select(0u, 1u, (_e1310[3][0][1].member_1 < _e1310[1][0][1].member_1))), (_e1310[3][0][1].member_1 - _e1310[1][0][1].member_1)), type_9(((_e1310[3][0][2].member - _e1310[1][0][2].member) - select(0u, 1u, (_e1310[3][0][2].member_1 < _e1310[1][0][2].member_1))), (_e1310[3][0][2].member_1 - _e1310[1][0][2].member_1))), array<type_9, 3>(type_9(((_e1310[3][1][0].member - _e1310[1][1][0].member) - select(0u, 1u, (_e1310[3][1][0].member_1 < _e1310[1][1][0].member_1))), (_e1310[3][1][0].member_1 - _e1310[1][1][0].member_1)), type_9(((_e1310[3][1][1].member - _e1310[1][1][1].member) - select(0u, 1u, (_e1310[3][1][1].member_1 < _e1310[1][1][1].member_1))), (_e1310[3][1][1].member_1 - _e1310[1][1][1].member_1)), type_9(((_e1310[3][1][2].member - _e1310[1][1][2].member) - select(0u, 1u, (_e1310[3][1][2].member_1 < _e1310[1][1][2].member_1))), (_e1310[3][1][2].member_1 - _e1310[1][1][2].member_1)))));
+                            phi_3793_ = array<array<array<type_9, 3>, 2>, 3>(array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1308[0][0][0].member - _e1308[1][0][0].member) - select(0u, 1u, (_e1308[0][0][0].member_1 < _e1308[1][0][0].member_1))), (_e1308[0][0][0].member_1 - _e1308[1][0][0].member_1)), type_9(((_e1308[0][0][1].member - _e1308[1][0][1].member) - select(0u, 1u, (_e1308[0][0][1].member_1 < _e1308[1][0][1].member_1))), (_e1308[0][0][1].member_1 - _e1308[1][0][1].member_1)), type_9(((_e1308[0][0][2].member - _e1308[1][0][2].member) - select(0u, 1u, (_e1308[0][0][2].member_1 < _e1308[1][0][2].member_1))), (_e1308[0][0][2].member_1 - _e1308[1][0][2].member_1))), array<type_9, 3>(type_9(((_e1308[0][1][0].member - _e1308[1][1][0].member) - select(0u, 1u, (_e1308[0][1][0].member_1 < _e1308[1][1][0].member_1))), (_e1308[0][1][0].member_1 - _e1308[1][1][0].member_1)), type_9(((_e1308[0][1][1].member - _e1308[1][1][1].member) - select(0u, 1u, (_e1308[0][1][1].member_1 < _e1308[1][1][1].member_1))), (_e1308[0][1][1].member_1 - _e1308[1][1][1].member_1)), type_9(((_e1308[0][1][2].member - _e1308[1][1][2].member) - select(0u, 1u, (_e1308[0][1][2].member_1 < _e1308[1][1][2].member_1))), (_e1308[0][1][2].member_1 - _e1308[1][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1308[2][0][0].member - _e1308[1][0][0].member) - select(0u, 1u, (_e1308[2][0][0].member_1 < _e1308[1][0][0].member_1))), (_e1308[2][0][0].member_1 - _e1308[1][0][0].member_1)), type_9(((_e1308[2][0][1].member - _e1308[1][0][1].member) - select(0u, 1u, (_e1308[2][0][1].member_1 < _e1308[1][0][1].member_1))), (_e1308[2][0][1].member_1 - _e1308[1][0][1].member_1)), type_9(((_e1308[2][0][2].member - _e1308[1][0][2].member) - select(0u, 1u, (_e1308[2][0][2].member_1 < _e1308[1][0][2].member_1))), (_e1308[2][0][2].member_1 - _e1308[1][0][2].member_1))), array<type_9, 3>(type_9(((_e1308[2][1][0].member - _e1308[1][1][0].member) - select(0u, 1u, (_e1308[2][1][0].member_1 < _e1308[1][1][0].member_1))), (_e1308[2][1][0].member_1 - _e1308[1][1][0].member_1)), type_9(((_e1308[2][1][1].member - _e1308[1][1][1].member) - select(0u, 1u, (_e1308[2][1][1].member_1 < _e1308[1][1][1].member_1))), (_e1308[2][1][1].member_1 - _e1308[1][1][1].member_1)), type_9(((_e1308[2][1][2].member - _e1308[1][1][2].member) - select(0u, 1u, (_e1308[2][1][2].member_1 < _e1308[1][1][2].member_1))), (_e1308[2][1][2].member_1 - _e1308[1][1][2].member_1)))), array<array<type_9, 3>, 2>(array<type_9, 3>(type_9(((_e1308[3][0][0].member - _e1308[1][0][0].member) - select(0u, 1u, (_e1308[3][0][0].member_1 < _e1308[1][0][0].member_1))), (_e1308[3][0][0].member_1 - _e1308[1][0][0].member_1)), type_9(((_e1308[3][0][1].member - _e1308[1][0][1].member) - select(0u, 1u, (_e1308[3][0][1].member_1 < _e1308[1][0][1].member_1))), (_e1308[3][0][1].member_1 - _e1308[1][0][1].member_1)), type_9(((_e1308[3][0][2].member - _e1308[1][0][2].member) - select(0u, 1u, (_e1308[3][0][2].member_1 < _e1308[1][0][2].member_1))), (_e1308[3][0][2].member_1 - _e1308[1][0][2].member_1))), array<type_9, 3>(type_9(((_e1308[3][1][0].member - _e1308[1][1][0].member) - select(0u, 1u, (_e1308[3][1][0].member_1 < _e1308[1][1][0].member_1))), (_e1308[3][1][0].member_1 - _e1308[1][1][0].member_1)), type_9(((_e1308[3][1][1].member - _e1308[1][1][1].member) - select(0u, 1u, (_e1308[3][1][1].member_1 < _e1308[1][1][1].member_1))), (_e1308[3][1][1].member_1 - _e1308[1][1][1].member_1)), type_9(((_e1308[3][1][2].member - _e1308[1][1][2].member) - select(0u, 1u, (_e1308[3][1][2].member_1 < _e1308[1][1][2].member_1))), (_e1308[3][1][2].member_1 - _e1308[1][1][2].member_1)))));
                         }
-                        let _e1891 = phi_3794_;
-                        local_40 = array<type_9, 3>(type_9(_e1891[1][0][0].member, _e1891[1][0][0].member_1), type_9(_e1891[1][0][1].member, _e1891[1][0][1].member_1), type_9(_e1891[1][0][2].member, _e1891[1][0][2].member_1));
-                        local_41 = array<type_9, 3>(type_9(_e1891[2][0][0].member, _e1891[2][0][0].member_1), type_9(_e1891[2][0][1].member, _e1891[2][0][1].member_1), type_9(_e1891[2][0][2].member, _e1891[2][0][2].member_1));
-                        let _e1924 = local_40[1u].member;
-                        let _e1926 = local_40[1u].member_1;
-                        let _e1929 = local_41[2u].member;
-                        let _e1931 = local_41[2u].member_1;
-                        let _e1932 = function_10(_e1924, _e1926, _e1929, _e1931);
-                        let _e1937 = local_40[2u].member;
-                        let _e1939 = local_40[2u].member_1;
-                        let _e1942 = local_41[1u].member;
-                        let _e1944 = local_41[1u].member_1;
-                        let _e1945 = function_10(_e1937, _e1939, _e1942, _e1944);
-                        let _e1951 = ((_e1932.member - _e1945.member) - select(0u, 1u, (_e1932.member_1 < _e1945.member_1)));
-                        let _e1952 = (_e1932.member_1 - _e1945.member_1);
-                        local_38 = array<type_9, 3>(type_9(_e1891[1][0][0].member, _e1891[1][0][0].member_1), type_9(_e1891[1][0][1].member, _e1891[1][0][1].member_1), type_9(_e1891[1][0][2].member, _e1891[1][0][2].member_1));
-                        local_39 = array<type_9, 3>(type_9(_e1891[2][0][0].member, _e1891[2][0][0].member_1), type_9(_e1891[2][0][1].member, _e1891[2][0][1].member_1), type_9(_e1891[2][0][2].member, _e1891[2][0][2].member_1));
-                        let _e1981 = local_38[2u].member;
-                        let _e1983 = local_38[2u].member_1;
-                        let _e1986 = local_39[0u].member;
-                        let _e1988 = local_39[0u].member_1;
-                        let _e1989 = function_10(_e1981, _e1983, _e1986, _e1988);
-                        let _e1994 = local_38[0u].member;
-                        let _e1996 = local_38[0u].member_1;
-                        let _e1999 = local_39[2u].member;
-                        let _e2001 = local_39[2u].member_1;
-                        let _e2002 = function_10(_e1994, _e1996, _e1999, _e2001);
-                        let _e2008 = ((_e1989.member - _e2002.member) - select(0u, 1u, (_e1989.member_1 < _e2002.member_1)));
-                        let _e2009 = (_e1989.member_1 - _e2002.member_1);
-                        local_36 = array<type_9, 3>(type_9(_e1891[1][0][0].member, _e1891[1][0][0].member_1), type_9(_e1891[1][0][1].member, _e1891[1][0][1].member_1), type_9(_e1891[1][0][2].member, _e1891[1][0][2].member_1));
-                        local_37 = array<type_9, 3>(type_9(_e1891[2][0][0].member, _e1891[2][0][0].member_1), type_9(_e1891[2][0][1].member, _e1891[2][0][1].member_1), type_9(_e1891[2][0][2].member, _e1891[2][0][2].member_1));
-                        let _e2038 = local_36[0u].member;
-                        let _e2040 = local_36[0u].member_1;
-                        let _e2043 = local_37[1u].member;
-                        let _e2045 = local_37[1u].member_1;
-                        let _e2046 = function_10(_e2038, _e2040, _e2043, _e2045);
-                        let _e2051 = local_36[1u].member;
-                        let _e2053 = local_36[1u].member_1;
-                        let _e2056 = local_37[0u].member;
-                        let _e2058 = local_37[0u].member_1;
-                        let _e2059 = function_10(_e2051, _e2053, _e2056, _e2058);
-                        let _e2065 = ((_e2046.member - _e2059.member) - select(0u, 1u, (_e2046.member_1 < _e2059.member_1)));
-                        let _e2066 = (_e2046.member_1 - _e2059.member_1);
-                        local_34 = array<type_9, 3>(type_9(_e1891[1][1][0].member, _e1891[1][1][0].member_1), type_9(_e1891[1][1][1].member, _e1891[1][1][1].member_1), type_9(_e1891[1][1][2].member, _e1891[1][1][2].member_1));
-                        local_35 = array<type_9, 3>(type_9(_e1891[2][1][0].member, _e1891[2][1][0].member_1), type_9(_e1891[2][1][1].member, _e1891[2][1][1].member_1), type_9(_e1891[2][1][2].member, _e1891[2][1][2].member_1));
-                        let _e2099 = local_34[1u].member;
-                        let _e2101 = local_34[1u].member_1;
-                        let _e2104 = local_35[2u].member;
-                        let _e2106 = local_35[2u].member_1;
-                        let _e2107 = function_10(_e2099, _e2101, _e2104, _e2106);
-                        let _e2112 = local_34[2u].member;
-                        let _e2114 = local_34[2u].member_1;
-                        let _e2117 = local_35[1u].member;
-                        let _e2119 = local_35[1u].member_1;
-                        let _e2120 = function_10(_e2112, _e2114, _e2117, _e2119);
-                        let _e2126 = ((_e2107.member - _e2120.member) - select(0u, 1u, (_e2107.member_1 < _e2120.member_1)));
-                        let _e2127 = (_e2107.member_1 - _e2120.member_1);
-                        local_32 = array<type_9, 3>(type_9(_e1891[1][1][0].member, _e1891[1][1][0].member_1), type_9(_e1891[1][1][1].member, _e1891[1][1][1].member_1), type_9(_e1891[1][1][2].member, _e1891[1][1][2].member_1));
-                        local_33 = array<type_9, 3>(type_9(_e1891[2][1][0].member, _e1891[2][1][0].member_1), type_9(_e1891[2][1][1].member, _e1891[2][1][1].member_1), type_9(_e1891[2][1][2].member, _e1891[2][1][2].member_1));
-                        let _e2156 = local_32[2u].member;
-                        let _e2158 = local_32[2u].member_1;
-                        let _e2161 = local_33[0u].member;
-                        let _e2163 = local_33[0u].member_1;
-                        let _e2164 = function_10(_e2156, _e2158, _e2161, _e2163);
-                        let _e2169 = local_32[0u].member;
-                        let _e2171 = local_32[0u].member_1;
-                        let _e2174 = local_33[2u].member;
-                        let _e2176 = local_33[2u].member_1;
-                        let _e2177 = function_10(_e2169, _e2171, _e2174, _e2176);
-                        let _e2183 = ((_e2164.member - _e2177.member) - select(0u, 1u, (_e2164.member_1 < _e2177.member_1)));
-                        let _e2184 = (_e2164.member_1 - _e2177.member_1);
-                        local_30 = array<type_9, 3>(type_9(_e1891[1][1][0].member, _e1891[1][1][0].member_1), type_9(_e1891[1][1][1].member, _e1891[1][1][1].member_1), type_9(_e1891[1][1][2].member, _e1891[1][1][2].member_1));
-                        local_31 = array<type_9, 3>(type_9(_e1891[2][1][0].member, _e1891[2][1][0].member_1), type_9(_e1891[2][1][1].member, _e1891[2][1][1].member_1), type_9(_e1891[2][1][2].member, _e1891[2][1][2].member_1));
-                        let _e2213 = local_30[0u].member;
-                        let _e2215 = local_30[0u].member_1;
-                        let _e2218 = local_31[1u].member;
-                        let _e2220 = local_31[1u].member_1;
-                        let _e2221 = function_10(_e2213, _e2215, _e2218, _e2220);
-                        let _e2226 = local_30[1u].member;
-                        let _e2228 = local_30[1u].member_1;
-                        let _e2231 = local_31[0u].member;
-                        let _e2233 = local_31[0u].member_1;
-                        let _e2234 = function_10(_e2226, _e2228, _e2231, _e2233);
-                        let _e2240 = ((_e2221.member - _e2234.member) - select(0u, 1u, (_e2221.member_1 < _e2234.member_1)));
-                        let _e2241 = (_e2221.member_1 - _e2234.member_1);
-                        local_28 = array<type_9, 3>(type_9(_e1891[1][0][0].member, _e1891[1][0][0].member_1), type_9(_e1891[1][0][1].member, _e1891[1][0][1].member_1), type_9(_e1891[1][0][2].member, _e1891[1][0][2].member_1));
-                        local_29 = array<type_9, 3>(type_9(_e1891[2][1][0].member, _e1891[2][1][0].member_1), type_9(_e1891[2][1][1].member, _e1891[2][1][1].member_1), type_9(_e1891[2][1][2].member, _e1891[2][1][2].member_1));
-                        let _e2274 = local_28[1u].member;
-                        let _e2276 = local_28[1u].member_1;
-                        let _e2279 = local_29[2u].member;
-                        let _e2281 = local_29[2u].member_1;
-                        let _e2282 = function_10(_e2274, _e2276, _e2279, _e2281);
-                        let _e2287 = local_28[2u].member;
-                        let _e2289 = local_28[2u].member_1;
-                        let _e2292 = local_29[1u].member;
-                        let _e2294 = local_29[1u].member_1;
-                        let _e2295 = function_10(_e2287, _e2289, _e2292, _e2294);
-                        let _e2302 = (_e2282.member_1 - _e2295.member_1);
-                        local_26 = array<type_9, 3>(type_9(_e1891[1][0][0].member, _e1891[1][0][0].member_1), type_9(_e1891[1][0][1].member, _e1891[1][0][1].member_1), type_9(_e1891[1][0][2].member, _e1891[1][0][2].member_1));
-                        local_27 = array<type_9, 3>(type_9(_e1891[2][1][0].member, _e1891[2][1][0].member_1), type_9(_e1891[2][1][1].member, _e1891[2][1][1].member_1), type_9(_e1891[2][1][2].member, _e1891[2][1][2].member_1));
-                        let _e2331 = local_26[2u].member;
-                        let _e2333 = local_26[2u].member_1;
-                        let _e2336 = local_27[0u].member;
-                        let _e2338 = local_27[0u].member_1;
-                        let _e2339 = function_10(_e2331, _e2333, _e2336, _e2338);
-                        let _e2344 = local_26[0u].member;
-                        let _e2346 = local_26[0u].member_1;
-                        let _e2349 = local_27[2u].member;
-                        let _e2351 = local_27[2u].member_1;
-                        let _e2352 = function_10(_e2344, _e2346, _e2349, _e2351);
-                        let _e2359 = (_e2339.member_1 - _e2352.member_1);
-                        local_24 = array<type_9, 3>(type_9(_e1891[1][0][0].member, _e1891[1][0][0].member_1), type_9(_e1891[1][0][1].member, _e1891[1][0][1].member_1), type_9(_e1891[1][0][2].member, _e1891[1][0][2].member_1));
-                        local_25 = array<type_9, 3>(type_9(_e1891[2][1][0].member, _e1891[2][1][0].member_1), type_9(_e1891[2][1][1].member, _e1891[2][1][1].member_1), type_9(_e1891[2][1][2].member, _e1891[2][1][2].member_1));
-                        let _e2388 = local_24[0u].member;
-                        let _e2390 = local_24[0u].member_1;
-                        let _e2393 = local_25[1u].member;
-                        let _e2395 = local_25[1u].member_1;
-                        let _e2396 = function_10(_e2388, _e2390, _e2393, _e2395);
-                        let _e2401 = local_24[1u].member;
-                        let _e2403 = local_24[1u].member_1;
-                        let _e2406 = local_25[0u].member;
-                        let _e2408 = local_25[0u].member_1;
-                        let _e2409 = function_10(_e2401, _e2403, _e2406, _e2408);
-                        let _e2416 = (_e2396.member_1 - _e2409.member_1);
-                        local_22 = array<type_9, 3>(type_9(_e1891[1][1][0].member, _e1891[1][1][0].member_1), type_9(_e1891[1][1][1].member, _e1891[1][1][1].member_1), type_9(_e1891[1][1][2].member, _e1891[1][1][2].member_1));
-                        local_23 = array<type_9, 3>(type_9(_e1891[2][0][0].member, _e1891[2][0][0].member_1), type_9(_e1891[2][0][1].member, _e1891[2][0][1].member_1), type_9(_e1891[2][0][2].member, _e1891[2][0][2].member_1));
-                        let _e2449 = local_22[1u].member;
-                        let _e2451 = local_22[1u].member_1;
-                        let _e2454 = local_23[2u].member;
-                        let _e2456 = local_23[2u].member_1;
-                        let _e2457 = function_10(_e2449, _e2451, _e2454, _e2456);
-                        let _e2462 = local_22[2u].member;
-                        let _e2464 = local_22[2u].member_1;
-                        let _e2467 = local_23[1u].member;
-                        let _e2469 = local_23[1u].member_1;
-                        let _e2470 = function_10(_e2462, _e2464, _e2467, _e2469);
-                        local_20 = array<type_9, 3>(type_9(_e1891[1][1][0].member, _e1891[1][1][0].member_1), type_9(_e1891[1][1][1].member, _e1891[1][1][1].member_1), type_9(_e1891[1][1][2].member, _e1891[1][1][2].member_1));
-                        local_21 = array<type_9, 3>(type_9(_e1891[2][0][0].member, _e1891[2][0][0].member_1), type_9(_e1891[2][0][1].member, _e1891[2][0][1].member_1), type_9(_e1891[2][0][2].member, _e1891[2][0][2].member_1));
-                        let _e2506 = local_20[2u].member;
-                        let _e2508 = local_20[2u].member_1;
-                        let _e2511 = local_21[0u].member;
-                        let _e2513 = local_21[0u].member_1;
-                        let _e2514 = function_10(_e2506, _e2508, _e2511, _e2513);
-                        let _e2519 = local_20[0u].member;
-                        let _e2521 = local_20[0u].member_1;
-                        let _e2524 = local_21[2u].member;
-                        let _e2526 = local_21[2u].member_1;
-                        let _e2527 = function_10(_e2519, _e2521, _e2524, _e2526);
-                        local_18 = array<type_9, 3>(type_9(_e1891[1][1][0].member, _e1891[1][1][0].member_1), type_9(_e1891[1][1][1].member, _e1891[1][1][1].member_1), type_9(_e1891[1][1][2].member, _e1891[1][1][2].member_1));
-                        local_19 = array<type_9, 3>(type_9(_e1891[2][0][0].member, _e1891[2][0][0].member_1), type_9(_e1891[2][0][1].member, _e1891[2][0][1].member_1), type_9(_e1891[2][0][2].member, _e1891[2][0][2].member_1));
-                        let _e2563 = local_18[0u].member;
-                        let _e2565 = local_18[0u].member_1;
-                        let _e2568 = local_19[1u].member;
-                        let _e2570 = local_19[1u].member_1;
-                        let _e2571 = function_10(_e2563, _e2565, _e2568, _e2570);
-                        let _e2576 = local_18[1u].member;
-                        let _e2578 = local_18[1u].member_1;
-                        let _e2581 = local_19[0u].member;
-                        let _e2583 = local_19[0u].member_1;
-                        let _e2584 = function_10(_e2576, _e2578, _e2581, _e2583);
-                        let _e2592 = (_e2302 + (_e2457.member_1 - _e2470.member_1));
-                        let _e2596 = ((((_e2282.member - _e2295.member) - select(0u, 1u, (_e2282.member_1 < _e2295.member_1))) + ((_e2457.member - _e2470.member) - select(0u, 1u, (_e2457.member_1 < _e2470.member_1)))) + select(0u, 1u, (_e2592 < _e2302)));
-                        let _e2597 = (_e2359 + (_e2514.member_1 - _e2527.member_1));
-                        let _e2601 = ((((_e2339.member - _e2352.member) - select(0u, 1u, (_e2339.member_1 < _e2352.member_1))) + ((_e2514.member - _e2527.member) - select(0u, 1u, (_e2514.member_1 < _e2527.member_1)))) + select(0u, 1u, (_e2597 < _e2359)));
-                        let _e2602 = (_e2416 + (_e2571.member_1 - _e2584.member_1));
-                        let _e2606 = ((((_e2396.member - _e2409.member) - select(0u, 1u, (_e2396.member_1 < _e2409.member_1))) + ((_e2571.member - _e2584.member) - select(0u, 1u, (_e2571.member_1 < _e2584.member_1)))) + select(0u, 1u, (_e2602 < _e2416)));
-                        let _e2613 = function_10(_e1891[0][0][0].member, _e1891[0][0][0].member_1, _e1951, _e1952);
-                        let _e2620 = function_10(_e1891[0][0][1].member, _e1891[0][0][1].member_1, _e2008, _e2009);
-                        let _e2623 = (_e2613.member_1 + _e2620.member_1);
-                        let _e2632 = function_10(_e1891[0][0][2].member, _e1891[0][0][2].member_1, _e2065, _e2066);
-                        let _e2635 = (_e2623 + _e2632.member_1);
-                        let _e2640 = function_13(((((_e2613.member + _e2620.member) + select(0u, 1u, (_e2623 < _e2613.member_1))) + _e2632.member) + select(0u, 1u, (_e2635 < _e2623))), _e2635);
-                        let _e2649 = function_10(_e1891[0][1][0].member, _e1891[0][1][0].member_1, _e1951, _e1952);
-                        let _e2656 = function_10(_e1891[0][1][1].member, _e1891[0][1][1].member_1, _e2008, _e2009);
-                        let _e2659 = (_e2649.member_1 + _e2656.member_1);
-                        let _e2668 = function_10(_e1891[0][1][2].member, _e1891[0][1][2].member_1, _e2065, _e2066);
-                        let _e2671 = (_e2659 + _e2668.member_1);
-                        let _e2682 = function_10(_e1891[0][0][0].member, _e1891[0][0][0].member_1, _e2596, _e2592);
-                        let _e2689 = function_10(_e1891[0][0][1].member, _e1891[0][0][1].member_1, _e2601, _e2597);
-                        let _e2692 = (_e2682.member_1 + _e2689.member_1);
-                        let _e2701 = function_10(_e1891[0][0][2].member, _e1891[0][0][2].member_1, _e2606, _e2602);
-                        let _e2704 = (_e2692 + _e2701.member_1);
-                        let _e2709 = (_e2671 + _e2704);
-                        let _e2713 = ((((((_e2649.member + _e2656.member) + select(0u, 1u, (_e2659 < _e2649.member_1))) + _e2668.member) + select(0u, 1u, (_e2671 < _e2659))) + ((((_e2682.member + _e2689.member) + select(0u, 1u, (_e2692 < _e2682.member_1))) + _e2701.member) + select(0u, 1u, (_e2704 < _e2692)))) + select(0u, 1u, (_e2709 < _e2671)));
-                        let _e2720 = function_10(_e1891[0][0][0].member, _e1891[0][0][0].member_1, _e2126, _e2127);
-                        let _e2727 = function_10(_e1891[0][0][1].member, _e1891[0][0][1].member_1, _e2183, _e2184);
-                        let _e2730 = (_e2720.member_1 + _e2727.member_1);
-                        let _e2739 = function_10(_e1891[0][0][2].member, _e1891[0][0][2].member_1, _e2240, _e2241);
-                        let _e2742 = (_e2730 + _e2739.member_1);
-                        let _e2753 = function_10(_e1891[0][1][0].member, _e1891[0][1][0].member_1, _e2596, _e2592);
-                        let _e2760 = function_10(_e1891[0][1][1].member, _e1891[0][1][1].member_1, _e2601, _e2597);
-                        let _e2763 = (_e2753.member_1 + _e2760.member_1);
-                        let _e2772 = function_10(_e1891[0][1][2].member, _e1891[0][1][2].member_1, _e2606, _e2602);
-                        let _e2775 = (_e2763 + _e2772.member_1);
-                        let _e2780 = (_e2742 + _e2775);
-                        let _e2784 = ((((((_e2720.member + _e2727.member) + select(0u, 1u, (_e2730 < _e2720.member_1))) + _e2739.member) + select(0u, 1u, (_e2742 < _e2730))) + ((((_e2753.member + _e2760.member) + select(0u, 1u, (_e2763 < _e2753.member_1))) + _e2772.member) + select(0u, 1u, (_e2775 < _e2763)))) + select(0u, 1u, (_e2780 < _e2742)));
-                        let _e2791 = function_10(_e1891[0][1][0].member, _e1891[0][1][0].member_1, _e2126, _e2127);
-                        let _e2798 = function_10(_e1891[0][1][1].member, _e1891[0][1][1].member_1, _e2183, _e2184);
-                        let _e2801 = (_e2791.member_1 + _e2798.member_1);
-                        let _e2810 = function_10(_e1891[0][1][2].member, _e1891[0][1][2].member_1, _e2240, _e2241);
-                        let _e2813 = (_e2801 + _e2810.member_1);
-                        let _e2818 = function_13(((((_e2791.member + _e2798.member) + select(0u, 1u, (_e2801 < _e2791.member_1))) + _e2810.member) + select(0u, 1u, (_e2813 < _e2801))), _e2813);
-                        phi_5089_ = type_9(0u, 128u);
-                        phi_5092_ = array<type_9, 4>(_e2640, type_9(_e2713, _e2709), type_9(_e2784, _e2780), _e2818);
-                        phi_5096_ = 0u;
-                        phi_5098_ = 0u;
+                        let _e1889 = phi_3793_;
+                        local_40 = array<type_9, 3>(type_9(_e1889[1][0][0].member, _e1889[1][0][0].member_1), type_9(_e1889[1][0][1].member, _e1889[1][0][1].member_1), type_9(_e1889[1][0][2].member, _e1889[1][0][2].member_1));
+                        local_41 = array<type_9, 3>(type_9(_e1889[2][0][0].member, _e1889[2][0][0].member_1), type_9(_e1889[2][0][1].member, _e1889[2][0][1].member_1), type_9(_e1889[2][0][2].member, _e1889[2][0][2].member_1));
+                        let _e1922 = local_40[1u].member;
+                        let _e1924 = local_40[1u].member_1;
+                        let _e1927 = local_41[2u].member;
+                        let _e1929 = local_41[2u].member_1;
+                        let _e1930 = function_10(_e1922, _e1924, _e1927, _e1929);
+                        let _e1935 = local_40[2u].member;
+                        let _e1937 = local_40[2u].member_1;
+                        let _e1940 = local_41[1u].member;
+                        let _e1942 = local_41[1u].member_1;
+                        let _e1943 = function_10(_e1935, _e1937, _e1940, _e1942);
+                        let _e1949 = ((_e1930.member - _e1943.member) - select(0u, 1u, (_e1930.member_1 < _e1943.member_1)));
+                        let _e1950 = (_e1930.member_1 - _e1943.member_1);
+                        local_38 = array<type_9, 3>(type_9(_e1889[1][0][0].member, _e1889[1][0][0].member_1), type_9(_e1889[1][0][1].member, _e1889[1][0][1].member_1), type_9(_e1889[1][0][2].member, _e1889[1][0][2].member_1));
+                        local_39 = array<type_9, 3>(type_9(_e1889[2][0][0].member, _e1889[2][0][0].member_1), type_9(_e1889[2][0][1].member, _e1889[2][0][1].member_1), type_9(_e1889[2][0][2].member, _e1889[2][0][2].member_1));
+                        let _e1979 = local_38[2u].member;
+                        let _e1981 = local_38[2u].member_1;
+                        let _e1984 = local_39[0u].member;
+                        let _e1986 = local_39[0u].member_1;
+                        let _e1987 = function_10(_e1979, _e1981, _e1984, _e1986);
+                        let _e1992 = local_38[0u].member;
+                        let _e1994 = local_38[0u].member_1;
+                        let _e1997 = local_39[2u].member;
+                        let _e1999 = local_39[2u].member_1;
+                        let _e2000 = function_10(_e1992, _e1994, _e1997, _e1999);
+                        let _e2006 = ((_e1987.member - _e2000.member) - select(0u, 1u, (_e1987.member_1 < _e2000.member_1)));
+                        let _e2007 = (_e1987.member_1 - _e2000.member_1);
+                        local_36 = array<type_9, 3>(type_9(_e1889[1][0][0].member, _e1889[1][0][0].member_1), type_9(_e1889[1][0][1].member, _e1889[1][0][1].member_1), type_9(_e1889[1][0][2].member, _e1889[1][0][2].member_1));
+                        local_37 = array<type_9, 3>(type_9(_e1889[2][0][0].member, _e1889[2][0][0].member_1), type_9(_e1889[2][0][1].member, _e1889[2][0][1].member_1), type_9(_e1889[2][0][2].member, _e1889[2][0][2].member_1));
+                        let _e2036 = local_36[0u].member;
+                        let _e2038 = local_36[0u].member_1;
+                        let _e2041 = local_37[1u].member;
+                        let _e2043 = local_37[1u].member_1;
+                        let _e2044 = function_10(_e2036, _e2038, _e2041, _e2043);
+                        let _e2049 = local_36[1u].member;
+                        let _e2051 = local_36[1u].member_1;
+                        let _e2054 = local_37[0u].member;
+                        let _e2056 = local_37[0u].member_1;
+                        let _e2057 = function_10(_e2049, _e2051, _e2054, _e2056);
+                        let _e2063 = ((_e2044.member - _e2057.member) - select(0u, 1u, (_e2044.member_1 < _e2057.member_1)));
+                        let _e2064 = (_e2044.member_1 - _e2057.member_1);
+                        local_34 = array<type_9, 3>(type_9(_e1889[1][1][0].member, _e1889[1][1][0].member_1), type_9(_e1889[1][1][1].member, _e1889[1][1][1].member_1), type_9(_e1889[1][1][2].member, _e1889[1][1][2].member_1));
+                        local_35 = array<type_9, 3>(type_9(_e1889[2][1][0].member, _e1889[2][1][0].member_1), type_9(_e1889[2][1][1].member, _e1889[2][1][1].member_1), type_9(_e1889[2][1][2].member, _e1889[2][1][2].member_1));
+                        let _e2097 = local_34[1u].member;
+                        let _e2099 = local_34[1u].member_1;
+                        let _e2102 = local_35[2u].member;
+                        let _e2104 = local_35[2u].member_1;
+                        let _e2105 = function_10(_e2097, _e2099, _e2102, _e2104);
+                        let _e2110 = local_34[2u].member;
+                        let _e2112 = local_34[2u].member_1;
+                        let _e2115 = local_35[1u].member;
+                        let _e2117 = local_35[1u].member_1;
+                        let _e2118 = function_10(_e2110, _e2112, _e2115, _e2117);
+                        let _e2124 = ((_e2105.member - _e2118.member) - select(0u, 1u, (_e2105.member_1 < _e2118.member_1)));
+                        let _e2125 = (_e2105.member_1 - _e2118.member_1);
+                        local_32 = array<type_9, 3>(type_9(_e1889[1][1][0].member, _e1889[1][1][0].member_1), type_9(_e1889[1][1][1].member, _e1889[1][1][1].member_1), type_9(_e1889[1][1][2].member, _e1889[1][1][2].member_1));
+                        local_33 = array<type_9, 3>(type_9(_e1889[2][1][0].member, _e1889[2][1][0].member_1), type_9(_e1889[2][1][1].member, _e1889[2][1][1].member_1), type_9(_e1889[2][1][2].member, _e1889[2][1][2].member_1));
+                        let _e2154 = local_32[2u].member;
+                        let _e2156 = local_32[2u].member_1;
+                        let _e2159 = local_33[0u].member;
+                        let _e2161 = local_33[0u].member_1;
+                        let _e2162 = function_10(_e2154, _e2156, _e2159, _e2161);
+                        let _e2167 = local_32[0u].member;
+                        let _e2169 = local_32[0u].member_1;
+                        let _e2172 = local_33[2u].member;
+                        let _e2174 = local_33[2u].member_1;
+                        let _e2175 = function_10(_e2167, _e2169, _e2172, _e2174);
+                        let _e2181 = ((_e2162.member - _e2175.member) - select(0u, 1u, (_e2162.member_1 < _e2175.member_1)));
+                        let _e2182 = (_e2162.member_1 - _e2175.member_1);
+                        local_30 = array<type_9, 3>(type_9(_e1889[1][1][0].member, _e1889[1][1][0].member_1), type_9(_e1889[1][1][1].member, _e1889[1][1][1].member_1), type_9(_e1889[1][1][2].member, _e1889[1][1][2].member_1));
+                        local_31 = array<type_9, 3>(type_9(_e1889[2][1][0].member, _e1889[2][1][0].member_1), type_9(_e1889[2][1][1].member, _e1889[2][1][1].member_1), type_9(_e1889[2][1][2].member, _e1889[2][1][2].member_1));
+                        let _e2211 = local_30[0u].member;
+                        let _e2213 = local_30[0u].member_1;
+                        let _e2216 = local_31[1u].member;
+                        let _e2218 = local_31[1u].member_1;
+                        let _e2219 = function_10(_e2211, _e2213, _e2216, _e2218);
+                        let _e2224 = local_30[1u].member;
+                        let _e2226 = local_30[1u].member_1;
+                        let _e2229 = local_31[0u].member;
+                        let _e2231 = local_31[0u].member_1;
+                        let _e2232 = function_10(_e2224, _e2226, _e2229, _e2231);
+                        let _e2238 = ((_e2219.member - _e2232.member) - select(0u, 1u, (_e2219.member_1 < _e2232.member_1)));
+                        let _e2239 = (_e2219.member_1 - _e2232.member_1);
+                        local_28 = array<type_9, 3>(type_9(_e1889[1][0][0].member, _e1889[1][0][0].member_1), type_9(_e1889[1][0][1].member, _e1889[1][0][1].member_1), type_9(_e1889[1][0][2].member, _e1889[1][0][2].member_1));
+                        local_29 = array<type_9, 3>(type_9(_e1889[2][1][0].member, _e1889[2][1][0].member_1), type_9(_e1889[2][1][1].member, _e1889[2][1][1].member_1), type_9(_e1889[2][1][2].member, _e1889[2][1][2].member_1));
+                        let _e2272 = local_28[1u].member;
+                        let _e2274 = local_28[1u].member_1;
+                        let _e2277 = local_29[2u].member;
+                        let _e2279 = local_29[2u].member_1;
+                        let _e2280 = function_10(_e2272, _e2274, _e2277, _e2279);
+                        let _e2285 = local_28[2u].member;
+                        let _e2287 = local_28[2u].member_1;
+                        let _e2290 = local_29[1u].member;
+                        let _e2292 = local_29[1u].member_1;
+                        let _e2293 = function_10(_e2285, _e2287, _e2290, _e2292);
+                        let _e2300 = (_e2280.member_1 - _e2293.member_1);
+                        local_26 = array<type_9, 3>(type_9(_e1889[1][0][0].member, _e1889[1][0][0].member_1), type_9(_e1889[1][0][1].member, _e1889[1][0][1].member_1), type_9(_e1889[1][0][2].member, _e1889[1][0][2].member_1));
+                        local_27 = array<type_9, 3>(type_9(_e1889[2][1][0].member, _e1889[2][1][0].member_1), type_9(_e1889[2][1][1].member, _e1889[2][1][1].member_1), type_9(_e1889[2][1][2].member, _e1889[2][1][2].member_1));
+                        let _e2329 = local_26[2u].member;
+                        let _e2331 = local_26[2u].member_1;
+                        let _e2334 = local_27[0u].member;
+                        let _e2336 = local_27[0u].member_1;
+                        let _e2337 = function_10(_e2329, _e2331, _e2334, _e2336);
+                        let _e2342 = local_26[0u].member;
+                        let _e2344 = local_26[0u].member_1;
+                        let _e2347 = local_27[2u].member;
+                        let _e2349 = local_27[2u].member_1;
+                        let _e2350 = function_10(_e2342, _e2344, _e2347, _e2349);
+                        let _e2357 = (_e2337.member_1 - _e2350.member_1);
+                        local_24 = array<type_9, 3>(type_9(_e1889[1][0][0].member, _e1889[1][0][0].member_1), type_9(_e1889[1][0][1].member, _e1889[1][0][1].member_1), type_9(_e1889[1][0][2].member, _e1889[1][0][2].member_1));
+                        local_25 = array<type_9, 3>(type_9(_e1889[2][1][0].member, _e1889[2][1][0].member_1), type_9(_e1889[2][1][1].member, _e1889[2][1][1].member_1), type_9(_e1889[2][1][2].member, _e1889[2][1][2].member_1));
+                        let _e2386 = local_24[0u].member;
+                        let _e2388 = local_24[0u].member_1;
+                        let _e2391 = local_25[1u].member;
+                        let _e2393 = local_25[1u].member_1;
+                        let _e2394 = function_10(_e2386, _e2388, _e2391, _e2393);
+                        let _e2399 = local_24[1u].member;
+                        let _e2401 = local_24[1u].member_1;
+                        let _e2404 = local_25[0u].member;
+                        let _e2406 = local_25[0u].member_1;
+                        let _e2407 = function_10(_e2399, _e2401, _e2404, _e2406);
+                        let _e2414 = (_e2394.member_1 - _e2407.member_1);
+                        local_22 = array<type_9, 3>(type_9(_e1889[1][1][0].member, _e1889[1][1][0].member_1), type_9(_e1889[1][1][1].member, _e1889[1][1][1].member_1), type_9(_e1889[1][1][2].member, _e1889[1][1][2].member_1));
+                        local_23 = array<type_9, 3>(type_9(_e1889[2][0][0].member, _e1889[2][0][0].member_1), type_9(_e1889[2][0][1].member, _e1889[2][0][1].member_1), type_9(_e1889[2][0][2].member, _e1889[2][0][2].member_1));
+                        let _e2447 = local_22[1u].member;
+                        let _e2449 = local_22[1u].member_1;
+                        let _e2452 = local_23[2u].member;
+                        let _e2454 = local_23[2u].member_1;
+                        let _e2455 = function_10(_e2447, _e2449, _e2452, _e2454);
+                        let _e2460 = local_22[2u].member;
+                        let _e2462 = local_22[2u].member_1;
+                        let _e2465 = local_23[1u].member;
+                        let _e2467 = local_23[1u].member_1;
+                        let _e2468 = function_10(_e2460, _e2462, _e2465, _e2467);
+                        local_20 = array<type_9, 3>(type_9(_e1889[1][1][0].member, _e1889[1][1][0].member_1), type_9(_e1889[1][1][1].member, _e1889[1][1][1].member_1), type_9(_e1889[1][1][2].member, _e1889[1][1][2].member_1));
+                        local_21 = array<type_9, 3>(type_9(_e1889[2][0][0].member, _e1889[2][0][0].member_1), type_9(_e1889[2][0][1].member, _e1889[2][0][1].member_1), type_9(_e1889[2][0][2].member, _e1889[2][0][2].member_1));
+                        let _e2504 = local_20[2u].member;
+                        let _e2506 = local_20[2u].member_1;
+                        let _e2509 = local_21[0u].member;
+                        let _e2511 = local_21[0u].member_1;
+                        let _e2512 = function_10(_e2504, _e2506, _e2509, _e2511);
+                        let _e2517 = local_20[0u].member;
+                        let _e2519 = local_20[0u].member_1;
+                        let _e2522 = local_21[2u].member;
+                        let _e2524 = local_21[2u].member_1;
+                        let _e2525 = function_10(_e2517, _e2519, _e2522, _e2524);
+                        local_18 = array<type_9, 3>(type_9(_e1889[1][1][0].member, _e1889[1][1][0].member_1), type_9(_e1889[1][1][1].member, _e1889[1][1][1].member_1), type_9(_e1889[1][1][2].member, _e1889[1][1][2].member_1));
+                        local_19 = array<type_9, 3>(type_9(_e1889[2][0][0].member, _e1889[2][0][0].member_1), type_9(_e1889[2][0][1].member, _e1889[2][0][1].member_1), type_9(_e1889[2][0][2].member, _e1889[2][0][2].member_1));
+                        let _e2561 = local_18[0u].member;
+                        let _e2563 = local_18[0u].member_1;
+                        let _e2566 = local_19[1u].member;
+                        let _e2568 = local_19[1u].member_1;
+                        let _e2569 = function_10(_e2561, _e2563, _e2566, _e2568);
+                        let _e2574 = local_18[1u].member;
+                        let _e2576 = local_18[1u].member_1;
+                        let _e2579 = local_19[0u].member;
+                        let _e2581 = local_19[0u].member_1;
+                        let _e2582 = function_10(_e2574, _e2576, _e2579, _e2581);
+                        let _e2590 = (_e2300 + (_e2455.member_1 - _e2468.member_1));
+                        let _e2594 = ((((_e2280.member - _e2293.member) - select(0u, 1u, (_e2280.member_1 < _e2293.member_1))) + ((_e2455.member - _e2468.member) - select(0u, 1u, (_e2455.member_1 < _e2468.member_1)))) + select(0u, 1u, (_e2590 < _e2300)));
+                        let _e2595 = (_e2357 + (_e2512.member_1 - _e2525.member_1));
+                        let _e2599 = ((((_e2337.member - _e2350.member) - select(0u, 1u, (_e2337.member_1 < _e2350.member_1))) + ((_e2512.member - _e2525.member) - select(0u, 1u, (_e2512.member_1 < _e2525.member_1)))) + select(0u, 1u, (_e2595 < _e2357)));
+                        let _e2600 = (_e2414 + (_e2569.member_1 - _e2582.member_1));
+                        let _e2604 = ((((_e2394.member - _e2407.member) - select(0u, 1u, (_e2394.member_1 < _e2407.member_1))) + ((_e2569.member - _e2582.member) - select(0u, 1u, (_e2569.member_1 < _e2582.member_1)))) + select(0u, 1u, (_e2600 < _e2414)));
+                        let _e2611 = function_10(_e1889[0][0][0].member, _e1889[0][0][0].member_1, _e1949, _e1950);
+                        let _e2618 = function_10(_e1889[0][0][1].member, _e1889[0][0][1].member_1, _e2006, _e2007);
+                        let _e2621 = (_e2611.member_1 + _e2618.member_1);
+                        let _e2630 = function_10(_e1889[0][0][2].member, _e1889[0][0][2].member_1, _e2063, _e2064);
+                        let _e2633 = (_e2621 + _e2630.member_1);
+                        let _e2638 = function_13(((((_e2611.member + _e2618.member) + select(0u, 1u, (_e2621 < _e2611.member_1))) + _e2630.member) + select(0u, 1u, (_e2633 < _e2621))), _e2633);
+                        let _e2647 = function_10(_e1889[0][1][0].member, _e1889[0][1][0].member_1, _e1949, _e1950);
+                        let _e2654 = function_10(_e1889[0][1][1].member, _e1889[0][1][1].member_1, _e2006, _e2007);
+                        let _e2657 = (_e2647.member_1 + _e2654.member_1);
+                        let _e2666 = function_10(_e1889[0][1][2].member, _e1889[0][1][2].member_1, _e2063, _e2064);
+                        let _e2669 = (_e2657 + _e2666.member_1);
+                        let _e2680 = function_10(_e1889[0][0][0].member, _e1889[0][0][0].member_1, _e2594, _e2590);
+                        let _e2687 = function_10(_e1889[0][0][1].member, _e1889[0][0][1].member_1, _e2599, _e2595);
+                        let _e2690 = (_e2680.member_1 + _e2687.member_1);
+                        let _e2699 = function_10(_e1889[0][0][2].member, _e1889[0][0][2].member_1, _e2604, _e2600);
+                        let _e2702 = (_e2690 + _e2699.member_1);
+                        let _e2707 = (_e2669 + _e2702);
+                        let _e2711 = ((((((_e2647.member + _e2654.member) + select(0u, 1u, (_e2657 < _e2647.member_1))) + _e2666.member) + select(0u, 1u, (_e2669 < _e2657))) + ((((_e2680.member + _e2687.member) + select(0u, 1u, (_e2690 < _e2680.member_1))) + _e2699.member) + select(0u, 1u, (_e2702 < _e2690)))) + select(0u, 1u, (_e2707 < _e2669)));
+                        let _e2718 = function_10(_e1889[0][0][0].member, _e1889[0][0][0].member_1, _e2124, _e2125);
+                        let _e2725 = function_10(_e1889[0][0][1].member, _e1889[0][0][1].member_1, _e2181, _e2182);
+                        let _e2728 = (_e2718.member_1 + _e2725.member_1);
+                        let _e2737 = function_10(_e1889[0][0][2].member, _e1889[0][0][2].member_1, _e2238, _e2239);
+                        let _e2740 = (_e2728 + _e2737.member_1);
+                        let _e2751 = function_10(_e1889[0][1][0].member, _e1889[0][1][0].member_1, _e2594, _e2590);
+                        let _e2758 = function_10(_e1889[0][1][1].member, _e1889[0][1][1].member_1, _e2599, _e2595);
+                        let _e2761 = (_e2751.member_1 + _e2758.member_1);
+                        let _e2770 = function_10(_e1889[0][1][2].member, _e1889[0][1][2].member_1, _e2604, _e2600);
+                        let _e2773 = (_e2761 + _e2770.member_1);
+                        let _e2778 = (_e2740 + _e2773);
+                        let _e2782 = ((((((_e2718.member + _e2725.member) + select(0u, 1u, (_e2728 < _e2718.member_1))) + _e2737.member) + select(0u, 1u, (_e2740 < _e2728))) + ((((_e2751.member + _e2758.member) + select(0u, 1u, (_e2761 < _e2751.member_1))) + _e2770.member) + select(0u, 1u, (_e2773 < _e2761)))) + select(0u, 1u, (_e2778 < _e2740)));
+                        let _e2789 = function_10(_e1889[0][1][0].member, _e1889[0][1][0].member_1, _e2124, _e2125);
+                        let _e2796 = function_10(_e1889[0][1][1].member, _e1889[0][1][1].member_1, _e2181, _e2182);
+                        let _e2799 = (_e2789.member_1 + _e2796.member_1);
+                        let _e2808 = function_10(_e1889[0][1][2].member, _e1889[0][1][2].member_1, _e2238, _e2239);
+                        let _e2811 = (_e2799 + _e2808.member_1);
+                        let _e2816 = function_13(((((_e2789.member + _e2796.member) + select(0u, 1u, (_e2799 < _e2789.member_1))) + _e2808.member) + select(0u, 1u, (_e2811 < _e2799))), _e2811);
+                        phi_5088_ = type_9(0u, 128u);
+                        phi_5091_ = array<type_9, 4>(_e2638, type_9(_e2711, _e2707), type_9(_e2782, _e2778), _e2816);
+                        phi_5095_ = 0u;
+                        phi_5097_ = 0u;
                         loop {
-                            let _e2825 = phi_5089_;
-                            let _e2827 = phi_5092_;
-                            let _e2829 = phi_5096_;
-                            let _e2831 = phi_5098_;
-                            local_56 = _e2827;
-                            local_57 = _e2827;
-                            local_58 = _e2827;
-                            let _e2834 = (_e2825.member < _e2825.member_1);
-                            if (bitcast<i32>(select(0u, 1u, _e2834)) != 0i) {
-                                let _e2846 = (31u - _e2829);
-                                let _e2849 = (_e2831 << bitcast<u32>((_e2846 & 31u)));
-                                let _e2854 = (_e2849 > _e1314);
-                                if _e2854 {
-                                    phi_7806_ = array<type_9, 4>();
+                            let _e2823 = phi_5088_;
+                            let _e2825 = phi_5091_;
+                            let _e2827 = phi_5095_;
+                            let _e2829 = phi_5097_;
+                            local_56 = _e2825;
+                            local_57 = _e2825;
+                            local_58 = _e2825;
+                            let _e2832 = (_e2823.member < _e2823.member_1);
+                            if (bitcast<i32>(select(0u, 1u, _e2832)) != 0i) {
+                                let _e2844 = (31u - _e2827);
+                                let _e2847 = (_e2829 << bitcast<u32>((_e2844 & 31u)));
+                                let _e2852 = (_e2847 > _e1312);
+                                if _e2852 {
+                                    phi_7805_ = array<type_9, 4>();
+                                    phi_7807_ = u32();
                                     phi_7808_ = u32();
-                                    phi_7809_ = u32();
+                                    phi_7809_ = bool();
                                     phi_7810_ = bool();
-                                    phi_7811_ = bool();
+                                    phi_7811_ = u32();
                                     phi_7812_ = u32();
-                                    phi_7813_ = u32();
+                                    phi_7813_ = false;
                                     phi_7814_ = false;
                                     phi_7815_ = false;
-                                    phi_7816_ = false;
                                 } else {
-                                    if (((_e2831 + 1u) << bitcast<u32>((_e2846 & 31u))) < _e1312) {
-                                        phi_5318_ = true;
+                                    if (((_e2829 + 1u) << bitcast<u32>((_e2844 & 31u))) < _e1310) {
+                                        phi_5317_ = true;
                                     } else {
-                                        let _e2860 = function_12(128u);
-                                        let _e2865 = ((_e2827[0].member >> bitcast<u32>(31i)) != 0u);
-                                        let _e2893 = function_12(128u);
-                                        let _e2898 = ((_e2827[1].member >> bitcast<u32>(31i)) != 0u);
-                                        let _e2927 = function_12(128u);
-                                        let _e2932 = ((_e2827[2].member >> bitcast<u32>(31i)) != 0u);
-                                        let _e2961 = function_12(128u);
-                                        let _e2966 = ((_e2827[3].member >> bitcast<u32>(31i)) != 0u);
-                                        phi_5318_ = ((((select(0u, select(1u, 2u, ((_e2827[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e2860.member - select(_e2827[0].member, (~(_e2827[0].member) + select(0u, 1u, (_e2827[0].member_1 == 0u))), _e2865)) - select(0u, 1u, (_e2860.member_1 < select(_e2827[0].member_1, (~(_e2827[0].member_1) + 1u), _e2865)))) >> bitcast<u32>(31i)) != 0u)) & select(0u, select(1u, 2u, ((_e2827[1].member >> bitcast<u32>(31i)) != 0u)), ((((_e2893.member - select(_e2827[1].member, (~(_e2827[1].member) + select(0u, 1u, (_e2827[1].member_1 == 0u))), _e2898)) - select(0u, 1u, (_e2893.member_1 < select(_e2827[1].member_1, (~(_e2827[1].member_1) + 1u), _e2898)))) >> bitcast<u32>(31i)) != 0u))) & select(0u, select(1u, 2u, ((_e2827[2].member >> bitcast<u32>(31i)) != 0u)), ((((_e2927.member - select(_e2827[2].member, (~(_e2827[2].member) + select(0u, 1u, (_e2827[2].member_1 == 0u))), _e2932)) - select(0u, 1u, (_e2927.member_1 < select(_e2827[2].member_1, (~(_e2827[2].member_1) + 1u), _e2932)))) >> bitcast<u32>(31i)) != 0u))) & select(0u, select(1u, 2u, ((_e2827[3].member >> bitcast<u32>(31i)) != 0u)), ((((_e2961.member - select(_e2827[3].member, (~(_e2827[3].member) + select(0u, 1u, (_e2827[3].member_1 == 0u))), _e2966)) - select(0u, 1u, (_e2961.member_1 < select(_e2827[3].member_1, (~(_e2827[3].member_1) + 1u), _e2966)))) >> bitcast<u32>(31i)) != 0u))) != 0u);
+                                        let _e2858 = function_12(128u);
+                                        let _e2863 = ((_e2825[0].member >> bitcast<u32>(31i)) != 0u);
+                                        let _e2891 = function_12(128u);
+                                        let _e2896 = ((_e2825[1].member >> bitcast<u32>(31i)) != 0u);
+                                        let _e2925 = function_12(128u);
+                                        let _e2930 = ((_e2825[2].member >> bitcast<u32>(31i)) != 0u);
+                                        let _e2959 = function_12(128u);
+                                        let _e2964 = ((_e2825[3].member >> bitcast<u32>(31i)) != 0u);
+                                        phi_5317_ = ((((select(0u, select(1u, 2u, ((_e2825[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e2858.member - select(_e2825[0].member, (~(_e2825[0].member) + select(0u, 1u, (_e2825[0].member_1 == 0u))), _e2863)) - select(0u, 1u, (_e2858.member_1 < select(_e2825[0].member_1, (~(_e2825[0].member_1) + 1u), _e2863)))) >> bitcast<u32>(31i)) != 0u)) & select(0u, select(1u, 2u, ((_e2825[1].member >> bitcast<u32>(31i)) != 0u)), ((((_e2891.member - select(_e2825[1].member, (~(_e2825[1].member) + select(0u, 1u, (_e2825[1].member_1 == 0u))), _e2896)) - select(0u, 1u, (_e2891.member_1 < select(_e2825[1].member_1, (~(_e2825[1].member_1) + 1u), _e2896)))) >> bitcast<u32>(31i)) != 0u))) & select(0u, select(1u, 2u, ((_e2825[2].member >> bitcast<u32>(31i)) != 0u)), ((((_e2925.member - select(_e2825[2].member, (~(_e2825[2].member) + select(0u, 1u, (_e2825[2].member_1 == 0u))), _e2930)) - select(0u, 1u, (_e2925.member_1 < select(_e2825[2].member_1, (~(_e2825[2].member_1) + 1u), _e2930)))) >> bitcast<u32>(31i)) != 0u))) & select(0u, select(1u, 2u, ((_e2825[3].member >> bitcast<u32>(31i)) != 0u)), ((((_e2959.member - select(_e2825[3].member, (~(_e2825[3].member) + select(0u, 1u, (_e2825[3].member_1 == 0u))), _e2964)) - select(0u, 1u, (_e2959.member_1 < select(_e2825[3].member_1, (~(_e2825[3].member_1) + 1u), _e2964)))) >> bitcast<u32>(31i)) != 0u))) != 0u);
                                     }
-                                    let _e2993 = phi_5318_;
-                                    if _e2993 {
-                                        phi_7487_ = _e2827;
-                                        phi_7489_ = _e2993;
+                                    let _e2991 = phi_5317_;
+                                    if _e2991 {
+                                        phi_7486_ = _e2825;
+                                        phi_7488_ = _e2991;
+                                        phi_7489_ = _e2827;
                                         phi_7490_ = _e2829;
-                                        phi_7491_ = _e2831;
+                                        phi_7491_ = bool();
                                         phi_7492_ = bool();
-                                        phi_7493_ = bool();
+                                        phi_7493_ = u32();
                                         phi_7494_ = u32();
-                                        phi_7495_ = u32();
-                                        phi_7496_ = true;
+                                        phi_7495_ = true;
                                     } else {
-                                        let _e2994 = (_e2829 == 31u);
-                                        if select(select(select((_e2829 == 14u), true, (_e2829 == 8u)), true, (_e2829 == 3u)), true, _e2994) {
-                                            let _e3005 = function_12(128u);
-                                            let _e3010 = ((_e2827[0].member >> bitcast<u32>(31i)) != 0u);
-                                            let _e3038 = function_12(128u);
-                                            let _e3043 = ((_e2827[3].member >> bitcast<u32>(31i)) != 0u);
-                                            let _e3068 = ((select(0u, select(1u, 2u, ((_e2827[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e3005.member - select(_e2827[0].member, (~(_e2827[0].member) + select(0u, 1u, (_e2827[0].member_1 == 0u))), _e3010)) - select(0u, 1u, (_e3005.member_1 < select(_e2827[0].member_1, (~(_e2827[0].member_1) + 1u), _e3010)))) >> bitcast<u32>(31i)) != 0u)) | select(0u, select(1u, 2u, ((_e2827[3].member >> bitcast<u32>(31i)) != 0u)), ((((_e3038.member - select(_e2827[3].member, (~(_e2827[3].member) + select(0u, 1u, (_e2827[3].member_1 == 0u))), _e3043)) - select(0u, 1u, (_e3038.member_1 < select(_e2827[3].member_1, (~(_e2827[3].member_1) + 1u), _e3043)))) >> bitcast<u32>(31i)) != 0u))) == 3u);
-                                            let _e3070 = select(false, !(_e3068), _e2994);
-                                            if _e3070 {
-                                                phi_5447_ = select((bitcast<u32>(31i) - firstLeadingBit(_e1316)), 32u, (_e1316 == 0u));
+                                        let _e2992 = (_e2827 == 31u);
+                                        if select(select(select((_e2827 == 14u), true, (_e2827 == 8u)), true, (_e2827 == 3u)), true, _e2992) {
+                                            let _e3003 = function_12(128u);
+                                            let _e3008 = ((_e2825[0].member >> bitcast<u32>(31i)) != 0u);
+                                            let _e3036 = function_12(128u);
+                                            let _e3041 = ((_e2825[3].member >> bitcast<u32>(31i)) != 0u);
+                                            let _e3066 = ((select(0u, select(1u, 2u, ((_e2825[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e3003.member - select(_e2825[0].member, (~(_e2825[0].member) + select(0u, 1u, (_e2825[0].member_1 == 0u))), _e3008)) - select(0u, 1u, (_e3003.member_1 < select(_e2825[0].member_1, (~(_e2825[0].member_1) + 1u), _e3008)))) >> bitcast<u32>(31i)) != 0u)) | select(0u, select(1u, 2u, ((_e2825[3].member >> bitcast<u32>(31i)) != 0u)), ((((_e3036.member - select(_e2825[3].member, (~(_e2825[3].member) + select(0u, 1u, (_e2825[3].member_1 == 0u))), _e3041)) - select(0u, 1u, (_e3036.member_1 < select(_e2825[3].member_1, (~(_e2825[3].member_1) + 1u), _e3041)))) >> bitcast<u32>(31i)) != 0u))) == 3u);
+                                            let _e3068 = select(false, !(_e3066), _e2992);
+                                            if _e3068 {
+                                                phi_5446_ = select((bitcast<u32>(31i) - firstLeadingBit(_e1314)), 32u, (_e1314 == 0u));
                                             } else {
-                                                phi_5447_ = _e2829;
+                                                phi_5446_ = _e2827;
                                             }
-                                            let _e3077 = phi_5447_;
-                                            let _e3099 = ((_e1891[0][1][0].member - _e1891[0][0][0].member) - select(0u, 1u, (_e1891[0][1][0].member_1 < _e1891[0][0][0].member_1)));
-                                            let _e3100 = (_e1891[0][1][0].member_1 - _e1891[0][0][0].member_1);
-                                            let _e3112 = ((_e1891[0][1][1].member - _e1891[0][0][1].member) - select(0u, 1u, (_e1891[0][1][1].member_1 < _e1891[0][0][1].member_1)));
-                                            let _e3113 = (_e1891[0][1][1].member_1 - _e1891[0][0][1].member_1);
-                                            let _e3125 = ((_e1891[0][1][2].member - _e1891[0][0][2].member) - select(0u, 1u, (_e1891[0][1][2].member_1 < _e1891[0][0][2].member_1)));
-                                            let _e3126 = (_e1891[0][1][2].member_1 - _e1891[0][0][2].member_1);
-                                            let _e3129 = ((_e3099 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3136 = select(_e3099, (~(_e3099) + select(0u, 1u, (_e3100 == 0u))), _e3129);
-                                            let _e3137 = select(_e3100, (~(_e3100) + 1u), _e3129);
-                                            let _e3140 = ((_e3112 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3147 = select(_e3112, (~(_e3112) + select(0u, 1u, (_e3113 == 0u))), _e3140);
-                                            let _e3148 = select(_e3113, (~(_e3113) + 1u), _e3140);
-                                            let _e3155 = ((((_e3147 - _e3136) - select(0u, 1u, (_e3148 < _e3137))) >> bitcast<u32>(31i)) != 0u);
-                                            let _e3156 = select(_e3147, _e3136, _e3155);
-                                            let _e3157 = select(_e3148, _e3137, _e3155);
-                                            let _e3160 = ((_e3125 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3167 = select(_e3125, (~(_e3125) + select(0u, 1u, (_e3126 == 0u))), _e3160);
-                                            let _e3168 = select(_e3126, (~(_e3126) + 1u), _e3160);
-                                            let _e3175 = ((((_e3167 - _e3156) - select(0u, 1u, (_e3168 < _e3157))) >> bitcast<u32>(31i)) != 0u);
-                                            let _e3177 = select(_e3168, _e3157, _e3175);
-                                            let _e3178 = function_12(4u);
-                                            let _e3181 = (_e3177 + _e3178.member_1);
-                                            let _e3185 = ((select(_e3167, _e3156, _e3175) + _e3178.member) + select(0u, 1u, (_e3181 < _e3177)));
-                                            let _e3200 = ((_e3181 >> bitcast<u32>((_e3077 & 31u))) | ((_e3185 << bitcast<u32>(((31u - _e3077) & 31u))) << bitcast<u32>(1i)));
-                                            let _e3201 = function_12(4u);
-                                            let _e3204 = (_e3200 + _e3201.member_1);
-                                            let _e3222 = ((_e1891[1][1][0].member - _e1891[1][0][0].member) - select(0u, 1u, (_e1891[1][1][0].member_1 < _e1891[1][0][0].member_1)));
-                                            let _e3223 = (_e1891[1][1][0].member_1 - _e1891[1][0][0].member_1);
-                                            let _e3235 = ((_e1891[1][1][1].member - _e1891[1][0][1].member) - select(0u, 1u, (_e1891[1][1][1].member_1 < _e1891[1][0][1].member_1)));
-                                            let _e3236 = (_e1891[1][1][1].member_1 - _e1891[1][0][1].member_1);
-                                            let _e3248 = ((_e1891[1][1][2].member - _e1891[1][0][2].member) - select(0u, 1u, (_e1891[1][1][2].member_1 < _e1891[1][0][2].member_1)));
-                                            let _e3249 = (_e1891[1][1][2].member_1 - _e1891[1][0][2].member_1);
-                                            let _e3252 = ((_e3222 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3259 = select(_e3222, (~(_e3222) + select(0u, 1u, (_e3223 == 0u))), _e3252);
-                                            let _e3260 = select(_e3223, (~(_e3223) + 1u), _e3252);
-                                            let _e3263 = ((_e3235 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3270 = select(_e3235, (~(_e3235) + select(0u, 1u, (_e3236 == 0u))), _e3263);
-                                            let _e3271 = select(_e3236, (~(_e3236) + 1u), _e3263);
-                                            let _e3278 = ((((_e3270 - _e3259) - select(0u, 1u, (_e3271 < _e3260))) >> bitcast<u32>(31i)) != 0u);
-                                            let _e3279 = select(_e3270, _e3259, _e3278);
-                                            let _e3280 = select(_e3271, _e3260, _e3278);
-                                            let _e3283 = ((_e3248 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3290 = select(_e3248, (~(_e3248) + select(0u, 1u, (_e3249 == 0u))), _e3283);
-                                            let _e3291 = select(_e3249, (~(_e3249) + 1u), _e3283);
-                                            let _e3298 = ((((_e3290 - _e3279) - select(0u, 1u, (_e3291 < _e3280))) >> bitcast<u32>(31i)) != 0u);
-                                            let _e3300 = select(_e3291, _e3280, _e3298);
-                                            let _e3301 = function_12(4u);
-                                            let _e3304 = (_e3300 + _e3301.member_1);
-                                            let _e3308 = ((select(_e3290, _e3279, _e3298) + _e3301.member) + select(0u, 1u, (_e3304 < _e3300)));
-                                            let _e3323 = ((_e3304 >> bitcast<u32>((_e3077 & 31u))) | ((_e3308 << bitcast<u32>(((31u - _e3077) & 31u))) << bitcast<u32>(1i)));
-                                            let _e3324 = function_12(4u);
-                                            let _e3327 = (_e3323 + _e3324.member_1);
-                                            let _e3345 = ((_e1891[2][1][0].member - _e1891[2][0][0].member) - select(0u, 1u, (_e1891[2][1][0].member_1 < _e1891[2][0][0].member_1)));
-                                            let _e3346 = (_e1891[2][1][0].member_1 - _e1891[2][0][0].member_1);
-                                            let _e3358 = ((_e1891[2][1][1].member - _e1891[2][0][1].member) - select(0u, 1u, (_e1891[2][1][1].member_1 < _e1891[2][0][1].member_1)));
-                                            let _e3359 = (_e1891[2][1][1].member_1 - _e1891[2][0][1].member_1);
-                                            let _e3371 = ((_e1891[2][1][2].member - _e1891[2][0][2].member) - select(0u, 1u, (_e1891[2][1][2].member_1 < _e1891[2][0][2].member_1)));
-                                            let _e3372 = (_e1891[2][1][2].member_1 - _e1891[2][0][2].member_1);
-                                            let _e3375 = ((_e3345 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3382 = select(_e3345, (~(_e3345) + select(0u, 1u, (_e3346 == 0u))), _e3375);
-                                            let _e3383 = select(_e3346, (~(_e3346) + 1u), _e3375);
-                                            let _e3386 = ((_e3358 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3393 = select(_e3358, (~(_e3358) + select(0u, 1u, (_e3359 == 0u))), _e3386);
-                                            let _e3394 = select(_e3359, (~(_e3359) + 1u), _e3386);
-                                            let _e3401 = ((((_e3393 - _e3382) - select(0u, 1u, (_e3394 < _e3383))) >> bitcast<u32>(31i)) != 0u);
-                                            let _e3402 = select(_e3393, _e3382, _e3401);
-                                            let _e3403 = select(_e3394, _e3383, _e3401);
-                                            let _e3406 = ((_e3371 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3413 = select(_e3371, (~(_e3371) + select(0u, 1u, (_e3372 == 0u))), _e3406);
-                                            let _e3414 = select(_e3372, (~(_e3372) + 1u), _e3406);
-                                            let _e3421 = ((((_e3413 - _e3402) - select(0u, 1u, (_e3414 < _e3403))) >> bitcast<u32>(31i)) != 0u);
-                                            let _e3423 = select(_e3414, _e3403, _e3421);
-                                            let _e3424 = function_12(4u);
-                                            let _e3427 = (_e3423 + _e3424.member_1);
-                                            let _e3431 = ((select(_e3413, _e3402, _e3421) + _e3424.member) + select(0u, 1u, (_e3427 < _e3423)));
-                                            let _e3446 = ((_e3427 >> bitcast<u32>((_e3077 & 31u))) | ((_e3431 << bitcast<u32>(((31u - _e3077) & 31u))) << bitcast<u32>(1i)));
-                                            let _e3447 = function_12(4u);
-                                            let _e3450 = (_e3446 + _e3447.member_1);
-                                            local_17[0u].member = ((bitcast<u32>((bitcast<i32>(_e3185) >> bitcast<u32>((_e3077 & 31u)))) + _e3201.member) + select(0u, 1u, (_e3204 < _e3200)));
-                                            local_17[0u].member_1 = _e3204;
-                                            local_17[1u].member = ((bitcast<u32>((bitcast<i32>(_e3308) >> bitcast<u32>((_e3077 & 31u)))) + _e3324.member) + select(0u, 1u, (_e3327 < _e3323)));
-                                            local_17[1u].member_1 = _e3327;
-                                            local_17[2u].member = ((bitcast<u32>((bitcast<i32>(_e3431) >> bitcast<u32>((_e3077 & 31u)))) + _e3447.member) + select(0u, 1u, (_e3450 < _e3446)));
-                                            local_17[2u].member_1 = _e3450;
-                                            let _e3480 = function_6(((_e1891[0][1][0].member - _e1891[0][0][0].member) - select(0u, 1u, (_e1891[0][1][0].member_1 < _e1891[0][0][0].member_1))), (_e1891[0][1][0].member_1 - _e1891[0][0][0].member_1), _e2849);
-                                            let _e3483 = (_e1891[0][0][0].member_1 + _e3480.member_1);
-                                            let _e3487 = ((_e1891[0][0][0].member + _e3480.member) + select(0u, 1u, (_e3483 < _e1891[0][0][0].member_1)));
-                                            let _e3501 = function_6(((_e1891[0][1][1].member - _e1891[0][0][1].member) - select(0u, 1u, (_e1891[0][1][1].member_1 < _e1891[0][0][1].member_1))), (_e1891[0][1][1].member_1 - _e1891[0][0][1].member_1), _e2849);
-                                            let _e3504 = (_e1891[0][0][1].member_1 + _e3501.member_1);
-                                            let _e3508 = ((_e1891[0][0][1].member + _e3501.member) + select(0u, 1u, (_e3504 < _e1891[0][0][1].member_1)));
-                                            let _e3522 = function_6(((_e1891[0][1][2].member - _e1891[0][0][2].member) - select(0u, 1u, (_e1891[0][1][2].member_1 < _e1891[0][0][2].member_1))), (_e1891[0][1][2].member_1 - _e1891[0][0][2].member_1), _e2849);
-                                            let _e3525 = (_e1891[0][0][2].member_1 + _e3522.member_1);
-                                            let _e3529 = ((_e1891[0][0][2].member + _e3522.member) + select(0u, 1u, (_e3525 < _e1891[0][0][2].member_1)));
-                                            let _e3545 = function_6(((_e1891[1][1][0].member - _e1891[1][0][0].member) - select(0u, 1u, (_e1891[1][1][0].member_1 < _e1891[1][0][0].member_1))), (_e1891[1][1][0].member_1 - _e1891[1][0][0].member_1), _e2849);
-                                            let _e3548 = (_e1891[1][0][0].member_1 + _e3545.member_1);
-                                            let _e3552 = ((_e1891[1][0][0].member + _e3545.member) + select(0u, 1u, (_e3548 < _e1891[1][0][0].member_1)));
-                                            let _e3566 = function_6(((_e1891[1][1][1].member - _e1891[1][0][1].member) - select(0u, 1u, (_e1891[1][1][1].member_1 < _e1891[1][0][1].member_1))), (_e1891[1][1][1].member_1 - _e1891[1][0][1].member_1), _e2849);
-                                            let _e3569 = (_e1891[1][0][1].member_1 + _e3566.member_1);
-                                            let _e3573 = ((_e1891[1][0][1].member + _e3566.member) + select(0u, 1u, (_e3569 < _e1891[1][0][1].member_1)));
-                                            let _e3587 = function_6(((_e1891[1][1][2].member - _e1891[1][0][2].member) - select(0u, 1u, (_e1891[1][1][2].member_1 < _e1891[1][0][2].member_1))), (_e1891[1][1][2].member_1 - _e1891[1][0][2].member_1), _e2849);
-                                            let _e3590 = (_e1891[1][0][2].member_1 + _e3587.member_1);
-                                            let _e3594 = ((_e1891[1][0][2].member + _e3587.member) + select(0u, 1u, (_e3590 < _e1891[1][0][2].member_1)));
-                                            let _e3610 = function_6(((_e1891[2][1][0].member - _e1891[2][0][0].member) - select(0u, 1u, (_e1891[2][1][0].member_1 < _e1891[2][0][0].member_1))), (_e1891[2][1][0].member_1 - _e1891[2][0][0].member_1), _e2849);
-                                            let _e3613 = (_e1891[2][0][0].member_1 + _e3610.member_1);
-                                            let _e3617 = ((_e1891[2][0][0].member + _e3610.member) + select(0u, 1u, (_e3613 < _e1891[2][0][0].member_1)));
-                                            let _e3631 = function_6(((_e1891[2][1][1].member - _e1891[2][0][1].member) - select(0u, 1u, (_e1891[2][1][1].member_1 < _e1891[2][0][1].member_1))), (_e1891[2][1][1].member_1 - _e1891[2][0][1].member_1), _e2849);
-                                            let _e3634 = (_e1891[2][0][1].member_1 + _e3631.member_1);
-                                            let _e3638 = ((_e1891[2][0][1].member + _e3631.member) + select(0u, 1u, (_e3634 < _e1891[2][0][1].member_1)));
-                                            let _e3652 = function_6(((_e1891[2][1][2].member - _e1891[2][0][2].member) - select(0u, 1u, (_e1891[2][1][2].member_1 < _e1891[2][0][2].member_1))), (_e1891[2][1][2].member_1 - _e1891[2][0][2].member_1), _e2849);
-                                            let _e3655 = (_e1891[2][0][2].member_1 + _e3652.member_1);
-                                            let _e3659 = ((_e1891[2][0][2].member + _e3652.member) + select(0u, 1u, (_e3655 < _e1891[2][0][2].member_1)));
-                                            local_15 = array<type_9, 3>(type_9(_e3552, _e3548), type_9(_e3573, _e3569), type_9(_e3594, _e3590));
-                                            local_16 = array<type_9, 3>(type_9(_e3617, _e3613), type_9(_e3638, _e3634), type_9(_e3659, _e3655));
-                                            let _e3670 = local_15[1u].member;
-                                            let _e3672 = local_15[1u].member_1;
-                                            let _e3675 = local_16[2u].member;
-                                            let _e3677 = local_16[2u].member_1;
-                                            let _e3678 = function_10(_e3670, _e3672, _e3675, _e3677);
-                                            let _e3683 = local_15[2u].member;
-                                            let _e3685 = local_15[2u].member_1;
-                                            let _e3688 = local_16[1u].member;
-                                            let _e3690 = local_16[1u].member_1;
-                                            let _e3691 = function_10(_e3683, _e3685, _e3688, _e3690);
-                                            let _e3697 = ((_e3678.member - _e3691.member) - select(0u, 1u, (_e3678.member_1 < _e3691.member_1)));
-                                            let _e3698 = (_e3678.member_1 - _e3691.member_1);
-                                            local_13 = array<type_9, 3>(type_9(_e3552, _e3548), type_9(_e3573, _e3569), type_9(_e3594, _e3590));
-                                            local_14 = array<type_9, 3>(type_9(_e3617, _e3613), type_9(_e3638, _e3634), type_9(_e3659, _e3655));
-                                            let _e3709 = local_13[2u].member;
-                                            let _e3711 = local_13[2u].member_1;
-                                            let _e3714 = local_14[0u].member;
-                                            let _e3716 = local_14[0u].member_1;
-                                            let _e3717 = function_10(_e3709, _e3711, _e3714, _e3716);
-                                            let _e3722 = local_13[0u].member;
-                                            let _e3724 = local_13[0u].member_1;
-                                            let _e3727 = local_14[2u].member;
-                                            let _e3729 = local_14[2u].member_1;
-                                            let _e3730 = function_10(_e3722, _e3724, _e3727, _e3729);
-                                            let _e3736 = ((_e3717.member - _e3730.member) - select(0u, 1u, (_e3717.member_1 < _e3730.member_1)));
-                                            let _e3737 = (_e3717.member_1 - _e3730.member_1);
-                                            local_11 = array<type_9, 3>(type_9(_e3552, _e3548), type_9(_e3573, _e3569), type_9(_e3594, _e3590));
-                                            local_12 = array<type_9, 3>(type_9(_e3617, _e3613), type_9(_e3638, _e3634), type_9(_e3659, _e3655));
-                                            let _e3748 = local_11[0u].member;
-                                            let _e3750 = local_11[0u].member_1;
-                                            let _e3753 = local_12[1u].member;
-                                            let _e3755 = local_12[1u].member_1;
-                                            let _e3756 = function_10(_e3748, _e3750, _e3753, _e3755);
-                                            let _e3761 = local_11[1u].member;
-                                            let _e3763 = local_11[1u].member_1;
-                                            let _e3766 = local_12[0u].member;
-                                            let _e3768 = local_12[0u].member_1;
-                                            let _e3769 = function_10(_e3761, _e3763, _e3766, _e3768);
-                                            let _e3775 = ((_e3756.member - _e3769.member) - select(0u, 1u, (_e3756.member_1 < _e3769.member_1)));
-                                            let _e3776 = (_e3756.member_1 - _e3769.member_1);
-                                            let _e3779 = ((_e3697 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3786 = select(_e3697, (~(_e3697) + select(0u, 1u, (_e3698 == 0u))), _e3779);
-                                            let _e3787 = select(_e3698, (~(_e3698) + 1u), _e3779);
-                                            let _e3790 = ((_e3736 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3797 = select(_e3736, (~(_e3736) + select(0u, 1u, (_e3737 == 0u))), _e3790);
-                                            let _e3798 = select(_e3737, (~(_e3737) + 1u), _e3790);
-                                            let _e3801 = ((_e3775 >> bitcast<u32>(31i)) != 0u);
-                                            let _e3808 = select(_e3775, (~(_e3775) + select(0u, 1u, (_e3776 == 0u))), _e3801);
-                                            let _e3809 = select(_e3776, (~(_e3776) + 1u), _e3801);
-                                            let _e3834 = select(0i, select(2i, 1i, ((((_e3808 - _e3797) - select(0u, 1u, (_e3809 < _e3798))) >> bitcast<u32>(31i)) != 0u)), select(true, select(true, false, ((((_e3808 - _e3786) - select(0u, 1u, (_e3809 < _e3787))) >> bitcast<u32>(31i)) != 0u)), ((((_e3797 - _e3786) - select(0u, 1u, (_e3798 < _e3787))) >> bitcast<u32>(31i)) != 0u)));
-                                            switch _e3834 {
+                                            let _e3075 = phi_5446_;
+                                            let _e3097 = ((_e1889[0][1][0].member - _e1889[0][0][0].member) - select(0u, 1u, (_e1889[0][1][0].member_1 < _e1889[0][0][0].member_1)));
+                                            let _e3098 = (_e1889[0][1][0].member_1 - _e1889[0][0][0].member_1);
+                                            let _e3110 = ((_e1889[0][1][1].member - _e1889[0][0][1].member) - select(0u, 1u, (_e1889[0][1][1].member_1 < _e1889[0][0][1].member_1)));
+                                            let _e3111 = (_e1889[0][1][1].member_1 - _e1889[0][0][1].member_1);
+                                            let _e3123 = ((_e1889[0][1][2].member - _e1889[0][0][2].member) - select(0u, 1u, (_e1889[0][1][2].member_1 < _e1889[0][0][2].member_1)));
+                                            let _e3124 = (_e1889[0][1][2].member_1 - _e1889[0][0][2].member_1);
+                                            let _e3127 = ((_e3097 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3134 = select(_e3097, (~(_e3097) + select(0u, 1u, (_e3098 == 0u))), _e3127);
+                                            let _e3135 = select(_e3098, (~(_e3098) + 1u), _e3127);
+                                            let _e3138 = ((_e3110 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3145 = select(_e3110, (~(_e3110) + select(0u, 1u, (_e3111 == 0u))), _e3138);
+                                            let _e3146 = select(_e3111, (~(_e3111) + 1u), _e3138);
+                                            let _e3153 = ((((_e3145 - _e3134) - select(0u, 1u, (_e3146 < _e3135))) >> bitcast<u32>(31i)) != 0u);
+                                            let _e3154 = select(_e3145, _e3134, _e3153);
+                                            let _e3155 = select(_e3146, _e3135, _e3153);
+                                            let _e3158 = ((_e3123 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3165 = select(_e3123, (~(_e3123) + select(0u, 1u, (_e3124 == 0u))), _e3158);
+                                            let _e3166 = select(_e3124, (~(_e3124) + 1u), _e3158);
+                                            let _e3173 = ((((_e3165 - _e3154) - select(0u, 1u, (_e3166 < _e3155))) >> bitcast<u32>(31i)) != 0u);
+                                            let _e3175 = select(_e3166, _e3155, _e3173);
+                                            let _e3176 = function_12(4u);
+                                            let _e3179 = (_e3175 + _e3176.member_1);
+                                            let _e3183 = ((select(_e3165, _e3154, _e3173) + _e3176.member) + select(0u, 1u, (_e3179 < _e3175)));
+                                            let _e3198 = ((_e3179 >> bitcast<u32>((_e3075 & 31u))) | ((_e3183 << bitcast<u32>(((31u - _e3075) & 31u))) << bitcast<u32>(1i)));
+                                            let _e3199 = function_12(4u);
+                                            let _e3202 = (_e3198 + _e3199.member_1);
+                                            let _e3220 = ((_e1889[1][1][0].member - _e1889[1][0][0].member) - select(0u, 1u, (_e1889[1][1][0].member_1 < _e1889[1][0][0].member_1)));
+                                            let _e3221 = (_e1889[1][1][0].member_1 - _e1889[1][0][0].member_1);
+                                            let _e3233 = ((_e1889[1][1][1].member - _e1889[1][0][1].member) - select(0u, 1u, (_e1889[1][1][1].member_1 < _e1889[1][0][1].member_1)));
+                                            let _e3234 = (_e1889[1][1][1].member_1 - _e1889[1][0][1].member_1);
+                                            let _e3246 = ((_e1889[1][1][2].member - _e1889[1][0][2].member) - select(0u, 1u, (_e1889[1][1][2].member_1 < _e1889[1][0][2].member_1)));
+                                            let _e3247 = (_e1889[1][1][2].member_1 - _e1889[1][0][2].member_1);
+                                            let _e3250 = ((_e3220 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3257 = select(_e3220, (~(_e3220) + select(0u, 1u, (_e3221 == 0u))), _e3250);
+                                            let _e3258 = select(_e3221, (~(_e3221) + 1u), _e3250);
+                                            let _e3261 = ((_e3233 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3268 = select(_e3233, (~(_e3233) + select(0u, 1u, (_e3234 == 0u))), _e3261);
+                                            let _e3269 = select(_e3234, (~(_e3234) + 1u), _e3261);
+                                            let _e3276 = ((((_e3268 - _e3257) - select(0u, 1u, (_e3269 < _e3258))) >> bitcast<u32>(31i)) != 0u);
+                                            let _e3277 = select(_e3268, _e3257, _e3276);
+                                            let _e3278 = select(_e3269, _e3258, _e3276);
+                                            let _e3281 = ((_e3246 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3288 = select(_e3246, (~(_e3246) + select(0u, 1u, (_e3247 == 0u))), _e3281);
+                                            let _e3289 = select(_e3247, (~(_e3247) + 1u), _e3281);
+                                            let _e3296 = ((((_e3288 - _e3277) - select(0u, 1u, (_e3289 < _e3278))) >> bitcast<u32>(31i)) != 0u);
+                                            let _e3298 = select(_e3289, _e3278, _e3296);
+                                            let _e3299 = function_12(4u);
+                                            let _e3302 = (_e3298 + _e3299.member_1);
+                                            let _e3306 = ((select(_e3288, _e3277, _e3296) + _e3299.member) + select(0u, 1u, (_e3302 < _e3298)));
+                                            let _e3321 = ((_e3302 >> bitcast<u32>((_e3075 & 31u))) | ((_e3306 << bitcast<u32>(((31u - _e3075) & 31u))) << bitcast<u32>(1i)));
+                                            let _e3322 = function_12(4u);
+                                            let _e3325 = (_e3321 + _e3322.member_1);
+                                            let _e3343 = ((_e1889[2][1][0].member - _e1889[2][0][0].member) - select(0u, 1u, (_e1889[2][1][0].member_1 < _e1889[2][0][0].member_1)));
+                                            let _e3344 = (_e1889[2][1][0].member_1 - _e1889[2][0][0].member_1);
+                                            let _e3356 = ((_e1889[2][1][1].member - _e1889[2][0][1].member) - select(0u, 1u, (_e1889[2][1][1].member_1 < _e1889[2][0][1].member_1)));
+                                            let _e3357 = (_e1889[2][1][1].member_1 - _e1889[2][0][1].member_1);
+                                            let _e3369 = ((_e1889[2][1][2].member - _e1889[2][0][2].member) - select(0u, 1u, (_e1889[2][1][2].member_1 < _e1889[2][0][2].member_1)));
+                                            let _e3370 = (_e1889[2][1][2].member_1 - _e1889[2][0][2].member_1);
+                                            let _e3373 = ((_e3343 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3380 = select(_e3343, (~(_e3343) + select(0u, 1u, (_e3344 == 0u))), _e3373);
+                                            let _e3381 = select(_e3344, (~(_e3344) + 1u), _e3373);
+                                            let _e3384 = ((_e3356 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3391 = select(_e3356, (~(_e3356) + select(0u, 1u, (_e3357 == 0u))), _e3384);
+                                            let _e3392 = select(_e3357, (~(_e3357) + 1u), _e3384);
+                                            let _e3399 = ((((_e3391 - _e3380) - select(0u, 1u, (_e3392 < _e3381))) >> bitcast<u32>(31i)) != 0u);
+                                            let _e3400 = select(_e3391, _e3380, _e3399);
+                                            let _e3401 = select(_e3392, _e3381, _e3399);
+                                            let _e3404 = ((_e3369 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3411 = select(_e3369, (~(_e3369) + select(0u, 1u, (_e3370 == 0u))), _e3404);
+                                            let _e3412 = select(_e3370, (~(_e3370) + 1u), _e3404);
+                                            let _e3419 = ((((_e3411 - _e3400) - select(0u, 1u, (_e3412 < _e3401))) >> bitcast<u32>(31i)) != 0u);
+                                            let _e3421 = select(_e3412, _e3401, _e3419);
+                                            let _e3422 = function_12(4u);
+                                            let _e3425 = (_e3421 + _e3422.member_1);
+                                            let _e3429 = ((select(_e3411, _e3400, _e3419) + _e3422.member) + select(0u, 1u, (_e3425 < _e3421)));
+                                            let _e3444 = ((_e3425 >> bitcast<u32>((_e3075 & 31u))) | ((_e3429 << bitcast<u32>(((31u - _e3075) & 31u))) << bitcast<u32>(1i)));
+                                            let _e3445 = function_12(4u);
+                                            let _e3448 = (_e3444 + _e3445.member_1);
+                                            local_17[0u].member = ((bitcast<u32>((bitcast<i32>(_e3183) >> bitcast<u32>((_e3075 & 31u)))) + _e3199.member) + select(0u, 1u, (_e3202 < _e3198)));
+                                            local_17[0u].member_1 = _e3202;
+                                            local_17[1u].member = ((bitcast<u32>((bitcast<i32>(_e3306) >> bitcast<u32>((_e3075 & 31u)))) + _e3322.member) + select(0u, 1u, (_e3325 < _e3321)));
+                                            local_17[1u].member_1 = _e3325;
+                                            local_17[2u].member = ((bitcast<u32>((bitcast<i32>(_e3429) >> bitcast<u32>((_e3075 & 31u)))) + _e3445.member) + select(0u, 1u, (_e3448 < _e3444)));
+                                            local_17[2u].member_1 = _e3448;
+                                            let _e3478 = function_6(((_e1889[0][1][0].member - _e1889[0][0][0].member) - select(0u, 1u, (_e1889[0][1][0].member_1 < _e1889[0][0][0].member_1))), (_e1889[0][1][0].member_1 - _e1889[0][0][0].member_1), _e2847);
+                                            let _e3481 = (_e1889[0][0][0].member_1 + _e3478.member_1);
+                                            let _e3485 = ((_e1889[0][0][0].member + _e3478.member) + select(0u, 1u, (_e3481 < _e1889[0][0][0].member_1)));
+                                            let _e3499 = function_6(((_e1889[0][1][1].member - _e1889[0][0][1].member) - select(0u, 1u, (_e1889[0][1][1].member_1 < _e1889[0][0][1].member_1))), (_e1889[0][1][1].member_1 - _e1889[0][0][1].member_1), _e2847);
+                                            let _e3502 = (_e1889[0][0][1].member_1 + _e3499.member_1);
+                                            let _e3506 = ((_e1889[0][0][1].member + _e3499.member) + select(0u, 1u, (_e3502 < _e1889[0][0][1].member_1)));
+                                            let _e3520 = function_6(((_e1889[0][1][2].member - _e1889[0][0][2].member) - select(0u, 1u, (_e1889[0][1][2].member_1 < _e1889[0][0][2].member_1))), (_e1889[0][1][2].member_1 - _e1889[0][0][2].member_1), _e2847);
+                                            let _e3523 = (_e1889[0][0][2].member_1 + _e3520.member_1);
+                                            let _e3527 = ((_e1889[0][0][2].member + _e3520.member) + select(0u, 1u, (_e3523 < _e1889[0][0][2].member_1)));
+                                            let _e3543 = function_6(((_e1889[1][1][0].member - _e1889[1][0][0].member) - select(0u, 1u, (_e1889[1][1][0].member_1 < _e1889[1][0][0].member_1))), (_e1889[1][1][0].member_1 - _e1889[1][0][0].member_1), _e2847);
+                                            let _e3546 = (_e1889[1][0][0].member_1 + _e3543.member_1);
+                                            let _e3550 = ((_e1889[1][0][0].member + _e3543.member) + select(0u, 1u, (_e3546 < _e1889[1][0][0].member_1)));
+                                            let _e3564 = function_6(((_e1889[1][1][1].member - _e1889[1][0][1].member) - select(0u, 1u, (_e1889[1][1][1].member_1 < _e1889[1][0][1].member_1))), (_e1889[1][1][1].member_1 - _e1889[1][0][1].member_1), _e2847);
+                                            let _e3567 = (_e1889[1][0][1].member_1 + _e3564.member_1);
+                                            let _e3571 = ((_e1889[1][0][1].member + _e3564.member) + select(0u, 1u, (_e3567 < _e1889[1][0][1].member_1)));
+                                            let _e3585 = function_6(((_e1889[1][1][2].member - _e1889[1][0][2].member) - select(0u, 1u, (_e1889[1][1][2].member_1 < _e1889[1][0][2].member_1))), (_e1889[1][1][2].member_1 - _e1889[1][0][2].member_1), _e2847);
+                                            let _e3588 = (_e1889[1][0][2].member_1 + _e3585.member_1);
+                                            let _e3592 = ((_e1889[1][0][2].member + _e3585.member) + select(0u, 1u, (_e3588 < _e1889[1][0][2].member_1)));
+                                            let _e3608 = function_6(((_e1889[2][1][0].member - _e1889[2][0][0].member) - select(0u, 1u, (_e1889[2][1][0].member_1 < _e1889[2][0][0].member_1))), (_e1889[2][1][0].member_1 - _e1889[2][0][0].member_1), _e2847);
+                                            let _e3611 = (_e1889[2][0][0].member_1 + _e3608.member_1);
+                                            let _e3615 = ((_e1889[2][0][0].member + _e3608.member) + select(0u, 1u, (_e3611 < _e1889[2][0][0].member_1)));
+                                            let _e3629 = function_6(((_e1889[2][1][1].member - _e1889[2][0][1].member) - select(0u, 1u, (_e1889[2][1][1].member_1 < _e1889[2][0][1].member_1))), (_e1889[2][1][1].member_1 - _e1889[2][0][1].member_1), _e2847);
+                                            let _e3632 = (_e1889[2][0][1].member_1 + _e3629.member_1);
+                                            let _e3636 = ((_e1889[2][0][1].member + _e3629.member) + select(0u, 1u, (_e3632 < _e1889[2][0][1].member_1)));
+                                            let _e3650 = function_6(((_e1889[2][1][2].member - _e1889[2][0][2].member) - select(0u, 1u, (_e1889[2][1][2].member_1 < _e1889[2][0][2].member_1))), (_e1889[2][1][2].member_1 - _e1889[2][0][2].member_1), _e2847);
+                                            let _e3653 = (_e1889[2][0][2].member_1 + _e3650.member_1);
+                                            let _e3657 = ((_e1889[2][0][2].member + _e3650.member) + select(0u, 1u, (_e3653 < _e1889[2][0][2].member_1)));
+                                            local_15 = array<type_9, 3>(type_9(_e3550, _e3546), type_9(_e3571, _e3567), type_9(_e3592, _e3588));
+                                            local_16 = array<type_9, 3>(type_9(_e3615, _e3611), type_9(_e3636, _e3632), type_9(_e3657, _e3653));
+                                            let _e3668 = local_15[1u].member;
+                                            let _e3670 = local_15[1u].member_1;
+                                            let _e3673 = local_16[2u].member;
+                                            let _e3675 = local_16[2u].member_1;
+                                            let _e3676 = function_10(_e3668, _e3670, _e3673, _e3675);
+                                            let _e3681 = local_15[2u].member;
+                                            let _e3683 = local_15[2u].member_1;
+                                            let _e3686 = local_16[1u].member;
+                                            let _e3688 = local_16[1u].member_1;
+                                            let _e3689 = function_10(_e3681, _e3683, _e3686, _e3688);
+                                            let _e3695 = ((_e3676.member - _e3689.member) - select(0u, 1u, (_e3676.member_1 < _e3689.member_1)));
+                                            let _e3696 = (_e3676.member_1 - _e3689.member_1);
+                                            local_13 = array<type_9, 3>(type_9(_e3550, _e3546), type_9(_e3571, _e3567), type_9(_e3592, _e3588));
+                                            local_14 = array<type_9, 3>(type_9(_e3615, _e3611), type_9(_e3636, _e3632), type_9(_e3657, _e3653));
+                                            let _e3707 = local_13[2u].member;
+                                            let _e3709 = local_13[2u].member_1;
+                                            let _e3712 = local_14[0u].member;
+                                            let _e3714 = local_14[0u].member_1;
+                                            let _e3715 = function_10(_e3707, _e3709, _e3712, _e3714);
+                                            let _e3720 = local_13[0u].member;
+                                            let _e3722 = local_13[0u].member_1;
+                                            let _e3725 = local_14[2u].member;
+                                            let _e3727 = local_14[2u].member_1;
+                                            let _e3728 = function_10(_e3720, _e3722, _e3725, _e3727);
+                                            let _e3734 = ((_e3715.member - _e3728.member) - select(0u, 1u, (_e3715.member_1 < _e3728.member_1)));
+                                            let _e3735 = (_e3715.member_1 - _e3728.member_1);
+                                            local_11 = array<type_9, 3>(type_9(_e3550, _e3546), type_9(_e3571, _e3567), type_9(_e3592, _e3588));
+                                            local_12 = array<type_9, 3>(type_9(_e3615, _e3611), type_9(_e3636, _e3632), type_9(_e3657, _e3653));
+                                            let _e3746 = local_11[0u].member;
+                                            let _e3748 = local_11[0u].member_1;
+                                            let _e3751 = local_12[1u].member;
+                                            let _e3753 = local_12[1u].member_1;
+                                            let _e3754 = function_10(_e3746, _e3748, _e3751, _e3753);
+                                            let _e3759 = local_11[1u].member;
+                                            let _e3761 = local_11[1u].member_1;
+                                            let _e3764 = local_12[0u].member;
+                                            let _e3766 = local_12[0u].member_1;
+                                            let _e3767 = function_10(_e3759, _e3761, _e3764, _e3766);
+                                            let _e3773 = ((_e3754.member - _e3767.member) - select(0u, 1u, (_e3754.member_1 < _e3767.member_1)));
+                                            let _e3774 = (_e3754.member_1 - _e3767.member_1);
+                                            let _e3777 = ((_e3695 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3784 = select(_e3695, (~(_e3695) + select(0u, 1u, (_e3696 == 0u))), _e3777);
+                                            let _e3785 = select(_e3696, (~(_e3696) + 1u), _e3777);
+                                            let _e3788 = ((_e3734 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3795 = select(_e3734, (~(_e3734) + select(0u, 1u, (_e3735 == 0u))), _e3788);
+                                            let _e3796 = select(_e3735, (~(_e3735) + 1u), _e3788);
+                                            let _e3799 = ((_e3773 >> bitcast<u32>(31i)) != 0u);
+                                            let _e3806 = select(_e3773, (~(_e3773) + select(0u, 1u, (_e3774 == 0u))), _e3799);
+                                            let _e3807 = select(_e3774, (~(_e3774) + 1u), _e3799);
+                                            let _e3832 = select(0i, select(2i, 1i, ((((_e3806 - _e3795) - select(0u, 1u, (_e3807 < _e3796))) >> bitcast<u32>(31i)) != 0u)), select(true, select(true, false, ((((_e3806 - _e3784) - select(0u, 1u, (_e3807 < _e3785))) >> bitcast<u32>(31i)) != 0u)), ((((_e3795 - _e3784) - select(0u, 1u, (_e3796 < _e3785))) >> bitcast<u32>(31i)) != 0u)));
+                                            switch _e3832 {
                                                 case 0: {
-                                                    phi_6596_ = array<type_9, 2>(type_9(_e3508, _e3504), type_9(_e3529, _e3525));
+                                                    phi_6595_ = array<type_9, 2>(type_9(_e3506, _e3502), type_9(_e3527, _e3523));
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_6596_ = array<type_9, 2>(type_9(_e3529, _e3525), type_9(_e3487, _e3483));
+                                                    phi_6595_ = array<type_9, 2>(type_9(_e3527, _e3523), type_9(_e3485, _e3481));
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_6596_ = array<type_9, 2>(type_9(_e3487, _e3483), type_9(_e3508, _e3504));
+                                                    phi_6595_ = array<type_9, 2>(type_9(_e3485, _e3481), type_9(_e3506, _e3502));
                                                     break;
                                                 }
                                             }
-                                            let _e3845 = phi_6596_;
-                                            switch _e3834 {
+                                            let _e3843 = phi_6595_;
+                                            switch _e3832 {
                                                 case 0: {
-                                                    phi_6625_ = array<type_9, 2>(type_9(_e3573, _e3569), type_9(_e3594, _e3590));
+                                                    phi_6624_ = array<type_9, 2>(type_9(_e3571, _e3567), type_9(_e3592, _e3588));
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_6625_ = array<type_9, 2>(type_9(_e3594, _e3590), type_9(_e3552, _e3548));
+                                                    phi_6624_ = array<type_9, 2>(type_9(_e3592, _e3588), type_9(_e3550, _e3546));
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_6625_ = array<type_9, 2>(type_9(_e3552, _e3548), type_9(_e3573, _e3569));
+                                                    phi_6624_ = array<type_9, 2>(type_9(_e3550, _e3546), type_9(_e3571, _e3567));
                                                     break;
                                                 }
                                             }
-                                            let _e3856 = phi_6625_;
-                                            switch _e3834 {
+                                            let _e3854 = phi_6624_;
+                                            switch _e3832 {
                                                 case 0: {
-                                                    phi_6654_ = array<type_9, 2>(type_9(_e3638, _e3634), type_9(_e3659, _e3655));
+                                                    phi_6653_ = array<type_9, 2>(type_9(_e3636, _e3632), type_9(_e3657, _e3653));
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_6654_ = array<type_9, 2>(type_9(_e3659, _e3655), type_9(_e3617, _e3613));
+                                                    phi_6653_ = array<type_9, 2>(type_9(_e3657, _e3653), type_9(_e3615, _e3611));
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_6654_ = array<type_9, 2>(type_9(_e3617, _e3613), type_9(_e3638, _e3634));
+                                                    phi_6653_ = array<type_9, 2>(type_9(_e3615, _e3611), type_9(_e3636, _e3632));
                                                     break;
                                                 }
                                             }
-                                            let _e3867 = phi_6654_;
-                                            switch _e3834 {
+                                            let _e3865 = phi_6653_;
+                                            switch _e3832 {
                                                 case 0: {
-                                                    phi_6668_ = type_9(_e3697, _e3698);
+                                                    phi_6667_ = type_9(_e3695, _e3696);
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_6668_ = type_9(_e3736, _e3737);
+                                                    phi_6667_ = type_9(_e3734, _e3735);
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_6668_ = type_9(_e3775, _e3776);
+                                                    phi_6667_ = type_9(_e3773, _e3774);
                                                     break;
                                                 }
                                             }
-                                            let _e3872 = phi_6668_;
-                                            let _e3875 = local_17[1u].member;
-                                            let _e3877 = local_17[1u].member_1;
-                                            let _e3880 = local_17[2u].member;
-                                            let _e3882 = local_17[2u].member_1;
-                                            let _e3883 = (_e3877 + _e3882);
-                                            let _e3887 = ((_e3875 + _e3880) + select(0u, 1u, (_e3883 < _e3877)));
-                                            let _e3898 = ((_e3883 >> bitcast<u32>(1u)) | ((_e3887 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                            let _e3899 = function_12(17u);
-                                            let _e3902 = (_e3898 + _e3899.member_1);
-                                            let _e3906 = ((bitcast<u32>((bitcast<i32>(_e3887) >> bitcast<u32>(1u))) + _e3899.member) + select(0u, 1u, (_e3902 < _e3898)));
-                                            let _e3909 = local_17[0u].member;
-                                            let _e3911 = local_17[0u].member_1;
-                                            let _e3914 = local_17[2u].member;
-                                            let _e3916 = local_17[2u].member_1;
-                                            let _e3917 = (_e3911 + _e3916);
-                                            let _e3921 = ((_e3909 + _e3914) + select(0u, 1u, (_e3917 < _e3911)));
-                                            let _e3932 = ((_e3917 >> bitcast<u32>(1u)) | ((_e3921 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                            let _e3933 = function_12(17u);
-                                            let _e3936 = (_e3932 + _e3933.member_1);
-                                            let _e3940 = ((bitcast<u32>((bitcast<i32>(_e3921) >> bitcast<u32>(1u))) + _e3933.member) + select(0u, 1u, (_e3936 < _e3932)));
-                                            let _e3943 = local_17[0u].member;
-                                            let _e3945 = local_17[0u].member_1;
-                                            let _e3948 = local_17[1u].member;
-                                            let _e3950 = local_17[1u].member_1;
-                                            let _e3951 = (_e3945 + _e3950);
-                                            let _e3955 = ((_e3943 + _e3948) + select(0u, 1u, (_e3951 < _e3945)));
-                                            let _e3966 = ((_e3951 >> bitcast<u32>(1u)) | ((_e3955 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                            let _e3967 = function_12(17u);
-                                            let _e3970 = (_e3966 + _e3967.member_1);
-                                            let _e3974 = ((bitcast<u32>((bitcast<i32>(_e3955) >> bitcast<u32>(1u))) + _e3967.member) + select(0u, 1u, (_e3970 < _e3966)));
-                                            let _e3979 = ((_e3872.member >> bitcast<u32>(31i)) != 0u);
-                                            if ((((_e3906 - select(_e3872.member, (~(_e3872.member) + select(0u, 1u, (_e3872.member_1 == 0u))), _e3979)) - select(0u, 1u, (_e3902 < select(_e3872.member_1, (~(_e3872.member_1) + 1u), _e3979)))) >> bitcast<u32>(31i)) != 0u) {
-                                                let _e4000 = ((_e3872.member >> bitcast<u32>(31i)) != 0u);
-                                                let _e4010 = select(_e3872.member, (~(_e3872.member) + select(0u, 1u, (_e3872.member_1 == 0u))), _e4000);
-                                                let _e4012 = select(_e3872.member_1, (~(_e3872.member_1) + 1u), _e4000);
-                                                let _e4013 = function_11(_e3845, _e3867);
-                                                let _e4023 = select(_e4013.member, (~(_e4013.member) + select(0u, 1u, (_e4013.member_1 == 0u))), _e4000);
-                                                let _e4025 = select(_e4013.member_1, (~(_e4013.member_1) + 1u), _e4000);
-                                                let _e4026 = function_11(_e3856, _e3845);
-                                                let _e4036 = select(_e4026.member, (~(_e4026.member) + select(0u, 1u, (_e4026.member_1 == 0u))), _e4000);
-                                                let _e4038 = select(_e4026.member_1, (~(_e4026.member_1) + 1u), _e4000);
-                                                if (_e283.member != 0u) {
-                                                    let _e4070 = (_e3902 + _e3936);
-                                                    let _e4082 = (_e3902 + _e3970);
-                                                    phi_6990_ = type_9(((_e3906 + _e3974) + select(0u, 1u, (_e4082 < _e3902))), _e4082);
-                                                    phi_6991_ = type_9(((_e4010 - _e4036) - select(0u, 1u, (_e4012 < _e4038))), (_e4012 - _e4038));
-                                                    phi_6992_ = type_9(((_e3906 + _e3940) + select(0u, 1u, (_e4070 < _e3902))), _e4070);
-                                                    phi_6993_ = type_9(((_e4010 - _e4023) - select(0u, 1u, (_e4012 < _e4025))), (_e4012 - _e4025));
+                                            let _e3870 = phi_6667_;
+                                            let _e3873 = local_17[1u].member;
+                                            let _e3875 = local_17[1u].member_1;
+                                            let _e3878 = local_17[2u].member;
+                                            let _e3880 = local_17[2u].member_1;
+                                            let _e3881 = (_e3875 + _e3880);
+                                            let _e3885 = ((_e3873 + _e3878) + select(0u, 1u, (_e3881 < _e3875)));
+                                            let _e3896 = ((_e3881 >> bitcast<u32>(1u)) | ((_e3885 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                            let _e3897 = function_12(17u);
+                                            let _e3900 = (_e3896 + _e3897.member_1);
+                                            let _e3904 = ((bitcast<u32>((bitcast<i32>(_e3885) >> bitcast<u32>(1u))) + _e3897.member) + select(0u, 1u, (_e3900 < _e3896)));
+                                            let _e3907 = local_17[0u].member;
+                                            let _e3909 = local_17[0u].member_1;
+                                            let _e3912 = local_17[2u].member;
+                                            let _e3914 = local_17[2u].member_1;
+                                            let _e3915 = (_e3909 + _e3914);
+                                            let _e3919 = ((_e3907 + _e3912) + select(0u, 1u, (_e3915 < _e3909)));
+                                            let _e3930 = ((_e3915 >> bitcast<u32>(1u)) | ((_e3919 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                            let _e3931 = function_12(17u);
+                                            let _e3934 = (_e3930 + _e3931.member_1);
+                                            let _e3938 = ((bitcast<u32>((bitcast<i32>(_e3919) >> bitcast<u32>(1u))) + _e3931.member) + select(0u, 1u, (_e3934 < _e3930)));
+                                            let _e3941 = local_17[0u].member;
+                                            let _e3943 = local_17[0u].member_1;
+                                            let _e3946 = local_17[1u].member;
+                                            let _e3948 = local_17[1u].member_1;
+                                            let _e3949 = (_e3943 + _e3948);
+                                            let _e3953 = ((_e3941 + _e3946) + select(0u, 1u, (_e3949 < _e3943)));
+                                            let _e3964 = ((_e3949 >> bitcast<u32>(1u)) | ((_e3953 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                            let _e3965 = function_12(17u);
+                                            let _e3968 = (_e3964 + _e3965.member_1);
+                                            let _e3972 = ((bitcast<u32>((bitcast<i32>(_e3953) >> bitcast<u32>(1u))) + _e3965.member) + select(0u, 1u, (_e3968 < _e3964)));
+                                            let _e3977 = ((_e3870.member >> bitcast<u32>(31i)) != 0u);
+                                            if ((((_e3904 - select(_e3870.member, (~(_e3870.member) + select(0u, 1u, (_e3870.member_1 == 0u))), _e3977)) - select(0u, 1u, (_e3900 < select(_e3870.member_1, (~(_e3870.member_1) + 1u), _e3977)))) >> bitcast<u32>(31i)) != 0u) {
+                                                let _e3998 = ((_e3870.member >> bitcast<u32>(31i)) != 0u);
+                                                let _e4008 = select(_e3870.member, (~(_e3870.member) + select(0u, 1u, (_e3870.member_1 == 0u))), _e3998);
+                                                let _e4010 = select(_e3870.member_1, (~(_e3870.member_1) + 1u), _e3998);
+                                                let _e4011 = function_11(_e3843, _e3865);
+                                                let _e4021 = select(_e4011.member, (~(_e4011.member) + select(0u, 1u, (_e4011.member_1 == 0u))), _e3998);
+                                                let _e4023 = select(_e4011.member_1, (~(_e4011.member_1) + 1u), _e3998);
+                                                let _e4024 = function_11(_e3854, _e3843);
+                                                let _e4034 = select(_e4024.member, (~(_e4024.member) + select(0u, 1u, (_e4024.member_1 == 0u))), _e3998);
+                                                let _e4036 = select(_e4024.member_1, (~(_e4024.member_1) + 1u), _e3998);
+                                                if (_e281.member != 0u) {
+                                                    let _e4068 = (_e3900 + _e3934);
+                                                    let _e4080 = (_e3900 + _e3968);
+                                                    phi_6989_ = type_9(((_e3904 + _e3972) + select(0u, 1u, (_e4080 < _e3900))), _e4080);
+                                                    phi_6990_ = type_9(((_e4008 - _e4034) - select(0u, 1u, (_e4010 < _e4036))), (_e4010 - _e4036));
+                                                    phi_6991_ = type_9(((_e3904 + _e3938) + select(0u, 1u, (_e4068 < _e3900))), _e4068);
+                                                    phi_6992_ = type_9(((_e4008 - _e4021) - select(0u, 1u, (_e4010 < _e4023))), (_e4010 - _e4023));
                                                 } else {
-                                                    let _e4044 = (_e4012 - _e4025);
-                                                    let _e4048 = ((((_e4010 - _e4023) - select(0u, 1u, (_e4012 < _e4025))) - _e4036) - select(0u, 1u, (_e4044 < _e4038)));
-                                                    let _e4049 = (_e4044 - _e4038);
-                                                    let _e4051 = (_e3902 + _e3936);
-                                                    let _e4056 = (_e4051 + _e3970);
-                                                    let _e4060 = ((((_e3906 + _e3940) + select(0u, 1u, (_e4051 < _e3902))) + _e3974) + select(0u, 1u, (_e4056 < _e4051)));
-                                                    phi_6990_ = type_9(_e4060, _e4056);
-                                                    phi_6991_ = type_9(_e4048, _e4049);
-                                                    phi_6992_ = type_9(_e4060, _e4056);
-                                                    phi_6993_ = type_9(_e4048, _e4049);
+                                                    let _e4042 = (_e4010 - _e4023);
+                                                    let _e4046 = ((((_e4008 - _e4021) - select(0u, 1u, (_e4010 < _e4023))) - _e4034) - select(0u, 1u, (_e4042 < _e4036)));
+                                                    let _e4047 = (_e4042 - _e4036);
+                                                    let _e4049 = (_e3900 + _e3934);
+                                                    let _e4054 = (_e4049 + _e3968);
+                                                    let _e4058 = ((((_e3904 + _e3938) + select(0u, 1u, (_e4049 < _e3900))) + _e3972) + select(0u, 1u, (_e4054 < _e4049)));
+                                                    phi_6989_ = type_9(_e4058, _e4054);
+                                                    phi_6990_ = type_9(_e4046, _e4047);
+                                                    phi_6991_ = type_9(_e4058, _e4054);
+                                                    phi_6992_ = type_9(_e4046, _e4047);
                                                 }
+                                                let _e4087 = phi_6989_;
                                                 let _e4089 = phi_6990_;
                                                 let _e4091 = phi_6991_;
                                                 let _e4093 = phi_6992_;
-                                                let _e4095 = phi_6993_;
-                                                let _e4096 = function_9(_e4023, _e4025, _e3940, _e3936);
-                                                if _e4096 {
-                                                    phi_7119_ = u32();
-                                                    phi_7120_ = true;
+                                                let _e4094 = function_9(_e4021, _e4023, _e3938, _e3934);
+                                                if _e4094 {
+                                                    phi_7118_ = u32();
+                                                    phi_7119_ = true;
                                                 } else {
-                                                    let _e4097 = function_9(_e4036, _e4038, _e3974, _e3970);
-                                                    if _e4097 {
-                                                        phi_7117_ = u32();
-                                                        phi_7118_ = true;
+                                                    let _e4095 = function_9(_e4034, _e4036, _e3972, _e3968);
+                                                    if _e4095 {
+                                                        phi_7116_ = u32();
+                                                        phi_7117_ = true;
                                                     } else {
-                                                        let _e4102 = function_9(_e4095.member, _e4095.member_1, _e4093.member, _e4093.member_1);
-                                                        if _e4102 {
-                                                            phi_7115_ = u32();
-                                                            phi_7116_ = true;
+                                                        let _e4100 = function_9(_e4093.member, _e4093.member_1, _e4091.member, _e4091.member_1);
+                                                        if _e4100 {
+                                                            phi_7114_ = u32();
+                                                            phi_7115_ = true;
                                                         } else {
-                                                            let _e4107 = function_9(_e4091.member, _e4091.member_1, _e4089.member, _e4089.member_1);
-                                                            if _e4107 {
-                                                                phi_7114_ = u32();
+                                                            let _e4105 = function_9(_e4089.member, _e4089.member_1, _e4087.member, _e4087.member_1);
+                                                            if _e4105 {
+                                                                phi_7113_ = u32();
                                                             } else {
-                                                                let _e4108 = function_8(_e4023, _e4025, _e3940, _e3936);
-                                                                if _e4108 {
-                                                                    let _e4109 = function_8(_e4036, _e4038, _e3974, _e3970);
-                                                                    if _e4109 {
-                                                                        let _e4114 = function_8(_e4095.member, _e4095.member_1, _e4093.member, _e4093.member_1);
-                                                                        if _e4114 {
-                                                                            let _e4119 = function_8(_e4091.member, _e4091.member_1, _e4089.member, _e4089.member_1);
-                                                                            phi_7107_ = select(true, false, _e4119);
+                                                                let _e4106 = function_8(_e4021, _e4023, _e3938, _e3934);
+                                                                if _e4106 {
+                                                                    let _e4107 = function_8(_e4034, _e4036, _e3972, _e3968);
+                                                                    if _e4107 {
+                                                                        let _e4112 = function_8(_e4093.member, _e4093.member_1, _e4091.member, _e4091.member_1);
+                                                                        if _e4112 {
+                                                                            let _e4117 = function_8(_e4089.member, _e4089.member_1, _e4087.member, _e4087.member_1);
+                                                                            phi_7106_ = select(true, false, _e4117);
                                                                         } else {
-                                                                            phi_7107_ = true;
+                                                                            phi_7106_ = true;
                                                                         }
-                                                                        let _e4122 = phi_7107_;
-                                                                        phi_7108_ = _e4122;
+                                                                        let _e4120 = phi_7106_;
+                                                                        phi_7107_ = _e4120;
                                                                     } else {
-                                                                        phi_7108_ = true;
+                                                                        phi_7107_ = true;
                                                                     }
-                                                                    let _e4124 = phi_7108_;
-                                                                    phi_7109_ = _e4124;
+                                                                    let _e4122 = phi_7107_;
+                                                                    phi_7108_ = _e4122;
                                                                 } else {
-                                                                    phi_7109_ = true;
+                                                                    phi_7108_ = true;
                                                                 }
-                                                                let _e4126 = phi_7109_;
-                                                                phi_7114_ = select(0u, 2u, _e4126);
+                                                                let _e4124 = phi_7108_;
+                                                                phi_7113_ = select(0u, 2u, _e4124);
                                                             }
-                                                            let _e4129 = phi_7114_;
-                                                            phi_7115_ = _e4129;
-                                                            phi_7116_ = _e4107;
+                                                            let _e4127 = phi_7113_;
+                                                            phi_7114_ = _e4127;
+                                                            phi_7115_ = _e4105;
                                                         }
+                                                        let _e4129 = phi_7114_;
                                                         let _e4131 = phi_7115_;
-                                                        let _e4133 = phi_7116_;
+                                                        phi_7116_ = _e4129;
                                                         phi_7117_ = _e4131;
-                                                        phi_7118_ = _e4133;
                                                     }
+                                                    let _e4133 = phi_7116_;
                                                     let _e4135 = phi_7117_;
-                                                    let _e4137 = phi_7118_;
+                                                    phi_7118_ = _e4133;
                                                     phi_7119_ = _e4135;
-                                                    phi_7120_ = _e4137;
                                                 }
+                                                let _e4137 = phi_7118_;
                                                 let _e4139 = phi_7119_;
-                                                let _e4141 = phi_7120_;
-                                                phi_7125_ = select(_e4139, 1u, _e4141);
+                                                phi_7124_ = select(_e4137, 1u, _e4139);
                                             } else {
-                                                phi_7125_ = 2u;
+                                                phi_7124_ = 2u;
                                             }
-                                            let _e4144 = phi_7125_;
-                                            let _e4145 = (_e4144 == 1u);
-                                            phi_7137_ = _e4145;
+                                            let _e4142 = phi_7124_;
+                                            let _e4143 = (_e4142 == 1u);
+                                            phi_7136_ = _e4143;
+                                            phi_7137_ = _e3066;
                                             phi_7138_ = _e3068;
-                                            phi_7139_ = _e3070;
-                                            phi_7140_ = (_e2849 + (1u << bitcast<u32>(((31u - _e3077) & 31u))));
-                                            phi_7141_ = _e4144;
-                                            phi_7142_ = select(true, _e4145, _e2994);
+                                            phi_7139_ = (_e2847 + (1u << bitcast<u32>(((31u - _e3075) & 31u))));
+                                            phi_7140_ = _e4142;
+                                            phi_7141_ = select(true, _e4143, _e2992);
                                         } else {
-                                            phi_7137_ = _e2993;
+                                            phi_7136_ = _e2991;
+                                            phi_7137_ = bool();
                                             phi_7138_ = bool();
-                                            phi_7139_ = bool();
+                                            phi_7139_ = u32();
                                             phi_7140_ = u32();
-                                            phi_7141_ = u32();
-                                            phi_7142_ = true;
+                                            phi_7141_ = true;
                                         }
+                                        let _e4146 = phi_7136_;
                                         let _e4148 = phi_7137_;
                                         let _e4150 = phi_7138_;
                                         let _e4152 = phi_7139_;
                                         let _e4154 = phi_7140_;
                                         let _e4156 = phi_7141_;
-                                        let _e4158 = phi_7142_;
-                                        if _e4158 {
-                                            if _e4148 {
-                                                phi_7479_ = _e2827;
+                                        if _e4156 {
+                                            if _e4146 {
+                                                phi_7478_ = _e2825;
+                                                phi_7480_ = _e2827;
                                                 phi_7481_ = _e2829;
-                                                phi_7482_ = _e2831;
                                             } else {
-                                                let _e4167 = (_e2827[0].member_1 + _e2827[1].member_1);
-                                                let _e4171 = ((_e2827[0].member + _e2827[1].member) + select(0u, 1u, (_e4167 < _e2827[0].member_1)));
-                                                let _e4179 = bitcast<u32>((bitcast<i32>(_e4171) >> bitcast<u32>(1u)));
-                                                let _e4182 = ((_e4167 >> bitcast<u32>(1u)) | ((_e4171 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                let _e4191 = (_e2827[1].member_1 + _e2827[2].member_1);
-                                                let _e4195 = ((_e2827[1].member + _e2827[2].member) + select(0u, 1u, (_e4191 < _e2827[1].member_1)));
-                                                let _e4203 = bitcast<u32>((bitcast<i32>(_e4195) >> bitcast<u32>(1u)));
-                                                let _e4206 = ((_e4191 >> bitcast<u32>(1u)) | ((_e4195 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                let _e4215 = (_e2827[2].member_1 + _e2827[3].member_1);
-                                                let _e4219 = ((_e2827[2].member + _e2827[3].member) + select(0u, 1u, (_e4215 < _e2827[2].member_1)));
-                                                let _e4227 = bitcast<u32>((bitcast<i32>(_e4219) >> bitcast<u32>(1u)));
-                                                let _e4230 = ((_e4215 >> bitcast<u32>(1u)) | ((_e4219 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                let _e4231 = (_e4182 + _e4206);
-                                                let _e4235 = ((_e4179 + _e4203) + select(0u, 1u, (_e4231 < _e4182)));
-                                                let _e4243 = bitcast<u32>((bitcast<i32>(_e4235) >> bitcast<u32>(1u)));
-                                                let _e4246 = ((_e4231 >> bitcast<u32>(1u)) | ((_e4235 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                let _e4247 = (_e4206 + _e4230);
-                                                let _e4251 = ((_e4203 + _e4227) + select(0u, 1u, (_e4247 < _e4206)));
-                                                let _e4259 = bitcast<u32>((bitcast<i32>(_e4251) >> bitcast<u32>(1u)));
-                                                let _e4262 = ((_e4247 >> bitcast<u32>(1u)) | ((_e4251 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                let _e4263 = (_e4246 + _e4262);
-                                                let _e4267 = ((_e4243 + _e4259) + select(0u, 1u, (_e4263 < _e4246)));
-                                                let _e4275 = bitcast<u32>((bitcast<i32>(_e4267) >> bitcast<u32>(1u)));
-                                                let _e4278 = ((_e4263 >> bitcast<u32>(1u)) | ((_e4267 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
-                                                let _e4279 = (2u * _e2831);
-                                                let _e4290 = function_12(128u);
-                                                let _e4295 = ((_e2827[0].member >> bitcast<u32>(31i)) != 0u);
-                                                let _e4319 = function_12(128u);
-                                                let _e4324 = ((_e4179 >> bitcast<u32>(31i)) != 0u);
-                                                let _e4346 = function_12(128u);
-                                                let _e4351 = ((_e4243 >> bitcast<u32>(31i)) != 0u);
-                                                let _e4373 = function_12(128u);
-                                                let _e4378 = ((_e4275 >> bitcast<u32>(31i)) != 0u);
-                                                if ((((select(0u, select(1u, 2u, ((_e2827[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e4290.member - select(_e2827[0].member, (~(_e2827[0].member) + select(0u, 1u, (_e2827[0].member_1 == 0u))), _e4295)) - select(0u, 1u, (_e4290.member_1 < select(_e2827[0].member_1, (~(_e2827[0].member_1) + 1u), _e4295)))) >> bitcast<u32>(31i)) != 0u)) & select(0u, select(1u, 2u, ((_e4179 >> bitcast<u32>(31i)) != 0u)), ((((_e4319.member - select(_e4179, (~(_e4179) + select(0u, 1u, (_e4182 == 0u))), _e4324)) - select(0u, 1u, (_e4319.member_1 < select(_e4182, (~(_e4182) + 1u), _e4324)))) >> bitcast<u32>(31i)) != 0u))) & select(0u, select(1u, 2u, ((_e4243 >> bitcast<u32>(31i)) != 0u)), ((((_e4346.member - select(_e4243, (~(_e4243) + select(0u, 1u, (_e4246 == 0u))), _e4351)) - select(0u, 1u, (_e4346.member_1 < select(_e4246, (~(_e4246) + 1u), _e4351)))) >> bitcast<u32>(31i)) != 0u))) & select(0u, select(1u, 2u, ((_e4275 >> bitcast<u32>(31i)) != 0u)), ((((_e4373.member - select(_e4275, (~(_e4275) + select(0u, 1u, (_e4278 == 0u))), _e4378)) - select(0u, 1u, (_e4373.member_1 < select(_e4278, (~(_e4278) + 1u), _e4378)))) >> bitcast<u32>(31i)) != 0u))) != 0u) {
-                                                    phi_7477_ = array<type_9, 4>(type_9(_e4275, _e4278), type_9(_e4259, _e4262), type_9(_e4227, _e4230), _e2827[3]);
-                                                    phi_7478_ = (_e4279 + 1u);
+                                                let _e4165 = (_e2825[0].member_1 + _e2825[1].member_1);
+                                                let _e4169 = ((_e2825[0].member + _e2825[1].member) + select(0u, 1u, (_e4165 < _e2825[0].member_1)));
+                                                let _e4177 = bitcast<u32>((bitcast<i32>(_e4169) >> bitcast<u32>(1u)));
+                                                let _e4180 = ((_e4165 >> bitcast<u32>(1u)) | ((_e4169 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                let _e4189 = (_e2825[1].member_1 + _e2825[2].member_1);
+                                                let _e4193 = ((_e2825[1].member + _e2825[2].member) + select(0u, 1u, (_e4189 < _e2825[1].member_1)));
+                                                let _e4201 = bitcast<u32>((bitcast<i32>(_e4193) >> bitcast<u32>(1u)));
+                                                let _e4204 = ((_e4189 >> bitcast<u32>(1u)) | ((_e4193 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                let _e4213 = (_e2825[2].member_1 + _e2825[3].member_1);
+                                                let _e4217 = ((_e2825[2].member + _e2825[3].member) + select(0u, 1u, (_e4213 < _e2825[2].member_1)));
+                                                let _e4225 = bitcast<u32>((bitcast<i32>(_e4217) >> bitcast<u32>(1u)));
+                                                let _e4228 = ((_e4213 >> bitcast<u32>(1u)) | ((_e4217 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                let _e4229 = (_e4180 + _e4204);
+                                                let _e4233 = ((_e4177 + _e4201) + select(0u, 1u, (_e4229 < _e4180)));
+                                                let _e4241 = bitcast<u32>((bitcast<i32>(_e4233) >> bitcast<u32>(1u)));
+                                                let _e4244 = ((_e4229 >> bitcast<u32>(1u)) | ((_e4233 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                let _e4245 = (_e4204 + _e4228);
+                                                let _e4249 = ((_e4201 + _e4225) + select(0u, 1u, (_e4245 < _e4204)));
+                                                let _e4257 = bitcast<u32>((bitcast<i32>(_e4249) >> bitcast<u32>(1u)));
+                                                let _e4260 = ((_e4245 >> bitcast<u32>(1u)) | ((_e4249 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                let _e4261 = (_e4244 + _e4260);
+                                                let _e4265 = ((_e4241 + _e4257) + select(0u, 1u, (_e4261 < _e4244)));
+                                                let _e4273 = bitcast<u32>((bitcast<i32>(_e4265) >> bitcast<u32>(1u)));
+                                                let _e4276 = ((_e4261 >> bitcast<u32>(1u)) | ((_e4265 << bitcast<u32>(30u)) << bitcast<u32>(1i)));
+                                                let _e4277 = (2u * _e2829);
+                                                let _e4288 = function_12(128u);
+                                                let _e4293 = ((_e2825[0].member >> bitcast<u32>(31i)) != 0u);
+                                                let _e4317 = function_12(128u);
+                                                let _e4322 = ((_e4177 >> bitcast<u32>(31i)) != 0u);
+                                                let _e4344 = function_12(128u);
+                                                let _e4349 = ((_e4241 >> bitcast<u32>(31i)) != 0u);
+                                                let _e4371 = function_12(128u);
+                                                let _e4376 = ((_e4273 >> bitcast<u32>(31i)) != 0u);
+                                                if ((((select(0u, select(1u, 2u, ((_e2825[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e4288.member - select(_e2825[0].member, (~(_e2825[0].member) + select(0u, 1u, (_e2825[0].member_1 == 0u))), _e4293)) - select(0u, 1u, (_e4288.member_1 < select(_e2825[0].member_1, (~(_e2825[0].member_1) + 1u), _e4293)))) >> bitcast<u32>(31i)) != 0u)) & select(0u, select(1u, 2u, ((_e4177 >> bitcast<u32>(31i)) != 0u)), ((((_e4317.member - select(_e4177, (~(_e4177) + select(0u, 1u, (_e4180 == 0u))), _e4322)) - select(0u, 1u, (_e4317.member_1 < select(_e4180, (~(_e4180) + 1u), _e4322)))) >> bitcast<u32>(31i)) != 0u))) & select(0u, select(1u, 2u, ((_e4241 >> bitcast<u32>(31i)) != 0u)), ((((_e4344.member - select(_e4241, (~(_e4241) + select(0u, 1u, (_e4244 == 0u))), _e4349)) - select(0u, 1u, (_e4344.member_1 < select(_e4244, (~(_e4244) + 1u), _e4349)))) >> bitcast<u32>(31i)) != 0u))) & select(0u, select(1u, 2u, ((_e4273 >> bitcast<u32>(31i)) != 0u)), ((((_e4371.member - select(_e4273, (~(_e4273) + select(0u, 1u, (_e4276 == 0u))), _e4376)) - select(0u, 1u, (_e4371.member_1 < select(_e4276, (~(_e4276) + 1u), _e4376)))) >> bitcast<u32>(31i)) != 0u))) != 0u) {
+                                                    phi_7476_ = array<type_9, 4>(type_9(_e4273, _e4276), type_9(_e4257, _e4260), type_9(_e4225, _e4228), _e2825[3]);
+                                                    phi_7477_ = (_e4277 + 1u);
                                                 } else {
-                                                    phi_7477_ = array<type_9, 4>(_e2827[0], type_9(_e4179, _e4182), type_9(_e4243, _e4246), type_9(_e4275, _e4278));
-                                                    phi_7478_ = _e4279;
+                                                    phi_7476_ = array<type_9, 4>(_e2825[0], type_9(_e4177, _e4180), type_9(_e4241, _e4244), type_9(_e4273, _e4276));
+                                                    phi_7477_ = _e4277;
                                                 }
+                                                let _e4406 = phi_7476_;
                                                 let _e4408 = phi_7477_;
-                                                let _e4410 = phi_7478_;
-                                                phi_7479_ = _e4408;
-                                                phi_7481_ = (_e2829 + 1u);
-                                                phi_7482_ = _e4410;
+                                                phi_7478_ = _e4406;
+                                                phi_7480_ = (_e2827 + 1u);
+                                                phi_7481_ = _e4408;
                                             }
-                                            let _e4412 = phi_7479_;
+                                            let _e4410 = phi_7478_;
+                                            let _e4412 = phi_7480_;
                                             let _e4414 = phi_7481_;
-                                            let _e4416 = phi_7482_;
-                                            phi_7483_ = _e4412;
+                                            phi_7482_ = _e4410;
+                                            phi_7484_ = _e4412;
                                             phi_7485_ = _e4414;
-                                            phi_7486_ = _e4416;
                                         } else {
-                                            phi_7483_ = array<type_9, 4>();
+                                            phi_7482_ = array<type_9, 4>();
+                                            phi_7484_ = u32();
                                             phi_7485_ = u32();
-                                            phi_7486_ = u32();
                                         }
-                                        let _e4418 = phi_7483_;
+                                        let _e4416 = phi_7482_;
+                                        let _e4418 = phi_7484_;
                                         let _e4420 = phi_7485_;
-                                        let _e4422 = phi_7486_;
-                                        phi_7487_ = _e4418;
-                                        phi_7489_ = _e4148;
+                                        phi_7486_ = _e4416;
+                                        phi_7488_ = _e4146;
+                                        phi_7489_ = _e4418;
                                         phi_7490_ = _e4420;
-                                        phi_7491_ = _e4422;
+                                        phi_7491_ = _e4148;
                                         phi_7492_ = _e4150;
                                         phi_7493_ = _e4152;
                                         phi_7494_ = _e4154;
                                         phi_7495_ = _e4156;
-                                        phi_7496_ = _e4158;
                                     }
-                                    let _e4424 = phi_7487_;
+                                    let _e4422 = phi_7486_;
+                                    let _e4424 = phi_7488_;
                                     let _e4426 = phi_7489_;
                                     let _e4428 = phi_7490_;
                                     let _e4430 = phi_7491_;
@@ -2017,95 +2007,95 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e4434 = phi_7493_;
                                     let _e4436 = phi_7494_;
                                     let _e4438 = phi_7495_;
-                                    let _e4440 = phi_7496_;
-                                    if _e4440 {
-                                        if _e4426 {
-                                            let _e4441 = (_e4430 + 1u);
-                                            let _e4443 = (_e4441 & (4294967295u - _e4430));
-                                            let _e4449 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e4443)), 32u, (_e4443 == 0u)));
-                                            let _e4451 = select(_e4449, _e4428, (_e4428 < _e4449));
-                                            let _e4454 = (_e4441 >> bitcast<u32>((_e4451 & 31u)));
-                                            let _e4455 = (_e4428 - _e4451);
-                                            let _e4459 = select(true, select(true, false, (_e4455 == 0u)), (_e4454 == 1u));
-                                            if _e4459 {
-                                                let _e4460 = (31u - _e4455);
-                                                let _e4463 = (_e4454 << bitcast<u32>((_e4460 & 31u)));
-                                                let _e4467 = ((_e4454 + 1u) << bitcast<u32>((_e4460 & 31u)));
-                                                let _e4473 = function_6(((_e2713 - _e2640.member) - select(0u, 1u, (_e2709 < _e2640.member_1))), (_e2709 - _e2640.member_1), _e4463);
-                                                let _e4476 = (_e2640.member_1 + _e4473.member_1);
-                                                let _e4486 = function_6(((_e2784 - _e2713) - select(0u, 1u, (_e2780 < _e2709))), (_e2780 - _e2709), _e4463);
-                                                let _e4489 = (_e2709 + _e4486.member_1);
-                                                let _e4499 = function_6(((_e2818.member - _e2784) - select(0u, 1u, (_e2818.member_1 < _e2780))), (_e2818.member_1 - _e2780), _e4463);
-                                                let _e4502 = (_e2780 + _e4499.member_1);
-                                                let _e4510 = array<type_9, 3>(type_9(((_e2640.member + _e4473.member) + select(0u, 1u, (_e4476 < _e2640.member_1))), _e4476), type_9(((_e2713 + _e4486.member) + select(0u, 1u, (_e4489 < _e2709))), _e4489), type_9(((_e2784 + _e4499.member) + select(0u, 1u, (_e4502 < _e2780))), _e4502));
-                                                let _e4516 = function_6(((_e2713 - _e2640.member) - select(0u, 1u, (_e2709 < _e2640.member_1))), (_e2709 - _e2640.member_1), _e4467);
-                                                let _e4519 = (_e2640.member_1 + _e4516.member_1);
-                                                let _e4529 = function_6(((_e2784 - _e2713) - select(0u, 1u, (_e2780 < _e2709))), (_e2780 - _e2709), _e4467);
-                                                let _e4532 = (_e2709 + _e4529.member_1);
-                                                let _e4542 = function_6(((_e2818.member - _e2784) - select(0u, 1u, (_e2818.member_1 < _e2780))), (_e2818.member_1 - _e2780), _e4467);
-                                                let _e4545 = (_e2780 + _e4542.member_1);
-                                                let _e4554 = function_7(_e4510, _e4463);
-                                                let _e4555 = function_7(_e4510, _e4467);
-                                                let _e4556 = function_7(array<type_9, 3>(type_9(((_e2640.member + _e4516.member) + select(0u, 1u, (_e4519 < _e2640.member_1))), _e4519), type_9(((_e2713 + _e4529.member) + select(0u, 1u, (_e4532 < _e2709))), _e4532), type_9(((_e2784 + _e4542.member) + select(0u, 1u, (_e4545 < _e2780))), _e4545)), _e4467);
-                                                let _e4570 = function_6(((_e4554[1].member - _e4554[0].member) - select(0u, 1u, (_e4554[1].member_1 < _e4554[0].member_1))), (_e4554[1].member_1 - _e4554[0].member_1), _e4463);
-                                                let _e4573 = (_e4554[0].member_1 + _e4570.member_1);
-                                                let _e4591 = function_6(((_e4554[1].member - _e4554[0].member) - select(0u, 1u, (_e4554[1].member_1 < _e4554[0].member_1))), (_e4554[1].member_1 - _e4554[0].member_1), _e4467);
-                                                let _e4594 = (_e4554[0].member_1 + _e4591.member_1);
-                                                let _e4612 = function_6(((_e4555[1].member - _e4555[0].member) - select(0u, 1u, (_e4555[1].member_1 < _e4555[0].member_1))), (_e4555[1].member_1 - _e4555[0].member_1), _e4467);
-                                                let _e4615 = (_e4555[0].member_1 + _e4612.member_1);
-                                                let _e4633 = function_6(((_e4556[1].member - _e4556[0].member) - select(0u, 1u, (_e4556[1].member_1 < _e4556[0].member_1))), (_e4556[1].member_1 - _e4556[0].member_1), _e4467);
-                                                let _e4636 = (_e4556[0].member_1 + _e4633.member_1);
-                                                phi_7791_ = array<type_9, 4>(type_9(((_e4554[0].member + _e4570.member) + select(0u, 1u, (_e4573 < _e4554[0].member_1))), _e4573), type_9(((_e4554[0].member + _e4591.member) + select(0u, 1u, (_e4594 < _e4554[0].member_1))), _e4594), type_9(((_e4555[0].member + _e4612.member) + select(0u, 1u, (_e4615 < _e4555[0].member_1))), _e4615), type_9(((_e4556[0].member + _e4633.member) + select(0u, 1u, (_e4636 < _e4556[0].member_1))), _e4636));
+                                    if _e4438 {
+                                        if _e4424 {
+                                            let _e4439 = (_e4428 + 1u);
+                                            let _e4441 = (_e4439 & (4294967295u - _e4428));
+                                            let _e4447 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e4441)), 32u, (_e4441 == 0u)));
+                                            let _e4449 = select(_e4447, _e4426, (_e4426 < _e4447));
+                                            let _e4452 = (_e4439 >> bitcast<u32>((_e4449 & 31u)));
+                                            let _e4453 = (_e4426 - _e4449);
+                                            let _e4457 = select(true, select(true, false, (_e4453 == 0u)), (_e4452 == 1u));
+                                            if _e4457 {
+                                                let _e4458 = (31u - _e4453);
+                                                let _e4461 = (_e4452 << bitcast<u32>((_e4458 & 31u)));
+                                                let _e4465 = ((_e4452 + 1u) << bitcast<u32>((_e4458 & 31u)));
+                                                let _e4471 = function_6(((_e2711 - _e2638.member) - select(0u, 1u, (_e2707 < _e2638.member_1))), (_e2707 - _e2638.member_1), _e4461);
+                                                let _e4474 = (_e2638.member_1 + _e4471.member_1);
+                                                let _e4484 = function_6(((_e2782 - _e2711) - select(0u, 1u, (_e2778 < _e2707))), (_e2778 - _e2707), _e4461);
+                                                let _e4487 = (_e2707 + _e4484.member_1);
+                                                let _e4497 = function_6(((_e2816.member - _e2782) - select(0u, 1u, (_e2816.member_1 < _e2778))), (_e2816.member_1 - _e2778), _e4461);
+                                                let _e4500 = (_e2778 + _e4497.member_1);
+                                                let _e4508 = array<type_9, 3>(type_9(((_e2638.member + _e4471.member) + select(0u, 1u, (_e4474 < _e2638.member_1))), _e4474), type_9(((_e2711 + _e4484.member) + select(0u, 1u, (_e4487 < _e2707))), _e4487), type_9(((_e2782 + _e4497.member) + select(0u, 1u, (_e4500 < _e2778))), _e4500));
+                                                let _e4514 = function_6(((_e2711 - _e2638.member) - select(0u, 1u, (_e2707 < _e2638.member_1))), (_e2707 - _e2638.member_1), _e4465);
+                                                let _e4517 = (_e2638.member_1 + _e4514.member_1);
+                                                let _e4527 = function_6(((_e2782 - _e2711) - select(0u, 1u, (_e2778 < _e2707))), (_e2778 - _e2707), _e4465);
+                                                let _e4530 = (_e2707 + _e4527.member_1);
+                                                let _e4540 = function_6(((_e2816.member - _e2782) - select(0u, 1u, (_e2816.member_1 < _e2778))), (_e2816.member_1 - _e2778), _e4465);
+                                                let _e4543 = (_e2778 + _e4540.member_1);
+                                                let _e4552 = function_7(_e4508, _e4461);
+                                                let _e4553 = function_7(_e4508, _e4465);
+                                                let _e4554 = function_7(array<type_9, 3>(type_9(((_e2638.member + _e4514.member) + select(0u, 1u, (_e4517 < _e2638.member_1))), _e4517), type_9(((_e2711 + _e4527.member) + select(0u, 1u, (_e4530 < _e2707))), _e4530), type_9(((_e2782 + _e4540.member) + select(0u, 1u, (_e4543 < _e2778))), _e4543)), _e4465);
+                                                let _e4568 = function_6(((_e4552[1].member - _e4552[0].member) - select(0u, 1u, (_e4552[1].member_1 < _e4552[0].member_1))), (_e4552[1].member_1 - _e4552[0].member_1), _e4461);
+                                                let _e4571 = (_e4552[0].member_1 + _e4568.member_1);
+                                                let _e4589 = function_6(((_e4552[1].member - _e4552[0].member) - select(0u, 1u, (_e4552[1].member_1 < _e4552[0].member_1))), (_e4552[1].member_1 - _e4552[0].member_1), _e4465);
+                                                let _e4592 = (_e4552[0].member_1 + _e4589.member_1);
+                                                let _e4610 = function_6(((_e4553[1].member - _e4553[0].member) - select(0u, 1u, (_e4553[1].member_1 < _e4553[0].member_1))), (_e4553[1].member_1 - _e4553[0].member_1), _e4465);
+                                                let _e4613 = (_e4553[0].member_1 + _e4610.member_1);
+                                                let _e4631 = function_6(((_e4554[1].member - _e4554[0].member) - select(0u, 1u, (_e4554[1].member_1 < _e4554[0].member_1))), (_e4554[1].member_1 - _e4554[0].member_1), _e4465);
+                                                let _e4634 = (_e4554[0].member_1 + _e4631.member_1);
+                                                phi_7790_ = array<type_9, 4>(type_9(((_e4552[0].member + _e4568.member) + select(0u, 1u, (_e4571 < _e4552[0].member_1))), _e4571), type_9(((_e4552[0].member + _e4589.member) + select(0u, 1u, (_e4592 < _e4552[0].member_1))), _e4592), type_9(((_e4553[0].member + _e4610.member) + select(0u, 1u, (_e4613 < _e4553[0].member_1))), _e4613), type_9(((_e4554[0].member + _e4631.member) + select(0u, 1u, (_e4634 < _e4554[0].member_1))), _e4634));
                                             } else {
-                                                phi_7791_ = array<type_9, 4>();
+                                                phi_7790_ = array<type_9, 4>();
                                             }
-                                            let _e4647 = phi_7791_;
-                                            phi_7792_ = _e4647;
-                                            phi_7793_ = _e4455;
-                                            phi_7794_ = _e4454;
-                                            phi_7795_ = _e4459;
+                                            let _e4645 = phi_7790_;
+                                            phi_7791_ = _e4645;
+                                            phi_7792_ = _e4453;
+                                            phi_7793_ = _e4452;
+                                            phi_7794_ = _e4457;
                                         } else {
-                                            phi_7792_ = _e4424;
+                                            phi_7791_ = _e4422;
+                                            phi_7792_ = _e4426;
                                             phi_7793_ = _e4428;
-                                            phi_7794_ = _e4430;
-                                            phi_7795_ = true;
+                                            phi_7794_ = true;
                                         }
+                                        let _e4647 = phi_7791_;
                                         let _e4649 = phi_7792_;
                                         let _e4651 = phi_7793_;
                                         let _e4653 = phi_7794_;
-                                        let _e4655 = phi_7795_;
+                                        phi_7799_ = _e4647;
                                         phi_7800_ = _e4649;
                                         phi_7801_ = _e4651;
                                         phi_7802_ = _e4653;
-                                        phi_7803_ = _e4655;
-                                        phi_7804_ = select(true, false, _e4655);
-                                        phi_7805_ = false;
-                                    } else {
-                                        phi_7800_ = array<type_9, 4>();
-                                        phi_7801_ = u32();
-                                        phi_7802_ = u32();
-                                        phi_7803_ = false;
+                                        phi_7803_ = select(true, false, _e4653);
                                         phi_7804_ = false;
-                                        phi_7805_ = true;
+                                    } else {
+                                        phi_7799_ = array<type_9, 4>();
+                                        phi_7800_ = u32();
+                                        phi_7801_ = u32();
+                                        phi_7802_ = false;
+                                        phi_7803_ = false;
+                                        phi_7804_ = true;
                                     }
+                                    let _e4656 = phi_7799_;
                                     let _e4658 = phi_7800_;
                                     let _e4660 = phi_7801_;
                                     let _e4662 = phi_7802_;
                                     let _e4664 = phi_7803_;
                                     let _e4666 = phi_7804_;
-                                    let _e4668 = phi_7805_;
-                                    phi_7806_ = _e4658;
+                                    phi_7805_ = _e4656;
+                                    phi_7807_ = _e4658;
                                     phi_7808_ = _e4660;
-                                    phi_7809_ = _e4662;
+                                    phi_7809_ = _e4430;
                                     phi_7810_ = _e4432;
                                     phi_7811_ = _e4434;
                                     phi_7812_ = _e4436;
-                                    phi_7813_ = _e4438;
+                                    phi_7813_ = _e4662;
                                     phi_7814_ = _e4664;
                                     phi_7815_ = _e4666;
-                                    phi_7816_ = _e4668;
                                 }
-                                let _e4670 = phi_7806_;
+                                let _e4668 = phi_7805_;
+                                let _e4670 = phi_7807_;
                                 let _e4672 = phi_7808_;
                                 let _e4674 = phi_7809_;
                                 let _e4676 = phi_7810_;
@@ -2114,38 +2104,38 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e4682 = phi_7813_;
                                 let _e4684 = phi_7814_;
                                 let _e4686 = phi_7815_;
-                                let _e4688 = phi_7816_;
-                                phi_5093_ = _e4670;
-                                phi_5097_ = _e4672;
-                                phi_5099_ = _e4674;
-                                phi_7817_ = _e2849;
+                                phi_5092_ = _e4668;
+                                phi_5096_ = _e4670;
+                                phi_5098_ = _e4672;
+                                phi_7816_ = _e2847;
+                                phi_7817_ = _e4674;
                                 phi_7818_ = _e4676;
                                 phi_7819_ = _e4678;
                                 phi_7820_ = _e4680;
                                 phi_7821_ = _e4682;
-                                phi_7822_ = _e4684;
-                                phi_7823_ = _e2854;
-                                phi_7824_ = false;
-                                phi_7825_ = _e4686;
-                                phi_7826_ = _e4688;
-                            } else {
-                                phi_5093_ = array<type_9, 4>();
-                                phi_5097_ = u32();
-                                phi_5099_ = u32();
-                                phi_7817_ = u32();
-                                phi_7818_ = bool();
-                                phi_7819_ = bool();
-                                phi_7820_ = u32();
-                                phi_7821_ = u32();
-                                phi_7822_ = false;
+                                phi_7822_ = _e2852;
                                 phi_7823_ = false;
-                                phi_7824_ = true;
+                                phi_7824_ = _e4684;
+                                phi_7825_ = _e4686;
+                            } else {
+                                phi_5092_ = array<type_9, 4>();
+                                phi_5096_ = u32();
+                                phi_5098_ = u32();
+                                phi_7816_ = u32();
+                                phi_7817_ = bool();
+                                phi_7818_ = bool();
+                                phi_7819_ = u32();
+                                phi_7820_ = u32();
+                                phi_7821_ = false;
+                                phi_7822_ = false;
+                                phi_7823_ = true;
+                                phi_7824_ = false;
                                 phi_7825_ = false;
-                                phi_7826_ = false;
                             }
-                            let _e4690 = phi_5093_;
-                            let _e4692 = phi_5097_;
-                            let _e4694 = phi_5099_;
+                            let _e4688 = phi_5092_;
+                            let _e4690 = phi_5096_;
+                            let _e4692 = phi_5098_;
+                            let _e4694 = phi_7816_;
                             let _e4696 = phi_7817_;
                             let _e4698 = phi_7818_;
                             let _e4700 = phi_7819_;
@@ -2155,1023 +2145,1023 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e4708 = phi_7823_;
                             let _e4710 = phi_7824_;
                             let _e4712 = phi_7825_;
-                            let _e4714 = phi_7826_;
-                            local_45 = _e4708;
-                            local_46 = _e4708;
-                            local_47 = _e4708;
-                            local_48 = _e4710;
-                            local_49 = _e4708;
-                            local_50 = _e4712;
-                            local_51 = _e4708;
-                            local_52 = _e4714;
-                            local_53 = _e4708;
-                            local_54 = _e4700;
-                            local_55 = _e4702;
-                            local_59 = _e4702;
-                            local_60 = _e4702;
-                            local_61 = _e4702;
-                            local_62 = _e4702;
-                            local_63 = _e4702;
-                            local_64 = _e4702;
-                            local_65 = _e4702;
-                            local_66 = _e4702;
-                            local_67 = _e4702;
-                            local_68 = _e4702;
-                            local_69 = _e4702;
-                            local_70 = _e4702;
-                            local_71 = _e4702;
-                            local_72 = _e4698;
-                            local_73 = _e4696;
-                            local_74 = _e4702;
-                            local_75 = _e4704;
-                            local_76 = _e4696;
+                            local_45 = _e4706;
+                            local_46 = _e4706;
+                            local_47 = _e4706;
+                            local_48 = _e4708;
+                            local_49 = _e4706;
+                            local_50 = _e4710;
+                            local_51 = _e4706;
+                            local_52 = _e4712;
+                            local_53 = _e4706;
+                            local_54 = _e4698;
+                            local_55 = _e4700;
+                            local_59 = _e4700;
+                            local_60 = _e4700;
+                            local_61 = _e4700;
+                            local_62 = _e4700;
+                            local_63 = _e4700;
+                            local_64 = _e4700;
+                            local_65 = _e4700;
+                            local_66 = _e4700;
+                            local_67 = _e4700;
+                            local_68 = _e4700;
+                            local_69 = _e4700;
+                            local_70 = _e4700;
+                            local_71 = _e4700;
+                            local_72 = _e4696;
+                            local_73 = _e4694;
+                            local_74 = _e4700;
+                            local_75 = _e4702;
+                            local_76 = _e4694;
                             continue;
                             continuing {
-                                phi_5089_ = type_9(select(_e2825.member, (_e2825.member + 1u), _e2834), select(_e2825.member_1, _e2825.member_1, _e2834));
-                                phi_5092_ = _e4690;
-                                phi_5096_ = _e4692;
-                                phi_5098_ = _e4694;
-                                break if !(_e4706);
+                                phi_5088_ = type_9(select(_e2823.member, (_e2823.member + 1u), _e2832), select(_e2823.member_1, _e2823.member_1, _e2832));
+                                phi_5091_ = _e4688;
+                                phi_5095_ = _e4690;
+                                phi_5097_ = _e4692;
+                                break if !(_e4704);
                             }
                         }
-                        let _e4718 = local_45;
-                        let _e4723 = local_46;
-                        let _e4726 = local_47;
-                        let _e4728 = local_48;
-                        let _e4729 = select(_e4728, false, _e4726);
-                        let _e4731 = local_49;
-                        let _e4733 = local_50;
-                        let _e4736 = local_51;
-                        let _e4738 = local_52;
-                        let _e4745 = select(select(_e4733, false, _e4731), false, _e4729);
-                        let _e4748 = local_53;
-                        if select(select(select(_e4738, false, _e4736), false, _e4729), false, _e4745) {
-                            let _e4759 = local_54;
-                            if _e4759 {
-                                let _e4761 = local_55;
-                                if (_e4761 <= 2147483648u) {
-                                    let _e4764 = local_56;
-                                    let _e4768 = local_57;
-                                    let _e4771 = function_12(128u);
-                                    let _e4776 = ((_e4764[0].member >> bitcast<u32>(31i)) != 0u);
-                                    let _e4784 = local_58;
-                                    let _e4808 = local_59;
-                                    let _e4809 = function_6(((_e2713 - _e2640.member) - select(0u, 1u, (_e2709 < _e2640.member_1))), (_e2709 - _e2640.member_1), _e4808);
-                                    let _e4812 = (_e2640.member_1 + _e4809.member_1);
-                                    let _e4823 = local_60;
-                                    let _e4824 = function_6(((_e2784 - _e2713) - select(0u, 1u, (_e2780 < _e2709))), (_e2780 - _e2709), _e4823);
-                                    let _e4827 = (_e2709 + _e4824.member_1);
-                                    let _e4838 = local_61;
-                                    let _e4839 = function_6(((_e2818.member - _e2784) - select(0u, 1u, (_e2818.member_1 < _e2780))), (_e2818.member_1 - _e2780), _e4838);
-                                    let _e4842 = (_e2780 + _e4839.member_1);
-                                    let _e4850 = array<type_9, 3>(type_9(((_e2640.member + _e4809.member) + select(0u, 1u, (_e4812 < _e2640.member_1))), _e4812), type_9(((_e2713 + _e4824.member) + select(0u, 1u, (_e4827 < _e2709))), _e4827), type_9(((_e2784 + _e4839.member) + select(0u, 1u, (_e4842 < _e2780))), _e4842));
-                                    let _e4857 = local_62;
-                                    let _e4858 = function_6(((_e2713 - _e2640.member) - select(0u, 1u, (_e2709 < _e2640.member_1))), (_e2709 - _e2640.member_1), _e4857);
-                                    let _e4861 = (_e2640.member_1 + _e4858.member_1);
-                                    let _e4872 = local_63;
-                                    let _e4873 = function_6(((_e2784 - _e2713) - select(0u, 1u, (_e2780 < _e2709))), (_e2780 - _e2709), _e4872);
-                                    let _e4876 = (_e2709 + _e4873.member_1);
-                                    let _e4887 = local_64;
-                                    let _e4888 = function_6(((_e2818.member - _e2784) - select(0u, 1u, (_e2818.member_1 < _e2780))), (_e2818.member_1 - _e2780), _e4887);
-                                    let _e4891 = (_e2780 + _e4888.member_1);
-                                    let _e4901 = local_65;
-                                    let _e4902 = function_7(_e4850, _e4901);
-                                    let _e4904 = local_66;
-                                    let _e4905 = function_7(_e4850, _e4904);
-                                    let _e4907 = local_67;
-                                    let _e4908 = function_7(array<type_9, 3>(type_9(((_e2640.member + _e4858.member) + select(0u, 1u, (_e4861 < _e2640.member_1))), _e4861), type_9(((_e2713 + _e4873.member) + select(0u, 1u, (_e4876 < _e2709))), _e4876), type_9(((_e2784 + _e4888.member) + select(0u, 1u, (_e4891 < _e2780))), _e4891)), _e4907);
-                                    let _e4923 = local_68;
-                                    let _e4924 = function_6(((_e4902[1].member - _e4902[0].member) - select(0u, 1u, (_e4902[1].member_1 < _e4902[0].member_1))), (_e4902[1].member_1 - _e4902[0].member_1), _e4923);
-                                    let _e4927 = (_e4902[0].member_1 + _e4924.member_1);
-                                    let _e4931 = ((_e4902[0].member + _e4924.member) + select(0u, 1u, (_e4927 < _e4902[0].member_1)));
-                                    let _e4946 = local_69;
-                                    let _e4947 = function_6(((_e4902[1].member - _e4902[0].member) - select(0u, 1u, (_e4902[1].member_1 < _e4902[0].member_1))), (_e4902[1].member_1 - _e4902[0].member_1), _e4946);
-                                    let _e4962 = local_70;
-                                    let _e4963 = function_6(((_e4905[1].member - _e4905[0].member) - select(0u, 1u, (_e4905[1].member_1 < _e4905[0].member_1))), (_e4905[1].member_1 - _e4905[0].member_1), _e4962);
-                                    let _e4978 = local_71;
-                                    let _e4979 = function_6(((_e4908[1].member - _e4908[0].member) - select(0u, 1u, (_e4908[1].member_1 < _e4908[0].member_1))), (_e4908[1].member_1 - _e4908[0].member_1), _e4978);
-                                    let _e4980 = function_12(128u);
-                                    let _e4985 = ((_e4931 >> bitcast<u32>(31i)) != 0u);
-                                    phi_8201_ = ((select(0u, select(1u, 2u, ((_e4764[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e4771.member - select(_e4784[0].member, (~(_e4764[0].member) + select(0u, 1u, (_e4768[0].member_1 == 0u))), _e4776)) - select(0u, 1u, (_e4771.member_1 < select(_e4784[0].member_1, (~(_e4768[0].member_1) + 1u), _e4776)))) >> bitcast<u32>(31i)) != 0u)) | select(0u, select(1u, 2u, ((_e4931 >> bitcast<u32>(31i)) != 0u)), ((((_e4980.member - select(_e4931, (~(_e4931) + select(0u, 1u, (_e4927 == 0u))), _e4985)) - select(0u, 1u, (_e4980.member_1 < select(_e4927, (~(_e4927) + 1u), _e4985)))) >> bitcast<u32>(31i)) != 0u))) == 3u);
-                                    phi_8202_ = false;
+                        let _e4716 = local_45;
+                        let _e4721 = local_46;
+                        let _e4724 = local_47;
+                        let _e4726 = local_48;
+                        let _e4727 = select(_e4726, false, _e4724);
+                        let _e4729 = local_49;
+                        let _e4731 = local_50;
+                        let _e4734 = local_51;
+                        let _e4736 = local_52;
+                        let _e4743 = select(select(_e4731, false, _e4729), false, _e4727);
+                        let _e4746 = local_53;
+                        if select(select(select(_e4736, false, _e4734), false, _e4727), false, _e4743) {
+                            let _e4757 = local_54;
+                            if _e4757 {
+                                let _e4759 = local_55;
+                                if (_e4759 <= 2147483648u) {
+                                    let _e4762 = local_56;
+                                    let _e4766 = local_57;
+                                    let _e4769 = function_12(128u);
+                                    let _e4774 = ((_e4762[0].member >> bitcast<u32>(31i)) != 0u);
+                                    let _e4782 = local_58;
+                                    let _e4806 = local_59;
+                                    let _e4807 = function_6(((_e2711 - _e2638.member) - select(0u, 1u, (_e2707 < _e2638.member_1))), (_e2707 - _e2638.member_1), _e4806);
+                                    let _e4810 = (_e2638.member_1 + _e4807.member_1);
+                                    let _e4821 = local_60;
+                                    let _e4822 = function_6(((_e2782 - _e2711) - select(0u, 1u, (_e2778 < _e2707))), (_e2778 - _e2707), _e4821);
+                                    let _e4825 = (_e2707 + _e4822.member_1);
+                                    let _e4836 = local_61;
+                                    let _e4837 = function_6(((_e2816.member - _e2782) - select(0u, 1u, (_e2816.member_1 < _e2778))), (_e2816.member_1 - _e2778), _e4836);
+                                    let _e4840 = (_e2778 + _e4837.member_1);
+                                    let _e4848 = array<type_9, 3>(type_9(((_e2638.member + _e4807.member) + select(0u, 1u, (_e4810 < _e2638.member_1))), _e4810), type_9(((_e2711 + _e4822.member) + select(0u, 1u, (_e4825 < _e2707))), _e4825), type_9(((_e2782 + _e4837.member) + select(0u, 1u, (_e4840 < _e2778))), _e4840));
+                                    let _e4855 = local_62;
+                                    let _e4856 = function_6(((_e2711 - _e2638.member) - select(0u, 1u, (_e2707 < _e2638.member_1))), (_e2707 - _e2638.member_1), _e4855);
+                                    let _e4859 = (_e2638.member_1 + _e4856.member_1);
+                                    let _e4870 = local_63;
+                                    let _e4871 = function_6(((_e2782 - _e2711) - select(0u, 1u, (_e2778 < _e2707))), (_e2778 - _e2707), _e4870);
+                                    let _e4874 = (_e2707 + _e4871.member_1);
+                                    let _e4885 = local_64;
+                                    let _e4886 = function_6(((_e2816.member - _e2782) - select(0u, 1u, (_e2816.member_1 < _e2778))), (_e2816.member_1 - _e2778), _e4885);
+                                    let _e4889 = (_e2778 + _e4886.member_1);
+                                    let _e4899 = local_65;
+                                    let _e4900 = function_7(_e4848, _e4899);
+                                    let _e4902 = local_66;
+                                    let _e4903 = function_7(_e4848, _e4902);
+                                    let _e4905 = local_67;
+                                    let _e4906 = function_7(array<type_9, 3>(type_9(((_e2638.member + _e4856.member) + select(0u, 1u, (_e4859 < _e2638.member_1))), _e4859), type_9(((_e2711 + _e4871.member) + select(0u, 1u, (_e4874 < _e2707))), _e4874), type_9(((_e2782 + _e4886.member) + select(0u, 1u, (_e4889 < _e2778))), _e4889)), _e4905);
+                                    let _e4921 = local_68;
+                                    let _e4922 = function_6(((_e4900[1].member - _e4900[0].member) - select(0u, 1u, (_e4900[1].member_1 < _e4900[0].member_1))), (_e4900[1].member_1 - _e4900[0].member_1), _e4921);
+                                    let _e4925 = (_e4900[0].member_1 + _e4922.member_1);
+                                    let _e4929 = ((_e4900[0].member + _e4922.member) + select(0u, 1u, (_e4925 < _e4900[0].member_1)));
+                                    let _e4944 = local_69;
+                                    let _e4945 = function_6(((_e4900[1].member - _e4900[0].member) - select(0u, 1u, (_e4900[1].member_1 < _e4900[0].member_1))), (_e4900[1].member_1 - _e4900[0].member_1), _e4944);
+                                    let _e4960 = local_70;
+                                    let _e4961 = function_6(((_e4903[1].member - _e4903[0].member) - select(0u, 1u, (_e4903[1].member_1 < _e4903[0].member_1))), (_e4903[1].member_1 - _e4903[0].member_1), _e4960);
+                                    let _e4976 = local_71;
+                                    let _e4977 = function_6(((_e4906[1].member - _e4906[0].member) - select(0u, 1u, (_e4906[1].member_1 < _e4906[0].member_1))), (_e4906[1].member_1 - _e4906[0].member_1), _e4976);
+                                    let _e4978 = function_12(128u);
+                                    let _e4983 = ((_e4929 >> bitcast<u32>(31i)) != 0u);
+                                    phi_8200_ = ((select(0u, select(1u, 2u, ((_e4762[0].member >> bitcast<u32>(31i)) != 0u)), ((((_e4769.member - select(_e4782[0].member, (~(_e4762[0].member) + select(0u, 1u, (_e4766[0].member_1 == 0u))), _e4774)) - select(0u, 1u, (_e4769.member_1 < select(_e4782[0].member_1, (~(_e4766[0].member_1) + 1u), _e4774)))) >> bitcast<u32>(31i)) != 0u)) | select(0u, select(1u, 2u, ((_e4929 >> bitcast<u32>(31i)) != 0u)), ((((_e4978.member - select(_e4929, (~(_e4929) + select(0u, 1u, (_e4925 == 0u))), _e4983)) - select(0u, 1u, (_e4978.member_1 < select(_e4925, (~(_e4925) + 1u), _e4983)))) >> bitcast<u32>(31i)) != 0u))) == 3u);
+                                    phi_8201_ = false;
                                 } else {
-                                    phi_8201_ = bool();
-                                    phi_8202_ = true;
+                                    phi_8200_ = bool();
+                                    phi_8201_ = true;
                                 }
+                                let _e5007 = phi_8200_;
                                 let _e5009 = phi_8201_;
-                                let _e5011 = phi_8202_;
+                                phi_8202_ = _e5007;
                                 phi_8203_ = _e5009;
-                                phi_8204_ = _e5011;
                             } else {
-                                phi_8203_ = bool();
-                                phi_8204_ = true;
+                                phi_8202_ = bool();
+                                phi_8203_ = true;
                             }
+                            let _e5011 = phi_8202_;
                             let _e5013 = phi_8203_;
-                            let _e5015 = phi_8204_;
-                            let _e5017 = local_72;
-                            let _e5018 = select(_e5013, _e5017, _e5015);
-                            let _e5020 = local_73;
-                            let _e5023 = local_74;
-                            let _e5025 = select(false, (_e5023 <= _e1314), (_e5020 >= _e1312));
-                            let _e5027 = local_75;
-                            let _e5033 = select(select(bool(), select(bool(), (_e5027 == 0u), _e5025), _e5018), false, select(true, select(true, false, _e5025), _e5018));
-                            let _e5037 = local_76;
-                            phi_8236_ = type_9(select(2u, 1u, _e5033), select(type_9().member_1, _e5037, _e5033));
-                            phi_8237_ = true;
-                            phi_8238_ = false;
+                            let _e5015 = local_72;
+                            let _e5016 = select(_e5011, _e5015, _e5013);
+                            let _e5018 = local_73;
+                            let _e5021 = local_74;
+                            let _e5023 = select(false, (_e5021 <= _e1312), (_e5018 >= _e1310));
+                            let _e5025 = local_75;
+                            let _e5031 = select(select(bool(), select(bool(), (_e5025 == 0u), _e5023), _e5016), false, select(true, select(true, false, _e5023), _e5016));
+                            let _e5035 = local_76;
+                            phi_8235_ = type_9(select(2u, 1u, _e5031), select(type_9().member_1, _e5035, _e5031));
+                            phi_8236_ = true;
+                            phi_8237_ = false;
                         } else {
-                            phi_8236_ = type_9(select(type_9().member, 0u, _e4745), select(type_9().member_1, type_9().member_1, _e4745));
-                            phi_8237_ = _e4745;
-                            phi_8238_ = select(select(_e4748, false, _e4729), false, _e4745);
+                            phi_8235_ = type_9(select(type_9().member, 0u, _e4743), select(type_9().member_1, type_9().member_1, _e4743));
+                            phi_8236_ = _e4743;
+                            phi_8237_ = select(select(_e4746, false, _e4727), false, _e4743);
                         }
+                        let _e5039 = phi_8235_;
                         let _e5041 = phi_8236_;
                         let _e5043 = phi_8237_;
-                        let _e5045 = phi_8238_;
-                        let _e5050 = select(_e5045, true, _e5043);
-                        let _e5052 = select(select(type_9().member_1, type_9().member_1, _e4729), select(select(type_9().member_1, type_9().member_1, _e4723), _e5041.member_1, _e5043), _e5050);
-                        switch bitcast<i32>(select(select(type_9().member, 2u, _e4729), select(select(type_9().member, 0u, _e4718), _e5041.member, _e5043), _e5050)) {
+                        let _e5048 = select(_e5043, true, _e5041);
+                        let _e5050 = select(select(type_9().member_1, type_9().member_1, _e4727), select(select(type_9().member_1, type_9().member_1, _e4721), _e5039.member_1, _e5041), _e5048);
+                        switch bitcast<i32>(select(select(type_9().member, 2u, _e4727), select(select(type_9().member, 0u, _e4716), _e5039.member, _e5041), _e5048)) {
                             case 0: {
-                                phi_8284_ = type_35(0u, 0u, array<u32, 2>(0u, 0u), false);
+                                phi_8283_ = type_31(0u, 0u, array<u32, 2>(0u, 0u), false);
                                 break;
                             }
                             case 1: {
-                                if (_e5052 == 0u) {
-                                    phi_8278_ = array<u32, 2>(0u, 0u);
+                                if (_e5050 == 0u) {
+                                    phi_8277_ = array<u32, 2>(0u, 0u);
                                 } else {
-                                    let _e5061 = select((bitcast<u32>(31i) - firstLeadingBit(_e5052)), 32u, (_e5052 == 0u));
-                                    let _e5066 = ((_e5052 << bitcast<u32>((_e5061 & 31u))) << bitcast<u32>(1i));
-                                    phi_8278_ = array<u32, 2>((_e5066 << bitcast<u32>(20i)), (((1023u - _e5061) << bitcast<u32>(20i)) | (_e5066 >> bitcast<u32>(12i))));
+                                    let _e5059 = select((bitcast<u32>(31i) - firstLeadingBit(_e5050)), 32u, (_e5050 == 0u));
+                                    let _e5064 = ((_e5050 << bitcast<u32>((_e5059 & 31u))) << bitcast<u32>(1i));
+                                    phi_8277_ = array<u32, 2>((_e5064 << bitcast<u32>(20i)), (((1023u - _e5059) << bitcast<u32>(20i)) | (_e5064 >> bitcast<u32>(12i))));
                                 }
-                                let _e5077 = phi_8278_;
-                                phi_8284_ = type_35(0u, select(0u, 1u, (_e5052 > _e1312)), _e5077, true);
+                                let _e5075 = phi_8277_;
+                                phi_8283_ = type_31(0u, select(0u, 1u, (_e5050 > _e1310)), _e5075, true);
                                 break;
                             }
                             case 2: {
-                                phi_8284_ = type_35(1u, 0u, array<u32, 2>(0u, 0u), true);
+                                phi_8283_ = type_31(1u, 0u, array<u32, 2>(0u, 0u), true);
                                 break;
                             }
                             default: {
-                                phi_8284_ = type_35();
+                                phi_8283_ = type_31();
                                 break;
                             }
                         }
-                        let _e5080 = phi_8284_;
-                        phi_8291_ = _e5080;
-                        phi_8292_ = select(true, false, (_e5080.member == 0u));
+                        let _e5078 = phi_8283_;
+                        phi_8290_ = _e5078;
+                        phi_8291_ = select(true, false, (_e5078.member == 0u));
                     } else {
-                        phi_8291_ = type_35();
-                        phi_8292_ = true;
+                        phi_8290_ = type_31();
+                        phi_8291_ = true;
                     }
+                    let _e5083 = phi_8290_;
                     let _e5085 = phi_8291_;
-                    let _e5087 = phi_8292_;
+                    phi_8292_ = _e5083;
                     phi_8293_ = _e5085;
-                    phi_8294_ = _e5087;
                 } else {
-                    phi_8293_ = type_35();
-                    phi_8294_ = true;
+                    phi_8292_ = type_31();
+                    phi_8293_ = true;
                 }
+                let _e5087 = phi_8292_;
                 let _e5089 = phi_8293_;
-                let _e5091 = phi_8294_;
-                if _e5091 {
-                    let _e5093 = params.member.member.member_11;
-                    let _e5095 = params.member.member.member_12;
+                if _e5089 {
+                    let _e5091 = params.member.member.member_11;
+                    let _e5093 = params.member.member.member_12;
+                    let _e5095 = params.member.member.member_13;
                     let _e5097 = params.member.member.member_13;
-                    let _e5099 = params.member.member.member_13;
-                    let _e5105 = select(_e539.member[0][0], -(_e539.member[0][0]), (_e539.member[0][0] < 0f));
-                    let _e5109 = select(_e539.member[0][1], -(_e539.member[0][1]), (_e539.member[0][1] < 0f));
-                    let _e5111 = select(_e5109, _e5105, (_e5105 > _e5109));
-                    let _e5115 = select(_e539.member[0][2], -(_e539.member[0][2]), (_e539.member[0][2] < 0f));
-                    let _e5117 = select(_e5115, _e5111, (_e5111 > _e5115));
-                    let _e5123 = select(_e539.member[1][0], -(_e539.member[1][0]), (_e539.member[1][0] < 0f));
-                    let _e5127 = select(_e539.member[1][1], -(_e539.member[1][1]), (_e539.member[1][1] < 0f));
-                    let _e5129 = select(_e5127, _e5123, (_e5123 > _e5127));
-                    let _e5133 = select(_e539.member[1][2], -(_e539.member[1][2]), (_e539.member[1][2] < 0f));
-                    let _e5135 = select(_e5133, _e5129, (_e5129 > _e5133));
-                    let _e5139 = (select(_e5135, _e5117, (_e5117 > _e5135)) + _e539.member_3);
-                    let _e5145 = select(_e539.member_1[0][0], -(_e539.member_1[0][0]), (_e539.member_1[0][0] < 0f));
-                    let _e5149 = select(_e539.member_1[0][1], -(_e539.member_1[0][1]), (_e539.member_1[0][1] < 0f));
-                    let _e5151 = select(_e5149, _e5145, (_e5145 > _e5149));
-                    let _e5155 = select(_e539.member_1[0][2], -(_e539.member_1[0][2]), (_e539.member_1[0][2] < 0f));
-                    let _e5157 = select(_e5155, _e5151, (_e5151 > _e5155));
-                    let _e5163 = select(_e539.member_1[1][0], -(_e539.member_1[1][0]), (_e539.member_1[1][0] < 0f));
-                    let _e5167 = select(_e539.member_1[1][1], -(_e539.member_1[1][1]), (_e539.member_1[1][1] < 0f));
-                    let _e5169 = select(_e5167, _e5163, (_e5163 > _e5167));
-                    let _e5173 = select(_e539.member_1[1][2], -(_e539.member_1[1][2]), (_e539.member_1[1][2] < 0f));
-                    let _e5175 = select(_e5173, _e5169, (_e5169 > _e5173));
-                    let _e5179 = (select(_e5175, _e5157, (_e5157 > _e5175)) + _e539.member_3);
-                    let _e5185 = select(_e539.member_2[0][0], -(_e539.member_2[0][0]), (_e539.member_2[0][0] < 0f));
-                    let _e5189 = select(_e539.member_2[0][1], -(_e539.member_2[0][1]), (_e539.member_2[0][1] < 0f));
-                    let _e5191 = select(_e5189, _e5185, (_e5185 > _e5189));
-                    let _e5195 = select(_e539.member_2[0][2], -(_e539.member_2[0][2]), (_e539.member_2[0][2] < 0f));
-                    let _e5197 = select(_e5195, _e5191, (_e5191 > _e5195));
-                    let _e5203 = select(_e539.member_2[1][0], -(_e539.member_2[1][0]), (_e539.member_2[1][0] < 0f));
-                    let _e5207 = select(_e539.member_2[1][1], -(_e539.member_2[1][1]), (_e539.member_2[1][1] < 0f));
-                    let _e5209 = select(_e5207, _e5203, (_e5203 > _e5207));
-                    let _e5213 = select(_e539.member_2[1][2], -(_e539.member_2[1][2]), (_e539.member_2[1][2] < 0f));
-                    let _e5215 = select(_e5213, _e5209, (_e5209 > _e5213));
-                    let _e5219 = (select(_e5215, _e5197, (_e5197 > _e5215)) + _e539.member_3);
-                    let _e5221 = select(_e5179, _e5139, (_e5139 > _e5179));
-                    let _e5223 = select(_e5219, _e5221, (_e5221 > _e5219));
-                    if (_e5223 <= 65536f) {
-                        phi_8565_ = (_e5223 >= (1f / 65536f));
+                    let _e5103 = select(_e537.member[0][0], -(_e537.member[0][0]), (_e537.member[0][0] < 0f));
+                    let _e5107 = select(_e537.member[0][1], -(_e537.member[0][1]), (_e537.member[0][1] < 0f));
+                    let _e5109 = select(_e5107, _e5103, (_e5103 > _e5107));
+                    let _e5113 = select(_e537.member[0][2], -(_e537.member[0][2]), (_e537.member[0][2] < 0f));
+                    let _e5115 = select(_e5113, _e5109, (_e5109 > _e5113));
+                    let _e5121 = select(_e537.member[1][0], -(_e537.member[1][0]), (_e537.member[1][0] < 0f));
+                    let _e5125 = select(_e537.member[1][1], -(_e537.member[1][1]), (_e537.member[1][1] < 0f));
+                    let _e5127 = select(_e5125, _e5121, (_e5121 > _e5125));
+                    let _e5131 = select(_e537.member[1][2], -(_e537.member[1][2]), (_e537.member[1][2] < 0f));
+                    let _e5133 = select(_e5131, _e5127, (_e5127 > _e5131));
+                    let _e5137 = (select(_e5133, _e5115, (_e5115 > _e5133)) + _e537.member_3);
+                    let _e5143 = select(_e537.member_1[0][0], -(_e537.member_1[0][0]), (_e537.member_1[0][0] < 0f));
+                    let _e5147 = select(_e537.member_1[0][1], -(_e537.member_1[0][1]), (_e537.member_1[0][1] < 0f));
+                    let _e5149 = select(_e5147, _e5143, (_e5143 > _e5147));
+                    let _e5153 = select(_e537.member_1[0][2], -(_e537.member_1[0][2]), (_e537.member_1[0][2] < 0f));
+                    let _e5155 = select(_e5153, _e5149, (_e5149 > _e5153));
+                    let _e5161 = select(_e537.member_1[1][0], -(_e537.member_1[1][0]), (_e537.member_1[1][0] < 0f));
+                    let _e5165 = select(_e537.member_1[1][1], -(_e537.member_1[1][1]), (_e537.member_1[1][1] < 0f));
+                    let _e5167 = select(_e5165, _e5161, (_e5161 > _e5165));
+                    let _e5171 = select(_e537.member_1[1][2], -(_e537.member_1[1][2]), (_e537.member_1[1][2] < 0f));
+                    let _e5173 = select(_e5171, _e5167, (_e5167 > _e5171));
+                    let _e5177 = (select(_e5173, _e5155, (_e5155 > _e5173)) + _e537.member_3);
+                    let _e5183 = select(_e537.member_2[0][0], -(_e537.member_2[0][0]), (_e537.member_2[0][0] < 0f));
+                    let _e5187 = select(_e537.member_2[0][1], -(_e537.member_2[0][1]), (_e537.member_2[0][1] < 0f));
+                    let _e5189 = select(_e5187, _e5183, (_e5183 > _e5187));
+                    let _e5193 = select(_e537.member_2[0][2], -(_e537.member_2[0][2]), (_e537.member_2[0][2] < 0f));
+                    let _e5195 = select(_e5193, _e5189, (_e5189 > _e5193));
+                    let _e5201 = select(_e537.member_2[1][0], -(_e537.member_2[1][0]), (_e537.member_2[1][0] < 0f));
+                    let _e5205 = select(_e537.member_2[1][1], -(_e537.member_2[1][1]), (_e537.member_2[1][1] < 0f));
+                    let _e5207 = select(_e5205, _e5201, (_e5201 > _e5205));
+                    let _e5211 = select(_e537.member_2[1][2], -(_e537.member_2[1][2]), (_e537.member_2[1][2] < 0f));
+                    let _e5213 = select(_e5211, _e5207, (_e5207 > _e5211));
+                    let _e5217 = (select(_e5213, _e5195, (_e5195 > _e5213)) + _e537.member_3);
+                    let _e5219 = select(_e5177, _e5137, (_e5137 > _e5177));
+                    let _e5221 = select(_e5217, _e5219, (_e5219 > _e5217));
+                    if (_e5221 <= 65536f) {
+                        phi_8564_ = (_e5221 >= (1f / 65536f));
                     } else {
-                        phi_8565_ = false;
+                        phi_8564_ = false;
                     }
-                    let _e5228 = phi_8565_;
-                    if _e5228 {
-                        phi_8663_ = type_33();
-                        phi_8664_ = true;
+                    let _e5226 = phi_8564_;
+                    if _e5226 {
+                        phi_8662_ = type_29();
+                        phi_8663_ = true;
                     } else {
-                        if (_e5223 >= 0.000000000000000000000000000000000000011754944f) {
-                            if ((bitcast<u32>(_e5223) & 2139095040u) != 2139095040u) {
-                                let _e5235 = (2130706432u - (bitcast<u32>(_e5223) & 2139095040u));
-                                let _e5238 = bitcast<f32>(select(8388608u, _e5235, (_e5235 > 8388608u)));
-                                phi_8659_ = type_33(type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e539.member[0][0] * _e5238), (_e539.member[0][1] * _e5238), (_e539.member[0][2] * _e5238)), array<f32, 3>((_e539.member[1][0] * _e5238), (_e539.member[1][1] * _e5238), (_e539.member[1][2] * _e5238))), array<array<f32, 3>, 2>(array<f32, 3>((_e539.member_1[0][0] * _e5238), (_e539.member_1[0][1] * _e5238), (_e539.member_1[0][2] * _e5238)), array<f32, 3>((_e539.member_1[1][0] * _e5238), (_e539.member_1[1][1] * _e5238), (_e539.member_1[1][2] * _e5238))), array<array<f32, 3>, 2>(array<f32, 3>((_e539.member_2[0][0] * _e5238), (_e539.member_2[0][1] * _e5238), (_e539.member_2[0][2] * _e5238)), array<f32, 3>((_e539.member_2[1][0] * _e5238), (_e539.member_2[1][1] * _e5238), (_e539.member_2[1][2] * _e5238))), ((_e539.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e5238)), (0f * _e5238));
-                                phi_8660_ = false;
+                        if (_e5221 >= 0.000000000000000000000000000000000000011754944f) {
+                            if ((bitcast<u32>(_e5221) & 2139095040u) != 2139095040u) {
+                                let _e5233 = (2130706432u - (bitcast<u32>(_e5221) & 2139095040u));
+                                let _e5236 = bitcast<f32>(select(8388608u, _e5233, (_e5233 > 8388608u)));
+                                phi_8658_ = type_29(type_27(array<array<f32, 3>, 2>(array<f32, 3>((_e537.member[0][0] * _e5236), (_e537.member[0][1] * _e5236), (_e537.member[0][2] * _e5236)), array<f32, 3>((_e537.member[1][0] * _e5236), (_e537.member[1][1] * _e5236), (_e537.member[1][2] * _e5236))), array<array<f32, 3>, 2>(array<f32, 3>((_e537.member_1[0][0] * _e5236), (_e537.member_1[0][1] * _e5236), (_e537.member_1[0][2] * _e5236)), array<f32, 3>((_e537.member_1[1][0] * _e5236), (_e537.member_1[1][1] * _e5236), (_e537.member_1[1][2] * _e5236))), array<array<f32, 3>, 2>(array<f32, 3>((_e537.member_2[0][0] * _e5236), (_e537.member_2[0][1] * _e5236), (_e537.member_2[0][2] * _e5236)), array<f32, 3>((_e537.member_2[1][0] * _e5236), (_e537.member_2[1][1] * _e5236), (_e537.member_2[1][2] * _e5236))), ((_e537.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e5236)), (0f * _e5236));
+                                phi_8659_ = false;
                             } else {
-                                phi_8659_ = type_33();
-                                phi_8660_ = true;
+                                phi_8658_ = type_29();
+                                phi_8659_ = true;
                             }
+                            let _e5302 = phi_8658_;
                             let _e5304 = phi_8659_;
-                            let _e5306 = phi_8660_;
+                            phi_8660_ = _e5302;
                             phi_8661_ = _e5304;
-                            phi_8662_ = _e5306;
                         } else {
-                            phi_8661_ = type_33();
-                            phi_8662_ = true;
+                            phi_8660_ = type_29();
+                            phi_8661_ = true;
                         }
+                        let _e5306 = phi_8660_;
                         let _e5308 = phi_8661_;
-                        let _e5310 = phi_8662_;
+                        phi_8662_ = _e5306;
                         phi_8663_ = _e5308;
-                        phi_8664_ = _e5310;
                     }
+                    let _e5310 = phi_8662_;
                     let _e5312 = phi_8663_;
-                    let _e5314 = phi_8664_;
-                    if _e5314 {
-                        phi_8669_ = type_33(_e539, 0f);
+                    if _e5312 {
+                        phi_8668_ = type_29(_e537, 0f);
                     } else {
-                        phi_8669_ = _e5312;
+                        phi_8668_ = _e5310;
                     }
-                    let _e5317 = phi_8669_;
-                    local_10 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e5317.member.member[0][0], _e5317.member.member[0][1], _e5317.member.member[0][2]), array<f32, 3>(_e5317.member.member[1][0], _e5317.member.member[1][1], _e5317.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e5317.member.member_1[0][0], _e5317.member.member_1[0][1], _e5317.member.member_1[0][2]), array<f32, 3>(_e5317.member.member_1[1][0], _e5317.member.member_1[1][1], _e5317.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e5317.member.member_2[0][0], _e5317.member.member_2[0][1], _e5317.member.member_2[0][2]), array<f32, 3>(_e5317.member.member_2[1][0], _e5317.member.member_2[1][1], _e5317.member.member_2[1][2])), _e5317.member.member_3);
-                    let _e5359 = local_10.member_1[0u];
-                    let _e5365 = local_10.member_2[0u];
-                    let _e5371 = ((_e5359[1] * _e5365[2]) - (_e5359[2] * _e5365[1]));
-                    let _e5374 = ((_e5359[2] * _e5365[0]) - (_e5359[0] * _e5365[2]));
-                    let _e5377 = ((_e5359[0] * _e5365[1]) - (_e5359[1] * _e5365[0]));
-                    let _e5380 = local_10.member_1[1u];
-                    let _e5386 = local_10.member_2[1u];
-                    let _e5392 = ((_e5380[1] * _e5386[2]) - (_e5380[2] * _e5386[1]));
-                    let _e5395 = ((_e5380[2] * _e5386[0]) - (_e5380[0] * _e5386[2]));
-                    let _e5398 = ((_e5380[0] * _e5386[1]) - (_e5380[1] * _e5386[0]));
-                    let _e5401 = local_10.member_1[0u];
-                    let _e5407 = local_10.member_2[1u];
-                    let _e5422 = local_10.member_1[1u];
-                    let _e5428 = local_10.member_2[0u];
-                    let _e5441 = (((_e5401[1] * _e5407[2]) - (_e5401[2] * _e5407[1])) + ((_e5422[1] * _e5428[2]) - (_e5422[2] * _e5428[1])));
-                    let _e5442 = (((_e5401[2] * _e5407[0]) - (_e5401[0] * _e5407[2])) + ((_e5422[2] * _e5428[0]) - (_e5422[0] * _e5428[2])));
-                    let _e5443 = (((_e5401[0] * _e5407[1]) - (_e5401[1] * _e5407[0])) + ((_e5422[0] * _e5428[1]) - (_e5422[1] * _e5428[0])));
-                    let _e5446 = local_10.member[0u];
-                    let _e5454 = (((_e5446[0] * _e5371) + (_e5446[1] * _e5374)) + (_e5446[2] * _e5377));
-                    let _e5457 = local_10.member[1u];
-                    let _e5468 = local_10.member[0u];
-                    let _e5477 = ((((_e5457[0] * _e5371) + (_e5457[1] * _e5374)) + (_e5457[2] * _e5377)) + (((_e5468[0] * _e5441) + (_e5468[1] * _e5442)) + (_e5468[2] * _e5443)));
-                    let _e5480 = local_10.member[0u];
-                    let _e5491 = local_10.member[1u];
-                    let _e5500 = ((((_e5480[0] * _e5392) + (_e5480[1] * _e5395)) + (_e5480[2] * _e5398)) + (((_e5491[0] * _e5441) + (_e5491[1] * _e5442)) + (_e5491[2] * _e5443)));
-                    let _e5503 = local_10.member[1u];
-                    let _e5511 = (((_e5503[0] * _e5392) + (_e5503[1] * _e5395)) + (_e5503[2] * _e5398));
-                    let _e5514 = local_10.member[0u];
-                    let _e5520 = select(_e5514[0], -(_e5514[0]), (_e5514[0] < 0f));
-                    let _e5523 = select(_e5514[1], -(_e5514[1]), (_e5514[1] < 0f));
-                    let _e5525 = select(_e5523, _e5520, (_e5520 > _e5523));
-                    let _e5528 = select(_e5514[2], -(_e5514[2]), (_e5514[2] < 0f));
-                    let _e5530 = select(_e5528, _e5525, (_e5525 > _e5528));
-                    let _e5533 = local_10.member[1u];
-                    let _e5539 = select(_e5533[0], -(_e5533[0]), (_e5533[0] < 0f));
-                    let _e5542 = select(_e5533[1], -(_e5533[1]), (_e5533[1] < 0f));
-                    let _e5544 = select(_e5542, _e5539, (_e5539 > _e5542));
-                    let _e5547 = select(_e5533[2], -(_e5533[2]), (_e5533[2] < 0f));
-                    let _e5549 = select(_e5547, _e5544, (_e5544 > _e5547));
-                    let _e5553 = local_10.member_3;
-                    let _e5554 = (select(_e5549, _e5530, (_e5530 > _e5549)) + _e5553);
-                    let _e5557 = local_10.member_1[0u];
-                    let _e5563 = select(_e5557[0], -(_e5557[0]), (_e5557[0] < 0f));
-                    let _e5566 = select(_e5557[1], -(_e5557[1]), (_e5557[1] < 0f));
-                    let _e5568 = select(_e5566, _e5563, (_e5563 > _e5566));
-                    let _e5571 = select(_e5557[2], -(_e5557[2]), (_e5557[2] < 0f));
-                    let _e5573 = select(_e5571, _e5568, (_e5568 > _e5571));
-                    let _e5576 = local_10.member_1[1u];
-                    let _e5582 = select(_e5576[0], -(_e5576[0]), (_e5576[0] < 0f));
-                    let _e5585 = select(_e5576[1], -(_e5576[1]), (_e5576[1] < 0f));
-                    let _e5587 = select(_e5585, _e5582, (_e5582 > _e5585));
-                    let _e5590 = select(_e5576[2], -(_e5576[2]), (_e5576[2] < 0f));
-                    let _e5592 = select(_e5590, _e5587, (_e5587 > _e5590));
-                    let _e5596 = local_10.member_3;
-                    let _e5597 = (select(_e5592, _e5573, (_e5573 > _e5592)) + _e5596);
-                    let _e5600 = local_10.member_2[0u];
-                    let _e5606 = select(_e5600[0], -(_e5600[0]), (_e5600[0] < 0f));
-                    let _e5609 = select(_e5600[1], -(_e5600[1]), (_e5600[1] < 0f));
-                    let _e5611 = select(_e5609, _e5606, (_e5606 > _e5609));
-                    let _e5614 = select(_e5600[2], -(_e5600[2]), (_e5600[2] < 0f));
-                    let _e5616 = select(_e5614, _e5611, (_e5611 > _e5614));
-                    let _e5619 = local_10.member_2[1u];
-                    let _e5625 = select(_e5619[0], -(_e5619[0]), (_e5619[0] < 0f));
-                    let _e5628 = select(_e5619[1], -(_e5619[1]), (_e5619[1] < 0f));
-                    let _e5630 = select(_e5628, _e5625, (_e5625 > _e5628));
-                    let _e5633 = select(_e5619[2], -(_e5619[2]), (_e5619[2] < 0f));
-                    let _e5635 = select(_e5633, _e5630, (_e5630 > _e5633));
-                    let _e5639 = local_10.member_3;
-                    let _e5640 = (select(_e5635, _e5616, (_e5616 > _e5635)) + _e5639);
-                    let _e5642 = ((_e5597 * 8f) * _e5640);
-                    let _e5649 = local_10.member_3;
-                    let _e5673 = ((select(_e5371, -(_e5371), (_e5371 < 0f)) + select(_e5374, -(_e5374), (_e5374 < 0f))) + select(_e5377, -(_e5377), (_e5377 < 0f)));
-                    let _e5684 = ((select(_e5392, -(_e5392), (_e5392 < 0f)) + select(_e5395, -(_e5395), (_e5395 < 0f))) + select(_e5398, -(_e5398), (_e5398 < 0f)));
-                    let _e5686 = select(_e5684, _e5673, (_e5673 > _e5684));
-                    let _e5698 = (((select(_e5441, -(_e5441), (_e5441 < 0f)) + select(_e5442, -(_e5442), (_e5442 < 0f))) + select(_e5443, -(_e5443), (_e5443 < 0f))) * 0.5f);
-                    let _e5705 = local_10.member_3;
-                    let _e5717 = (((((_e5554 * 8f) * _e5642) * (0.000000059604645f * (524f / 64f))) + ((_e5649 * 19f) * ((_e5554 * (_e5597 + _e5640)) + (_e5597 * _e5640)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e5554) * ((1f + _e5597) * (1f + _e5640)))));
-                    let _e5718 = (_e5454 * 3f);
-                    let _e5719 = (_e5511 * 3f);
-                    let _e5721 = select(_e5719, _e5718, (_e5718 < _e5719));
-                    let _e5723 = select(_e5500, _e5477, (_e5477 < _e5500));
-                    let _e5725 = select(_e5723, _e5721, (_e5721 < _e5723));
-                    let _e5727 = select(_e5719, _e5718, (_e5718 > _e5719));
-                    let _e5729 = select(_e5500, _e5477, (_e5477 > _e5500));
-                    let _e5736 = -(select(_e5729, _e5727, (_e5727 > _e5729)));
-                    if ((select(_e5736, _e5725, (_e5725 > _e5736)) - (_e5717 + ((0f * (((select(_e5698, _e5686, (_e5686 > _e5698)) + (_e5642 * (0.000000059604645f * 8f))) + ((_e5705 * 6f) * (_e5597 + _e5640))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e5597) * (1f + _e5640))))) * (3f * 1.0001f)))) > 0f) {
-                        phi_14041_ = type_34(0u, type_34().member_1);
-                        phi_14042_ = type_34();
-                        phi_14043_ = true;
+                    let _e5315 = phi_8668_;
+                    local_10 = type_27(array<array<f32, 3>, 2>(array<f32, 3>(_e5315.member.member[0][0], _e5315.member.member[0][1], _e5315.member.member[0][2]), array<f32, 3>(_e5315.member.member[1][0], _e5315.member.member[1][1], _e5315.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e5315.member.member_1[0][0], _e5315.member.member_1[0][1], _e5315.member.member_1[0][2]), array<f32, 3>(_e5315.member.member_1[1][0], _e5315.member.member_1[1][1], _e5315.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e5315.member.member_2[0][0], _e5315.member.member_2[0][1], _e5315.member.member_2[0][2]), array<f32, 3>(_e5315.member.member_2[1][0], _e5315.member.member_2[1][1], _e5315.member.member_2[1][2])), _e5315.member.member_3);
+                    let _e5357 = local_10.member_1[0u];
+                    let _e5363 = local_10.member_2[0u];
+                    let _e5369 = ((_e5357[1] * _e5363[2]) - (_e5357[2] * _e5363[1]));
+                    let _e5372 = ((_e5357[2] * _e5363[0]) - (_e5357[0] * _e5363[2]));
+                    let _e5375 = ((_e5357[0] * _e5363[1]) - (_e5357[1] * _e5363[0]));
+                    let _e5378 = local_10.member_1[1u];
+                    let _e5384 = local_10.member_2[1u];
+                    let _e5390 = ((_e5378[1] * _e5384[2]) - (_e5378[2] * _e5384[1]));
+                    let _e5393 = ((_e5378[2] * _e5384[0]) - (_e5378[0] * _e5384[2]));
+                    let _e5396 = ((_e5378[0] * _e5384[1]) - (_e5378[1] * _e5384[0]));
+                    let _e5399 = local_10.member_1[0u];
+                    let _e5405 = local_10.member_2[1u];
+                    let _e5420 = local_10.member_1[1u];
+                    let _e5426 = local_10.member_2[0u];
+                    let _e5439 = (((_e5399[1] * _e5405[2]) - (_e5399[2] * _e5405[1])) + ((_e5420[1] * _e5426[2]) - (_e5420[2] * _e5426[1])));
+                    let _e5440 = (((_e5399[2] * _e5405[0]) - (_e5399[0] * _e5405[2])) + ((_e5420[2] * _e5426[0]) - (_e5420[0] * _e5426[2])));
+                    let _e5441 = (((_e5399[0] * _e5405[1]) - (_e5399[1] * _e5405[0])) + ((_e5420[0] * _e5426[1]) - (_e5420[1] * _e5426[0])));
+                    let _e5444 = local_10.member[0u];
+                    let _e5452 = (((_e5444[0] * _e5369) + (_e5444[1] * _e5372)) + (_e5444[2] * _e5375));
+                    let _e5455 = local_10.member[1u];
+                    let _e5466 = local_10.member[0u];
+                    let _e5475 = ((((_e5455[0] * _e5369) + (_e5455[1] * _e5372)) + (_e5455[2] * _e5375)) + (((_e5466[0] * _e5439) + (_e5466[1] * _e5440)) + (_e5466[2] * _e5441)));
+                    let _e5478 = local_10.member[0u];
+                    let _e5489 = local_10.member[1u];
+                    let _e5498 = ((((_e5478[0] * _e5390) + (_e5478[1] * _e5393)) + (_e5478[2] * _e5396)) + (((_e5489[0] * _e5439) + (_e5489[1] * _e5440)) + (_e5489[2] * _e5441)));
+                    let _e5501 = local_10.member[1u];
+                    let _e5509 = (((_e5501[0] * _e5390) + (_e5501[1] * _e5393)) + (_e5501[2] * _e5396));
+                    let _e5512 = local_10.member[0u];
+                    let _e5518 = select(_e5512[0], -(_e5512[0]), (_e5512[0] < 0f));
+                    let _e5521 = select(_e5512[1], -(_e5512[1]), (_e5512[1] < 0f));
+                    let _e5523 = select(_e5521, _e5518, (_e5518 > _e5521));
+                    let _e5526 = select(_e5512[2], -(_e5512[2]), (_e5512[2] < 0f));
+                    let _e5528 = select(_e5526, _e5523, (_e5523 > _e5526));
+                    let _e5531 = local_10.member[1u];
+                    let _e5537 = select(_e5531[0], -(_e5531[0]), (_e5531[0] < 0f));
+                    let _e5540 = select(_e5531[1], -(_e5531[1]), (_e5531[1] < 0f));
+                    let _e5542 = select(_e5540, _e5537, (_e5537 > _e5540));
+                    let _e5545 = select(_e5531[2], -(_e5531[2]), (_e5531[2] < 0f));
+                    let _e5547 = select(_e5545, _e5542, (_e5542 > _e5545));
+                    let _e5551 = local_10.member_3;
+                    let _e5552 = (select(_e5547, _e5528, (_e5528 > _e5547)) + _e5551);
+                    let _e5555 = local_10.member_1[0u];
+                    let _e5561 = select(_e5555[0], -(_e5555[0]), (_e5555[0] < 0f));
+                    let _e5564 = select(_e5555[1], -(_e5555[1]), (_e5555[1] < 0f));
+                    let _e5566 = select(_e5564, _e5561, (_e5561 > _e5564));
+                    let _e5569 = select(_e5555[2], -(_e5555[2]), (_e5555[2] < 0f));
+                    let _e5571 = select(_e5569, _e5566, (_e5566 > _e5569));
+                    let _e5574 = local_10.member_1[1u];
+                    let _e5580 = select(_e5574[0], -(_e5574[0]), (_e5574[0] < 0f));
+                    let _e5583 = select(_e5574[1], -(_e5574[1]), (_e5574[1] < 0f));
+                    let _e5585 = select(_e5583, _e5580, (_e5580 > _e5583));
+                    let _e5588 = select(_e5574[2], -(_e5574[2]), (_e5574[2] < 0f));
+                    let _e5590 = select(_e5588, _e5585, (_e5585 > _e5588));
+                    let _e5594 = local_10.member_3;
+                    let _e5595 = (select(_e5590, _e5571, (_e5571 > _e5590)) + _e5594);
+                    let _e5598 = local_10.member_2[0u];
+                    let _e5604 = select(_e5598[0], -(_e5598[0]), (_e5598[0] < 0f));
+                    let _e5607 = select(_e5598[1], -(_e5598[1]), (_e5598[1] < 0f));
+                    let _e5609 = select(_e5607, _e5604, (_e5604 > _e5607));
+                    let _e5612 = select(_e5598[2], -(_e5598[2]), (_e5598[2] < 0f));
+                    let _e5614 = select(_e5612, _e5609, (_e5609 > _e5612));
+                    let _e5617 = local_10.member_2[1u];
+                    let _e5623 = select(_e5617[0], -(_e5617[0]), (_e5617[0] < 0f));
+                    let _e5626 = select(_e5617[1], -(_e5617[1]), (_e5617[1] < 0f));
+                    let _e5628 = select(_e5626, _e5623, (_e5623 > _e5626));
+                    let _e5631 = select(_e5617[2], -(_e5617[2]), (_e5617[2] < 0f));
+                    let _e5633 = select(_e5631, _e5628, (_e5628 > _e5631));
+                    let _e5637 = local_10.member_3;
+                    let _e5638 = (select(_e5633, _e5614, (_e5614 > _e5633)) + _e5637);
+                    let _e5640 = ((_e5595 * 8f) * _e5638);
+                    let _e5647 = local_10.member_3;
+                    let _e5671 = ((select(_e5369, -(_e5369), (_e5369 < 0f)) + select(_e5372, -(_e5372), (_e5372 < 0f))) + select(_e5375, -(_e5375), (_e5375 < 0f)));
+                    let _e5682 = ((select(_e5390, -(_e5390), (_e5390 < 0f)) + select(_e5393, -(_e5393), (_e5393 < 0f))) + select(_e5396, -(_e5396), (_e5396 < 0f)));
+                    let _e5684 = select(_e5682, _e5671, (_e5671 > _e5682));
+                    let _e5696 = (((select(_e5439, -(_e5439), (_e5439 < 0f)) + select(_e5440, -(_e5440), (_e5440 < 0f))) + select(_e5441, -(_e5441), (_e5441 < 0f))) * 0.5f);
+                    let _e5703 = local_10.member_3;
+                    let _e5715 = (((((_e5552 * 8f) * _e5640) * (0.000000059604645f * (524f / 64f))) + ((_e5647 * 19f) * ((_e5552 * (_e5595 + _e5638)) + (_e5595 * _e5638)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e5552) * ((1f + _e5595) * (1f + _e5638)))));
+                    let _e5716 = (_e5452 * 3f);
+                    let _e5717 = (_e5509 * 3f);
+                    let _e5719 = select(_e5717, _e5716, (_e5716 < _e5717));
+                    let _e5721 = select(_e5498, _e5475, (_e5475 < _e5498));
+                    let _e5723 = select(_e5721, _e5719, (_e5719 < _e5721));
+                    let _e5725 = select(_e5717, _e5716, (_e5716 > _e5717));
+                    let _e5727 = select(_e5498, _e5475, (_e5475 > _e5498));
+                    let _e5734 = -(select(_e5727, _e5725, (_e5725 > _e5727)));
+                    if ((select(_e5734, _e5723, (_e5723 > _e5734)) - (_e5715 + ((0f * (((select(_e5696, _e5684, (_e5684 > _e5696)) + (_e5640 * (0.000000059604645f * 8f))) + ((_e5703 * 6f) * (_e5595 + _e5638))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e5595) * (1f + _e5638))))) * (3f * 1.0001f)))) > 0f) {
+                        phi_14040_ = type_30(0u, type_30().member_1);
+                        phi_14041_ = type_30();
+                        phi_14042_ = true;
                     } else {
-                        let _e5744 = select(_e5454, -(_e5454), (_e5454 < 0f));
-                        let _e5747 = select(_e5477, -(_e5477), (_e5477 < 0f));
-                        let _e5749 = select(_e5747, _e5744, (_e5744 > _e5747));
-                        let _e5752 = select(_e5500, -(_e5500), (_e5500 < 0f));
-                        let _e5755 = select(_e5511, -(_e5511), (_e5511 < 0f));
-                        let _e5757 = select(_e5755, _e5752, (_e5752 > _e5755));
-                        let _e5759 = select(_e5757, _e5749, (_e5749 > _e5757));
-                        let _e5760 = (0.000000000000000000000000000000000000011754944f * 67108864f);
-                        if (_e5759 >= _e5760) {
-                            phi_9394_ = (_e5759 <= (1f / _e5760));
+                        let _e5742 = select(_e5452, -(_e5452), (_e5452 < 0f));
+                        let _e5745 = select(_e5475, -(_e5475), (_e5475 < 0f));
+                        let _e5747 = select(_e5745, _e5742, (_e5742 > _e5745));
+                        let _e5750 = select(_e5498, -(_e5498), (_e5498 < 0f));
+                        let _e5753 = select(_e5509, -(_e5509), (_e5509 < 0f));
+                        let _e5755 = select(_e5753, _e5750, (_e5750 > _e5753));
+                        let _e5757 = select(_e5755, _e5747, (_e5747 > _e5755));
+                        let _e5758 = (0.000000000000000000000000000000000000011754944f * 67108864f);
+                        if (_e5757 >= _e5758) {
+                            phi_9393_ = (_e5757 <= (1f / _e5758));
                         } else {
-                            phi_9394_ = false;
+                            phi_9393_ = false;
                         }
-                        let _e5765 = phi_9394_;
-                        if _e5765 {
-                            phi_9406_ = (1f / _e5759);
+                        let _e5763 = phi_9393_;
+                        if _e5763 {
+                            phi_9405_ = (1f / _e5757);
                         } else {
-                            phi_9406_ = 0f;
+                            phi_9405_ = 0f;
                         }
-                        let _e5772 = phi_9406_;
-                        let _e5773 = (_e5093 * 0.0625f);
-                        local_8 = type_38(array<f32, 4>(_e5454, _e5477, _e5500, _e5511), ((_e5717 * 0.34f) + (_e5759 * select(2f, (0.000000059604645f * 256f), _e5765))), _e5772, select(_e5773, 0.00000000000022737368f, (0.00000000000022737368f < _e5773)));
-                        let _e5780 = local_8.member[0u];
-                        let _e5783 = local_8.member[1u];
-                        let _e5786 = local_8.member[2u];
-                        let _e5789 = local_8.member[3u];
-                        let _e5796 = local_8.member_2;
-                        let _e5797 = ((_e5783 - (3f * _e5780)) * _e5796);
-                        let _e5799 = local_8.member_2;
-                        let _e5800 = ((_e5786 - _e5783) * _e5799);
-                        let _e5802 = local_8.member_2;
-                        let _e5803 = (((3f * _e5789) - _e5786) * _e5802);
+                        let _e5770 = phi_9405_;
+                        let _e5771 = (_e5091 * 0.0625f);
+                        local_8 = type_34(array<f32, 4>(_e5452, _e5475, _e5498, _e5509), ((_e5715 * 0.34f) + (_e5757 * select(2f, (0.000000059604645f * 256f), _e5763))), _e5770, select(_e5771, 0.00000000000022737368f, (0.00000000000022737368f < _e5771)));
+                        let _e5778 = local_8.member[0u];
+                        let _e5781 = local_8.member[1u];
+                        let _e5784 = local_8.member[2u];
+                        let _e5787 = local_8.member[3u];
+                        let _e5794 = local_8.member_2;
+                        let _e5795 = ((_e5781 - (3f * _e5778)) * _e5794);
+                        let _e5797 = local_8.member_2;
+                        let _e5798 = ((_e5784 - _e5781) * _e5797);
+                        let _e5800 = local_8.member_2;
+                        let _e5801 = (((3f * _e5787) - _e5784) * _e5800);
                         local_6[0u] = 0f;
                         local_6[1u] = 1f;
                         local_6[2u] = 1f;
                         local_6[3u] = 1f;
-                        let _e5810 = ((_e5800 * _e5800) - (_e5797 * _e5803));
-                        if (_e5810 > 0f) {
-                            if (_e5810 <= 0.000000000000000000000000000000000000011754944f) {
-                                phi_9534_ = select(0f, (0.000000000000000000106433627f * 2f), (_e5810 > 0f));
+                        let _e5808 = ((_e5798 * _e5798) - (_e5795 * _e5801));
+                        if (_e5808 > 0f) {
+                            if (_e5808 <= 0.000000000000000000000000000000000000011754944f) {
+                                phi_9533_ = select(0f, (0.000000000000000000106433627f * 2f), (_e5808 > 0f));
                             } else {
-                                phi_9477_ = type_14(0i, 5i);
-                                phi_9480_ = bitcast<f32>(((bitcast<u32>(_e5810) >> bitcast<u32>(1i)) + 532369198u));
+                                phi_9476_ = type_14(0i, 5i);
+                                phi_9479_ = bitcast<f32>(((bitcast<u32>(_e5808) >> bitcast<u32>(1i)) + 532369198u));
                                 loop {
-                                    let _e5819 = phi_9477_;
-                                    let _e5821 = phi_9480_;
-                                    local_77 = _e5821;
-                                    if (_e5819.member < _e5819.member_1) {
-                                        let _e5828 = (_e5819.member + 1i);
-                                        phi_9478_ = type_14(select(_e5828, type_15().member_1, select(false, true, ((false == (_e5828 > _e5819.member)) != false))), _e5819.member_1);
-                                        phi_9521_ = type_15(1u, _e5819.member);
+                                    let _e5817 = phi_9476_;
+                                    let _e5819 = phi_9479_;
+                                    local_77 = _e5819;
+                                    if (_e5817.member < _e5817.member_1) {
+                                        let _e5826 = (_e5817.member + 1i);
+                                        phi_9477_ = type_14(select(_e5826, type_15().member_1, select(false, true, ((false == (_e5826 > _e5817.member)) != false))), _e5817.member_1);
+                                        phi_9520_ = type_15(1u, _e5817.member);
                                     } else {
-                                        phi_9478_ = _e5819;
-                                        phi_9521_ = type_15(0u, type_15().member_1);
+                                        phi_9477_ = _e5817;
+                                        phi_9520_ = type_15(0u, type_15().member_1);
                                     }
-                                    let _e5839 = phi_9478_;
-                                    let _e5841 = phi_9521_;
-                                    let _e5844 = (bitcast<i32>(_e5841.member) != 0i);
-                                    if _e5844 {
-                                        phi_9481_ = (0.5f * (_e5821 + (_e5810 / _e5821)));
+                                    let _e5837 = phi_9477_;
+                                    let _e5839 = phi_9520_;
+                                    let _e5842 = (bitcast<i32>(_e5839.member) != 0i);
+                                    if _e5842 {
+                                        phi_9480_ = (0.5f * (_e5819 + (_e5808 / _e5819)));
                                     } else {
-                                        phi_9481_ = f32();
+                                        phi_9480_ = f32();
                                     }
-                                    let _e5849 = phi_9481_;
+                                    let _e5847 = phi_9480_;
                                     continue;
                                     continuing {
-                                        phi_9477_ = _e5839;
-                                        phi_9480_ = _e5849;
-                                        break if !(_e5844);
+                                        phi_9476_ = _e5837;
+                                        phi_9479_ = _e5847;
+                                        break if !(_e5842);
                                     }
                                 }
-                                let _e5854 = local_77;
-                                phi_9534_ = (_e5854 * (1f + (8f * 0.000000059604645f)));
+                                let _e5852 = local_77;
+                                phi_9533_ = (_e5852 * (1f + (8f * 0.000000059604645f)));
                             }
-                            let _e5860 = phi_9534_;
-                            let _e5865 = -((_e5800 + select(_e5860, -(_e5860), (_e5800 < 0f))));
-                            local_7[0u] = (_e5865 / (_e5865 + _e5803));
-                            local_7[1u] = (_e5797 / (_e5797 + _e5865));
-                            let _e5874 = local_7[1u];
-                            let _e5875 = local_7[0u];
-                            if (_e5874 < _e5875) {
-                                let _e5878 = local_7[1u];
-                                let _e5880 = local_7[0u];
-                                local_7[0u] = _e5878;
-                                local_7[1u] = _e5880;
+                            let _e5858 = phi_9533_;
+                            let _e5863 = -((_e5798 + select(_e5858, -(_e5858), (_e5798 < 0f))));
+                            local_7[0u] = (_e5863 / (_e5863 + _e5801));
+                            local_7[1u] = (_e5795 / (_e5795 + _e5863));
+                            let _e5872 = local_7[1u];
+                            let _e5873 = local_7[0u];
+                            if (_e5872 < _e5873) {
+                                let _e5876 = local_7[1u];
+                                let _e5878 = local_7[0u];
+                                local_7[0u] = _e5876;
+                                local_7[1u] = _e5878;
                             }
-                            phi_9565_ = type_9(0u, 2u);
-                            phi_9568_ = 1u;
+                            phi_9564_ = type_9(0u, 2u);
+                            phi_9567_ = 1u;
                             loop {
-                                let _e5884 = phi_9565_;
-                                let _e5886 = phi_9568_;
-                                local_109 = _e5886;
-                                let _e5889 = (_e5884.member < _e5884.member_1);
-                                let _e5900 = select(type_9().member_1, _e5884.member, _e5889);
-                                let _e5902 = (bitcast<i32>(select(0u, 1u, _e5889)) != 0i);
-                                if _e5902 {
-                                    let _e5904 = local_7[_e5900];
-                                    if (_e5904 > 0f) {
-                                        let _e5907 = local_7[_e5900];
-                                        if (_e5907 < 1f) {
-                                            let _e5910 = local_7[_e5900];
-                                            local_6[_e5886] = _e5910;
-                                            phi_9635_ = (_e5886 + 1u);
+                                let _e5882 = phi_9564_;
+                                let _e5884 = phi_9567_;
+                                local_109 = _e5884;
+                                let _e5887 = (_e5882.member < _e5882.member_1);
+                                let _e5898 = select(type_9().member_1, _e5882.member, _e5887);
+                                let _e5900 = (bitcast<i32>(select(0u, 1u, _e5887)) != 0i);
+                                if _e5900 {
+                                    let _e5902 = local_7[_e5898];
+                                    if (_e5902 > 0f) {
+                                        let _e5905 = local_7[_e5898];
+                                        if (_e5905 < 1f) {
+                                            let _e5908 = local_7[_e5898];
+                                            local_6[_e5884] = _e5908;
+                                            phi_9634_ = (_e5884 + 1u);
                                         } else {
-                                            phi_9635_ = _e5886;
+                                            phi_9634_ = _e5884;
                                         }
-                                        let _e5914 = phi_9635_;
-                                        phi_9636_ = _e5914;
+                                        let _e5912 = phi_9634_;
+                                        phi_9635_ = _e5912;
                                     } else {
-                                        phi_9636_ = _e5886;
+                                        phi_9635_ = _e5884;
                                     }
-                                    let _e5916 = phi_9636_;
-                                    phi_9569_ = _e5916;
+                                    let _e5914 = phi_9635_;
+                                    phi_9568_ = _e5914;
                                 } else {
-                                    phi_9569_ = u32();
+                                    phi_9568_ = u32();
                                 }
-                                let _e5918 = phi_9569_;
+                                let _e5916 = phi_9568_;
                                 continue;
                                 continuing {
-                                    phi_9565_ = type_9(select(_e5884.member, (_e5884.member + 1u), _e5889), select(_e5884.member_1, _e5884.member_1, _e5889));
-                                    phi_9568_ = _e5918;
-                                    break if !(_e5902);
+                                    phi_9564_ = type_9(select(_e5882.member, (_e5882.member + 1u), _e5887), select(_e5882.member_1, _e5882.member_1, _e5887));
+                                    phi_9567_ = _e5916;
+                                    break if !(_e5900);
                                 }
                             }
-                            let _e8798 = local_109;
-                            phi_9637_ = _e8798;
+                            let _e8788 = local_109;
+                            phi_9636_ = _e8788;
                         } else {
-                            phi_9637_ = 1u;
+                            phi_9636_ = 1u;
                         }
-                        let _e5921 = phi_9637_;
-                        local_6[_e5921] = 1f;
-                        let _e5923 = local_6;
-                        local_9 = _e5923;
-                        let _e5924 = (_e5093 * 0.99f);
-                        let _e5925 = (1f - _e5095);
-                        let _e5928 = local_8.member[0u];
-                        let _e5931 = local_8.member[1u];
-                        let _e5934 = local_8.member[2u];
-                        let _e5937 = local_8.member[3u];
-                        let _e5948 = ((((_e5928 * _e5925) + (_e5931 * _e5095)) * (_e5925 * _e5925)) + (((_e5934 * _e5925) + (_e5937 * _e5095)) * (_e5095 * _e5095)));
-                        let _e5953 = local_8.member_1;
-                        phi_9693_ = type_9(select(1u, 0u, !((select(_e5948, -(_e5948), (_e5948 < 0f)) > _e5953))), (_e5921 + 1u));
+                        let _e5919 = phi_9636_;
+                        local_6[_e5919] = 1f;
+                        let _e5921 = local_6;
+                        local_9 = _e5921;
+                        let _e5922 = (_e5091 * 0.99f);
+                        let _e5923 = (1f - _e5093);
+                        let _e5926 = local_8.member[0u];
+                        let _e5929 = local_8.member[1u];
+                        let _e5932 = local_8.member[2u];
+                        let _e5935 = local_8.member[3u];
+                        let _e5946 = ((((_e5926 * _e5923) + (_e5929 * _e5093)) * (_e5923 * _e5923)) + (((_e5932 * _e5923) + (_e5935 * _e5093)) * (_e5093 * _e5093)));
+                        let _e5951 = local_8.member_1;
+                        phi_9692_ = type_9(select(1u, 0u, !((select(_e5946, -(_e5946), (_e5946 < 0f)) > _e5951))), (_e5919 + 1u));
                         loop {
-                            let _e5960 = phi_9693_;
-                            let _e5963 = (_e5960.member < _e5960.member_1);
-                            let _e5974 = select(type_9().member_1, _e5960.member, _e5963);
-                            if (bitcast<i32>(select(0u, 1u, _e5963)) != 0i) {
-                                if (_e5974 > 0u) {
-                                    let _e5981 = local_9[(_e5974 - 1u)];
-                                    let _e5983 = select(_e5095, _e5981, (_e5981 > _e5095));
-                                    let _e5985 = local_9[_e5974];
-                                    let _e5987 = select(_e5097, _e5985, (_e5985 < _e5097));
-                                    if (_e5983 <= _e5987) {
-                                        let _e5989 = function_5((&local_8), _e5099, _e5983, _e5987);
-                                        if _e5989 {
-                                            phi_11246_ = type_46();
-                                            phi_11247_ = bool();
-                                            phi_11248_ = type_46();
+                            let _e5958 = phi_9692_;
+                            let _e5961 = (_e5958.member < _e5958.member_1);
+                            let _e5972 = select(type_9().member_1, _e5958.member, _e5961);
+                            if (bitcast<i32>(select(0u, 1u, _e5961)) != 0i) {
+                                if (_e5972 > 0u) {
+                                    let _e5979 = local_9[(_e5972 - 1u)];
+                                    let _e5981 = select(_e5093, _e5979, (_e5979 > _e5093));
+                                    let _e5983 = local_9[_e5972];
+                                    let _e5985 = select(_e5095, _e5983, (_e5983 < _e5095));
+                                    if (_e5981 <= _e5985) {
+                                        let _e5987 = function_5((&local_8), _e5097, _e5981, _e5985);
+                                        if _e5987 {
+                                            phi_11245_ = type_45();
+                                            phi_11246_ = bool();
+                                            phi_11247_ = type_45();
+                                            phi_11248_ = false;
                                             phi_11249_ = false;
                                             phi_11250_ = false;
                                             phi_11251_ = false;
-                                            phi_11252_ = false;
                                         } else {
-                                            let _e5990 = (1f - _e5983);
-                                            let _e5993 = local_8.member[0u];
-                                            let _e5996 = local_8.member[1u];
-                                            let _e5999 = local_8.member[2u];
-                                            let _e6002 = local_8.member[3u];
-                                            let _e6013 = ((((_e5993 * _e5990) + (_e5996 * _e5983)) * (_e5990 * _e5990)) + (((_e5999 * _e5990) + (_e6002 * _e5983)) * (_e5983 * _e5983)));
-                                            let _e6014 = (1f - _e5987);
-                                            let _e6017 = local_8.member[0u];
-                                            let _e6020 = local_8.member[1u];
-                                            let _e6023 = local_8.member[2u];
-                                            let _e6026 = local_8.member[3u];
-                                            let _e6037 = ((((_e6017 * _e6014) + (_e6020 * _e5987)) * (_e6014 * _e6014)) + (((_e6023 * _e6014) + (_e6026 * _e5987)) * (_e5987 * _e5987)));
-                                            let _e6042 = local_8.member_1;
-                                            let _e6043 = (select(_e6013, -(_e6013), (_e6013 < 0f)) > _e6042);
-                                            let _e6048 = local_8.member_1;
-                                            let _e6049 = (select(_e6037, -(_e6037), (_e6037 < 0f)) > _e6048);
-                                            let _e6057 = select(select(bool(), select(bool(), ((_e6013 > 0f) != (_e6037 > 0f)), _e6049), _e6043), false, select(true, select(true, false, _e6049), _e6043));
-                                            if _e6043 {
-                                                if _e6049 {
-                                                    phi_9849_ = type_46(select(1f, type_46().member, _e6057), select(0f, type_46().member_1, _e6057), select(_e6057, type_46().member_2, _e6057));
-                                                    phi_9850_ = _e6057;
+                                            let _e5988 = (1f - _e5981);
+                                            let _e5991 = local_8.member[0u];
+                                            let _e5994 = local_8.member[1u];
+                                            let _e5997 = local_8.member[2u];
+                                            let _e6000 = local_8.member[3u];
+                                            let _e6011 = ((((_e5991 * _e5988) + (_e5994 * _e5981)) * (_e5988 * _e5988)) + (((_e5997 * _e5988) + (_e6000 * _e5981)) * (_e5981 * _e5981)));
+                                            let _e6012 = (1f - _e5985);
+                                            let _e6015 = local_8.member[0u];
+                                            let _e6018 = local_8.member[1u];
+                                            let _e6021 = local_8.member[2u];
+                                            let _e6024 = local_8.member[3u];
+                                            let _e6035 = ((((_e6015 * _e6012) + (_e6018 * _e5985)) * (_e6012 * _e6012)) + (((_e6021 * _e6012) + (_e6024 * _e5985)) * (_e5985 * _e5985)));
+                                            let _e6040 = local_8.member_1;
+                                            let _e6041 = (select(_e6011, -(_e6011), (_e6011 < 0f)) > _e6040);
+                                            let _e6046 = local_8.member_1;
+                                            let _e6047 = (select(_e6035, -(_e6035), (_e6035 < 0f)) > _e6046);
+                                            let _e6055 = select(select(bool(), select(bool(), ((_e6011 > 0f) != (_e6035 > 0f)), _e6047), _e6041), false, select(true, select(true, false, _e6047), _e6041));
+                                            if _e6041 {
+                                                if _e6047 {
+                                                    phi_9848_ = type_45(select(1f, type_45().member, _e6055), select(0f, type_45().member_1, _e6055), select(_e6055, type_45().member_2, _e6055));
+                                                    phi_9849_ = _e6055;
                                                 } else {
-                                                    phi_9849_ = type_46();
-                                                    phi_9850_ = true;
+                                                    phi_9848_ = type_45();
+                                                    phi_9849_ = true;
                                                 }
+                                                let _e6064 = phi_9848_;
                                                 let _e6066 = phi_9849_;
-                                                let _e6068 = phi_9850_;
+                                                phi_9850_ = _e6064;
                                                 phi_9851_ = _e6066;
-                                                phi_9852_ = _e6068;
                                             } else {
-                                                phi_9851_ = type_46();
-                                                phi_9852_ = true;
+                                                phi_9850_ = type_45();
+                                                phi_9851_ = true;
                                             }
+                                            let _e6068 = phi_9850_;
                                             let _e6070 = phi_9851_;
-                                            let _e6072 = phi_9852_;
-                                            if _e6072 {
-                                                if _e6043 {
-                                                    let _e6074 = select(1f, -1f, (_e6013 < 0f));
-                                                    let _e6076 = local_8.member_3;
-                                                    let _e6079 = local_8.member[0u];
-                                                    let _e6082 = local_8.member[1u];
-                                                    let _e6085 = local_8.member[2u];
-                                                    let _e6088 = local_8.member[3u];
-                                                    let _e6091 = (_e6085 - _e6082);
-                                                    phi_9883_ = type_9(0u, 64u);
-                                                    phi_9886_ = _e5987;
-                                                    phi_9888_ = _e5983;
-                                                    phi_9890_ = (0.5f * (_e5983 + _e5987));
+                                            if _e6070 {
+                                                if _e6041 {
+                                                    let _e6072 = select(1f, -1f, (_e6011 < 0f));
+                                                    let _e6074 = local_8.member_3;
+                                                    let _e6077 = local_8.member[0u];
+                                                    let _e6080 = local_8.member[1u];
+                                                    let _e6083 = local_8.member[2u];
+                                                    let _e6086 = local_8.member[3u];
+                                                    let _e6089 = (_e6083 - _e6080);
+                                                    phi_9882_ = type_9(0u, 64u);
+                                                    phi_9885_ = _e5985;
+                                                    phi_9887_ = _e5981;
+                                                    phi_9889_ = (0.5f * (_e5981 + _e5985));
                                                     loop {
-                                                        let _e6097 = phi_9883_;
-                                                        let _e6099 = phi_9886_;
-                                                        let _e6101 = phi_9888_;
-                                                        let _e6103 = phi_9890_;
-                                                        local_80 = _e6101;
-                                                        let _e6106 = (_e6097.member < _e6097.member_1);
-                                                        if (bitcast<i32>(select(0u, 1u, _e6106)) != 0i) {
-                                                            let _e6118 = (1f - _e6103);
-                                                            let _e6121 = local_8.member[0u];
-                                                            let _e6124 = local_8.member[1u];
-                                                            let _e6127 = local_8.member[2u];
-                                                            let _e6130 = local_8.member[3u];
-                                                            let _e6144 = local_8.member_1;
-                                                            let _e6145 = ((_e6074 * ((((_e6121 * _e6118) + (_e6124 * _e6103)) * (_e6118 * _e6118)) + (((_e6127 * _e6118) + (_e6130 * _e6103)) * (_e6103 * _e6103)))) - _e6144);
-                                                            let _e6146 = (_e6145 > 0f);
-                                                            let _e6147 = select(_e6103, _e6099, _e6146);
-                                                            let _e6148 = select(_e6101, _e6103, _e6146);
-                                                            let _e6150 = ((_e6147 - _e6148) > _e6076);
-                                                            if _e6150 {
-                                                                let _e6151 = (1f - _e6103);
-                                                                let _e6163 = (-(_e6145) / (_e6074 * (((((_e6082 - (3f * _e6079)) * _e6151) + (_e6091 * _e6103)) * _e6151) + (((_e6091 * _e6151) + (((3f * _e6088) - _e6085) * _e6103)) * _e6103))));
-                                                                let _e6170 = ((_e6103 + _e6163) + select(-((0.5f * _e6076)), (0.5f * _e6076), (_e6145 > 0f)));
-                                                                if (_e6170 > _e6148) {
-                                                                    phi_10000_ = select(true, select(true, false, (select(_e6163, -(_e6163), (_e6163 < 0f)) < (0.5f * (_e6147 - _e6148)))), (_e6170 < _e6147));
+                                                        let _e6095 = phi_9882_;
+                                                        let _e6097 = phi_9885_;
+                                                        let _e6099 = phi_9887_;
+                                                        let _e6101 = phi_9889_;
+                                                        local_80 = _e6099;
+                                                        let _e6104 = (_e6095.member < _e6095.member_1);
+                                                        if (bitcast<i32>(select(0u, 1u, _e6104)) != 0i) {
+                                                            let _e6116 = (1f - _e6101);
+                                                            let _e6119 = local_8.member[0u];
+                                                            let _e6122 = local_8.member[1u];
+                                                            let _e6125 = local_8.member[2u];
+                                                            let _e6128 = local_8.member[3u];
+                                                            let _e6142 = local_8.member_1;
+                                                            let _e6143 = ((_e6072 * ((((_e6119 * _e6116) + (_e6122 * _e6101)) * (_e6116 * _e6116)) + (((_e6125 * _e6116) + (_e6128 * _e6101)) * (_e6101 * _e6101)))) - _e6142);
+                                                            let _e6144 = (_e6143 > 0f);
+                                                            let _e6145 = select(_e6101, _e6097, _e6144);
+                                                            let _e6146 = select(_e6099, _e6101, _e6144);
+                                                            let _e6148 = ((_e6145 - _e6146) > _e6074);
+                                                            if _e6148 {
+                                                                let _e6149 = (1f - _e6101);
+                                                                let _e6161 = (-(_e6143) / (_e6072 * (((((_e6080 - (3f * _e6077)) * _e6149) + (_e6089 * _e6101)) * _e6149) + (((_e6089 * _e6149) + (((3f * _e6086) - _e6083) * _e6101)) * _e6101))));
+                                                                let _e6168 = ((_e6101 + _e6161) + select(-((0.5f * _e6074)), (0.5f * _e6074), (_e6143 > 0f)));
+                                                                if (_e6168 > _e6146) {
+                                                                    phi_9999_ = select(true, select(true, false, (select(_e6161, -(_e6161), (_e6161 < 0f)) < (0.5f * (_e6145 - _e6146)))), (_e6168 < _e6145));
                                                                 } else {
-                                                                    phi_10000_ = true;
+                                                                    phi_9999_ = true;
                                                                 }
-                                                                let _e6182 = phi_10000_;
-                                                                phi_10007_ = select(_e6170, (0.5f * (_e6148 + _e6147)), _e6182);
-                                                                phi_10008_ = false;
+                                                                let _e6180 = phi_9999_;
+                                                                phi_10006_ = select(_e6168, (0.5f * (_e6146 + _e6145)), _e6180);
+                                                                phi_10007_ = false;
                                                             } else {
-                                                                phi_10007_ = f32();
-                                                                phi_10008_ = true;
+                                                                phi_10006_ = f32();
+                                                                phi_10007_ = true;
                                                             }
+                                                            let _e6185 = phi_10006_;
                                                             let _e6187 = phi_10007_;
-                                                            let _e6189 = phi_10008_;
-                                                            phi_9887_ = _e6147;
-                                                            phi_9889_ = _e6148;
-                                                            phi_9891_ = _e6187;
+                                                            phi_9886_ = _e6145;
+                                                            phi_9888_ = _e6146;
+                                                            phi_9890_ = _e6185;
+                                                            phi_10008_ = _e6146;
                                                             phi_10009_ = _e6148;
-                                                            phi_10010_ = _e6150;
-                                                            phi_10011_ = _e6189;
+                                                            phi_10010_ = _e6187;
                                                         } else {
-                                                            phi_9887_ = f32();
-                                                            phi_9889_ = f32();
-                                                            phi_9891_ = f32();
-                                                            phi_10009_ = f32();
+                                                            phi_9886_ = f32();
+                                                            phi_9888_ = f32();
+                                                            phi_9890_ = f32();
+                                                            phi_10008_ = f32();
+                                                            phi_10009_ = false;
                                                             phi_10010_ = false;
-                                                            phi_10011_ = false;
                                                         }
-                                                        let _e6191 = phi_9887_;
-                                                        let _e6193 = phi_9889_;
-                                                        let _e6195 = phi_9891_;
+                                                        let _e6189 = phi_9886_;
+                                                        let _e6191 = phi_9888_;
+                                                        let _e6193 = phi_9890_;
+                                                        let _e6195 = phi_10008_;
                                                         let _e6197 = phi_10009_;
                                                         let _e6199 = phi_10010_;
-                                                        let _e6201 = phi_10011_;
-                                                        local_78 = _e6201;
-                                                        local_79 = _e6197;
+                                                        local_78 = _e6199;
+                                                        local_79 = _e6195;
                                                         continue;
                                                         continuing {
-                                                            phi_9883_ = type_9(select(_e6097.member, (_e6097.member + 1u), _e6106), select(_e6097.member_1, _e6097.member_1, _e6106));
-                                                            phi_9886_ = _e6191;
-                                                            phi_9888_ = _e6193;
-                                                            phi_9890_ = _e6195;
-                                                            break if !(_e6199);
+                                                            phi_9882_ = type_9(select(_e6095.member, (_e6095.member + 1u), _e6104), select(_e6095.member_1, _e6095.member_1, _e6104));
+                                                            phi_9885_ = _e6189;
+                                                            phi_9887_ = _e6191;
+                                                            phi_9889_ = _e6193;
+                                                            break if !(_e6197);
                                                         }
                                                     }
-                                                    let _e6204 = local_78;
-                                                    let _e6206 = local_79;
-                                                    let _e6208 = local_80;
-                                                    phi_10016_ = select(_e6208, _e6206, _e6204);
+                                                    let _e6202 = local_78;
+                                                    let _e6204 = local_79;
+                                                    let _e6206 = local_80;
+                                                    phi_10015_ = select(_e6206, _e6204, _e6202);
                                                 } else {
-                                                    phi_10016_ = _e5983;
+                                                    phi_10015_ = _e5981;
                                                 }
-                                                let _e6211 = phi_10016_;
-                                                if _e6049 {
+                                                let _e6209 = phi_10015_;
+                                                if _e6047 {
+                                                    let _e6213 = local_8.member_3;
                                                     let _e6215 = local_8.member_3;
-                                                    let _e6217 = local_8.member_3;
-                                                    phi_10032_ = type_9(0u, 64u);
-                                                    phi_10035_ = (_e6215 + _e6217);
+                                                    phi_10031_ = type_9(0u, 64u);
+                                                    phi_10034_ = (_e6213 + _e6215);
                                                     loop {
-                                                        let _e6220 = phi_10032_;
-                                                        let _e6222 = phi_10035_;
-                                                        let _e6225 = (_e6220.member < _e6220.member_1);
-                                                        if (bitcast<i32>(select(0u, 1u, _e6225)) != 0i) {
-                                                            let _e6237 = (_e6211 + _e6222);
-                                                            if (_e6237 < _e5987) {
-                                                                let _e6239 = (1f - _e6237);
-                                                                let _e6242 = local_8.member[0u];
-                                                                let _e6245 = local_8.member[1u];
-                                                                let _e6248 = local_8.member[2u];
-                                                                let _e6251 = local_8.member[3u];
-                                                                let _e6265 = local_8.member_1;
-                                                                let _e6266 = ((select(1f, -1f, (_e6037 < 0f)) * ((((_e6242 * _e6239) + (_e6245 * _e6237)) * (_e6239 * _e6239)) + (((_e6248 * _e6239) + (_e6251 * _e6237)) * (_e6237 * _e6237)))) > _e6265);
-                                                                phi_10100_ = select((_e6222 + _e6222), f32(), _e6266);
-                                                                phi_10101_ = select(true, false, _e6266);
-                                                                phi_10102_ = _e6266;
-                                                                phi_10103_ = false;
-                                                            } else {
-                                                                phi_10100_ = f32();
-                                                                phi_10101_ = false;
+                                                        let _e6218 = phi_10031_;
+                                                        let _e6220 = phi_10034_;
+                                                        let _e6223 = (_e6218.member < _e6218.member_1);
+                                                        if (bitcast<i32>(select(0u, 1u, _e6223)) != 0i) {
+                                                            let _e6235 = (_e6209 + _e6220);
+                                                            if (_e6235 < _e5985) {
+                                                                let _e6237 = (1f - _e6235);
+                                                                let _e6240 = local_8.member[0u];
+                                                                let _e6243 = local_8.member[1u];
+                                                                let _e6246 = local_8.member[2u];
+                                                                let _e6249 = local_8.member[3u];
+                                                                let _e6263 = local_8.member_1;
+                                                                let _e6264 = ((select(1f, -1f, (_e6035 < 0f)) * ((((_e6240 * _e6237) + (_e6243 * _e6235)) * (_e6237 * _e6237)) + (((_e6246 * _e6237) + (_e6249 * _e6235)) * (_e6235 * _e6235)))) > _e6263);
+                                                                phi_10099_ = select((_e6220 + _e6220), f32(), _e6264);
+                                                                phi_10100_ = select(true, false, _e6264);
+                                                                phi_10101_ = _e6264;
                                                                 phi_10102_ = false;
-                                                                phi_10103_ = true;
+                                                            } else {
+                                                                phi_10099_ = f32();
+                                                                phi_10100_ = false;
+                                                                phi_10101_ = false;
+                                                                phi_10102_ = true;
                                                             }
+                                                            let _e6269 = phi_10099_;
                                                             let _e6271 = phi_10100_;
                                                             let _e6273 = phi_10101_;
                                                             let _e6275 = phi_10102_;
-                                                            let _e6277 = phi_10103_;
-                                                            phi_10104_ = _e6237;
-                                                            phi_10036_ = _e6271;
+                                                            phi_10103_ = _e6235;
+                                                            phi_10035_ = _e6269;
+                                                            phi_10104_ = _e6271;
                                                             phi_10105_ = _e6273;
                                                             phi_10106_ = _e6275;
-                                                            phi_10107_ = _e6277;
-                                                            phi_10108_ = false;
+                                                            phi_10107_ = false;
                                                         } else {
-                                                            phi_10104_ = f32();
-                                                            phi_10036_ = f32();
+                                                            phi_10103_ = f32();
+                                                            phi_10035_ = f32();
+                                                            phi_10104_ = false;
                                                             phi_10105_ = false;
                                                             phi_10106_ = false;
-                                                            phi_10107_ = false;
-                                                            phi_10108_ = true;
+                                                            phi_10107_ = true;
                                                         }
-                                                        let _e6279 = phi_10104_;
-                                                        let _e6281 = phi_10036_;
+                                                        let _e6277 = phi_10103_;
+                                                        let _e6279 = phi_10035_;
+                                                        let _e6281 = phi_10104_;
                                                         let _e6283 = phi_10105_;
                                                         let _e6285 = phi_10106_;
                                                         let _e6287 = phi_10107_;
-                                                        let _e6289 = phi_10108_;
-                                                        local_81 = _e6285;
-                                                        local_82 = _e6287;
-                                                        local_83 = _e6285;
-                                                        local_84 = _e6289;
-                                                        local_85 = _e6279;
+                                                        local_81 = _e6283;
+                                                        local_82 = _e6285;
+                                                        local_83 = _e6283;
+                                                        local_84 = _e6287;
+                                                        local_85 = _e6277;
                                                         continue;
                                                         continuing {
-                                                            phi_10032_ = type_9(select(_e6220.member, (_e6220.member + 1u), _e6225), select(_e6220.member_1, _e6220.member_1, _e6225));
-                                                            phi_10035_ = _e6281;
-                                                            break if !(_e6283);
+                                                            phi_10031_ = type_9(select(_e6218.member, (_e6218.member + 1u), _e6223), select(_e6218.member_1, _e6218.member_1, _e6223));
+                                                            phi_10034_ = _e6279;
+                                                            break if !(_e6281);
                                                         }
                                                     }
-                                                    let _e6292 = local_81;
-                                                    let _e6294 = local_82;
-                                                    let _e6297 = local_83;
-                                                    let _e6299 = local_84;
-                                                    let _e6303 = local_85;
-                                                    phi_10122_ = select(_e6303, _e5987, select(select(_e6299, false, _e6297), true, select(_e6294, false, _e6292)));
+                                                    let _e6290 = local_81;
+                                                    let _e6292 = local_82;
+                                                    let _e6295 = local_83;
+                                                    let _e6297 = local_84;
+                                                    let _e6301 = local_85;
+                                                    phi_10121_ = select(_e6301, _e5985, select(select(_e6297, false, _e6295), true, select(_e6292, false, _e6290)));
                                                 } else {
-                                                    phi_10122_ = _e5987;
+                                                    phi_10121_ = _e5985;
                                                 }
-                                                let _e6306 = phi_10122_;
-                                                phi_10124_ = type_46(_e6211, _e6306, _e6057);
+                                                let _e6304 = phi_10121_;
+                                                phi_10123_ = type_45(_e6209, _e6304, _e6055);
                                             } else {
-                                                phi_10124_ = _e6070;
+                                                phi_10123_ = _e6068;
                                             }
-                                            let _e6309 = phi_10124_;
-                                            if (_e6309.member > _e6309.member_1) {
-                                                phi_11241_ = bool();
-                                                phi_11242_ = true;
+                                            let _e6307 = phi_10123_;
+                                            if (_e6307.member > _e6307.member_1) {
+                                                phi_11240_ = bool();
+                                                phi_11241_ = true;
+                                                phi_11242_ = false;
                                                 phi_11243_ = false;
                                                 phi_11244_ = false;
-                                                phi_11245_ = false;
                                             } else {
-                                                let _e6314 = (_e6309.member > _e5099);
-                                                if _e6314 {
-                                                    phi_11237_ = bool();
+                                                let _e6312 = (_e6307.member > _e5097);
+                                                if _e6312 {
+                                                    phi_11236_ = bool();
+                                                    phi_11237_ = false;
                                                     phi_11238_ = false;
                                                     phi_11239_ = false;
-                                                    phi_11240_ = false;
                                                 } else {
-                                                    let _e6318 = ((_e6309.member_1 - _e6309.member) * 0.5f);
-                                                    let _e6319 = (_e6309.member + _e6318);
-                                                    let _e6321 = (_e6318 + (0.000000059604645f * 4f));
-                                                    let _e6323 = local_10.member_3;
-                                                    let _e6326 = local_10.member[0u];
-                                                    let _e6332 = select(_e6326[0], -(_e6326[0]), (_e6326[0] < 0f));
-                                                    let _e6335 = select(_e6326[1], -(_e6326[1]), (_e6326[1] < 0f));
-                                                    let _e6337 = select(_e6335, _e6332, (_e6332 > _e6335));
-                                                    let _e6340 = select(_e6326[2], -(_e6326[2]), (_e6326[2] < 0f));
-                                                    let _e6342 = select(_e6340, _e6337, (_e6337 > _e6340));
-                                                    let _e6344 = local_10.member[1u];
-                                                    let _e6350 = select(_e6344[0], -(_e6344[0]), (_e6344[0] < 0f));
-                                                    let _e6353 = select(_e6344[1], -(_e6344[1]), (_e6344[1] < 0f));
-                                                    let _e6355 = select(_e6353, _e6350, (_e6350 > _e6353));
-                                                    let _e6358 = select(_e6344[2], -(_e6344[2]), (_e6344[2] < 0f));
-                                                    let _e6360 = select(_e6358, _e6355, (_e6355 > _e6358));
-                                                    let _e6365 = local_10.member[0u];
-                                                    let _e6370 = local_10.member[1u];
-                                                    let _e6380 = (_e6365[0] + ((_e6370[0] - _e6365[0]) * _e6319));
-                                                    let _e6381 = (_e6365[1] + ((_e6370[1] - _e6365[1]) * _e6319));
-                                                    let _e6382 = (_e6365[2] + ((_e6370[2] - _e6365[2]) * _e6319));
-                                                    let _e6384 = local_10.member[1u];
-                                                    let _e6389 = local_10.member[0u];
-                                                    let _e6393 = (_e6384[0] - _e6389[0]);
-                                                    let _e6394 = (_e6384[1] - _e6389[1]);
-                                                    let _e6395 = (_e6384[2] - _e6389[2]);
-                                                    let _e6398 = select(_e6393, -(_e6393), (_e6393 < 0f));
-                                                    let _e6401 = select(_e6394, -(_e6394), (_e6394 < 0f));
-                                                    let _e6403 = select(_e6401, _e6398, (_e6398 > _e6401));
-                                                    let _e6406 = select(_e6395, -(_e6395), (_e6395 < 0f));
-                                                    let _e6414 = ((((_e6321 * select(_e6406, _e6403, (_e6403 > _e6406))) * 1.01f) + ((select(_e6360, _e6342, (_e6342 > _e6360)) + _e6323) * (0.000000059604645f * 8f))) + _e6323);
-                                                    let _e6417 = select(_e6380, -(_e6380), (_e6380 < 0f));
-                                                    let _e6420 = select(_e6381, -(_e6381), (_e6381 < 0f));
-                                                    let _e6422 = select(_e6420, _e6417, (_e6417 > _e6420));
-                                                    let _e6425 = select(_e6382, -(_e6382), (_e6382 < 0f));
-                                                    local_2 = type_21(array<f32, 3>(_e6380, _e6381, _e6382), _e6414, (select(_e6425, _e6422, (_e6422 > _e6425)) + _e6414));
-                                                    let _e6433 = local_10.member_3;
-                                                    let _e6435 = local_10.member_1[0u];
-                                                    let _e6441 = select(_e6435[0], -(_e6435[0]), (_e6435[0] < 0f));
-                                                    let _e6444 = select(_e6435[1], -(_e6435[1]), (_e6435[1] < 0f));
-                                                    let _e6446 = select(_e6444, _e6441, (_e6441 > _e6444));
-                                                    let _e6449 = select(_e6435[2], -(_e6435[2]), (_e6435[2] < 0f));
-                                                    let _e6451 = select(_e6449, _e6446, (_e6446 > _e6449));
-                                                    let _e6453 = local_10.member_1[1u];
-                                                    let _e6459 = select(_e6453[0], -(_e6453[0]), (_e6453[0] < 0f));
-                                                    let _e6462 = select(_e6453[1], -(_e6453[1]), (_e6453[1] < 0f));
-                                                    let _e6464 = select(_e6462, _e6459, (_e6459 > _e6462));
-                                                    let _e6467 = select(_e6453[2], -(_e6453[2]), (_e6453[2] < 0f));
-                                                    let _e6469 = select(_e6467, _e6464, (_e6464 > _e6467));
-                                                    let _e6474 = local_10.member_1[0u];
-                                                    let _e6479 = local_10.member_1[1u];
-                                                    let _e6489 = (_e6474[0] + ((_e6479[0] - _e6474[0]) * _e6319));
-                                                    let _e6490 = (_e6474[1] + ((_e6479[1] - _e6474[1]) * _e6319));
-                                                    let _e6491 = (_e6474[2] + ((_e6479[2] - _e6474[2]) * _e6319));
-                                                    let _e6493 = local_10.member_1[1u];
-                                                    let _e6498 = local_10.member_1[0u];
-                                                    let _e6502 = (_e6493[0] - _e6498[0]);
-                                                    let _e6503 = (_e6493[1] - _e6498[1]);
-                                                    let _e6504 = (_e6493[2] - _e6498[2]);
-                                                    let _e6507 = select(_e6502, -(_e6502), (_e6502 < 0f));
-                                                    let _e6510 = select(_e6503, -(_e6503), (_e6503 < 0f));
-                                                    let _e6512 = select(_e6510, _e6507, (_e6507 > _e6510));
-                                                    let _e6515 = select(_e6504, -(_e6504), (_e6504 < 0f));
-                                                    let _e6523 = ((((_e6321 * select(_e6515, _e6512, (_e6512 > _e6515))) * 1.01f) + ((select(_e6469, _e6451, (_e6451 > _e6469)) + _e6433) * (0.000000059604645f * 8f))) + _e6433);
-                                                    let _e6526 = select(_e6489, -(_e6489), (_e6489 < 0f));
-                                                    let _e6529 = select(_e6490, -(_e6490), (_e6490 < 0f));
-                                                    let _e6531 = select(_e6529, _e6526, (_e6526 > _e6529));
-                                                    let _e6534 = select(_e6491, -(_e6491), (_e6491 < 0f));
-                                                    local_3 = type_21(array<f32, 3>(_e6489, _e6490, _e6491), _e6523, (select(_e6534, _e6531, (_e6531 > _e6534)) + _e6523));
-                                                    let _e6542 = local_10.member_3;
-                                                    let _e6544 = local_10.member_2[0u];
-                                                    let _e6550 = select(_e6544[0], -(_e6544[0]), (_e6544[0] < 0f));
-                                                    let _e6553 = select(_e6544[1], -(_e6544[1]), (_e6544[1] < 0f));
-                                                    let _e6555 = select(_e6553, _e6550, (_e6550 > _e6553));
-                                                    let _e6558 = select(_e6544[2], -(_e6544[2]), (_e6544[2] < 0f));
-                                                    let _e6560 = select(_e6558, _e6555, (_e6555 > _e6558));
-                                                    let _e6562 = local_10.member_2[1u];
-                                                    let _e6568 = select(_e6562[0], -(_e6562[0]), (_e6562[0] < 0f));
-                                                    let _e6571 = select(_e6562[1], -(_e6562[1]), (_e6562[1] < 0f));
-                                                    let _e6573 = select(_e6571, _e6568, (_e6568 > _e6571));
-                                                    let _e6576 = select(_e6562[2], -(_e6562[2]), (_e6562[2] < 0f));
-                                                    let _e6578 = select(_e6576, _e6573, (_e6573 > _e6576));
-                                                    let _e6583 = local_10.member_2[0u];
-                                                    let _e6588 = local_10.member_2[1u];
-                                                    let _e6598 = (_e6583[0] + ((_e6588[0] - _e6583[0]) * _e6319));
-                                                    let _e6599 = (_e6583[1] + ((_e6588[1] - _e6583[1]) * _e6319));
-                                                    let _e6600 = (_e6583[2] + ((_e6588[2] - _e6583[2]) * _e6319));
-                                                    let _e6602 = local_10.member_2[1u];
-                                                    let _e6607 = local_10.member_2[0u];
-                                                    let _e6611 = (_e6602[0] - _e6607[0]);
-                                                    let _e6612 = (_e6602[1] - _e6607[1]);
-                                                    let _e6613 = (_e6602[2] - _e6607[2]);
-                                                    let _e6616 = select(_e6611, -(_e6611), (_e6611 < 0f));
-                                                    let _e6619 = select(_e6612, -(_e6612), (_e6612 < 0f));
-                                                    let _e6621 = select(_e6619, _e6616, (_e6616 > _e6619));
-                                                    let _e6624 = select(_e6613, -(_e6613), (_e6613 < 0f));
-                                                    let _e6632 = ((((_e6321 * select(_e6624, _e6621, (_e6621 > _e6624))) * 1.01f) + ((select(_e6578, _e6560, (_e6560 > _e6578)) + _e6542) * (0.000000059604645f * 8f))) + _e6542);
-                                                    let _e6635 = select(_e6598, -(_e6598), (_e6598 < 0f));
-                                                    let _e6638 = select(_e6599, -(_e6599), (_e6599 < 0f));
-                                                    let _e6640 = select(_e6638, _e6635, (_e6635 > _e6638));
-                                                    let _e6643 = select(_e6600, -(_e6600), (_e6600 < 0f));
-                                                    local_4 = type_21(array<f32, 3>(_e6598, _e6599, _e6600), _e6632, (select(_e6643, _e6640, (_e6640 > _e6643)) + _e6632));
-                                                    let _e6650 = local_3.member;
-                                                    let _e6655 = local_4.member;
-                                                    let _e6661 = ((_e6650[1] * _e6655[2]) - (_e6650[2] * _e6655[1]));
-                                                    let _e6664 = ((_e6650[2] * _e6655[0]) - (_e6650[0] * _e6655[2]));
-                                                    let _e6667 = ((_e6650[0] * _e6655[1]) - (_e6650[1] * _e6655[0]));
-                                                    if (select(_e6661, -(_e6661), (_e6661 < 0f)) > select(_e6664, -(_e6664), (_e6664 < 0f))) {
-                                                        let _e6690 = (select(_e6661, -(_e6661), (_e6661 < 0f)) > select(_e6667, -(_e6667), (_e6667 < 0f)));
-                                                        phi_10849_ = select(1u, 2u, _e6690);
-                                                        phi_10850_ = select(0u, 1u, _e6690);
+                                                    let _e6316 = ((_e6307.member_1 - _e6307.member) * 0.5f);
+                                                    let _e6317 = (_e6307.member + _e6316);
+                                                    let _e6319 = (_e6316 + (0.000000059604645f * 4f));
+                                                    let _e6321 = local_10.member_3;
+                                                    let _e6324 = local_10.member[0u];
+                                                    let _e6330 = select(_e6324[0], -(_e6324[0]), (_e6324[0] < 0f));
+                                                    let _e6333 = select(_e6324[1], -(_e6324[1]), (_e6324[1] < 0f));
+                                                    let _e6335 = select(_e6333, _e6330, (_e6330 > _e6333));
+                                                    let _e6338 = select(_e6324[2], -(_e6324[2]), (_e6324[2] < 0f));
+                                                    let _e6340 = select(_e6338, _e6335, (_e6335 > _e6338));
+                                                    let _e6342 = local_10.member[1u];
+                                                    let _e6348 = select(_e6342[0], -(_e6342[0]), (_e6342[0] < 0f));
+                                                    let _e6351 = select(_e6342[1], -(_e6342[1]), (_e6342[1] < 0f));
+                                                    let _e6353 = select(_e6351, _e6348, (_e6348 > _e6351));
+                                                    let _e6356 = select(_e6342[2], -(_e6342[2]), (_e6342[2] < 0f));
+                                                    let _e6358 = select(_e6356, _e6353, (_e6353 > _e6356));
+                                                    let _e6363 = local_10.member[0u];
+                                                    let _e6368 = local_10.member[1u];
+                                                    let _e6378 = (_e6363[0] + ((_e6368[0] - _e6363[0]) * _e6317));
+                                                    let _e6379 = (_e6363[1] + ((_e6368[1] - _e6363[1]) * _e6317));
+                                                    let _e6380 = (_e6363[2] + ((_e6368[2] - _e6363[2]) * _e6317));
+                                                    let _e6382 = local_10.member[1u];
+                                                    let _e6387 = local_10.member[0u];
+                                                    let _e6391 = (_e6382[0] - _e6387[0]);
+                                                    let _e6392 = (_e6382[1] - _e6387[1]);
+                                                    let _e6393 = (_e6382[2] - _e6387[2]);
+                                                    let _e6396 = select(_e6391, -(_e6391), (_e6391 < 0f));
+                                                    let _e6399 = select(_e6392, -(_e6392), (_e6392 < 0f));
+                                                    let _e6401 = select(_e6399, _e6396, (_e6396 > _e6399));
+                                                    let _e6404 = select(_e6393, -(_e6393), (_e6393 < 0f));
+                                                    let _e6412 = ((((_e6319 * select(_e6404, _e6401, (_e6401 > _e6404))) * 1.01f) + ((select(_e6358, _e6340, (_e6340 > _e6358)) + _e6321) * (0.000000059604645f * 8f))) + _e6321);
+                                                    let _e6415 = select(_e6378, -(_e6378), (_e6378 < 0f));
+                                                    let _e6418 = select(_e6379, -(_e6379), (_e6379 < 0f));
+                                                    let _e6420 = select(_e6418, _e6415, (_e6415 > _e6418));
+                                                    let _e6423 = select(_e6380, -(_e6380), (_e6380 < 0f));
+                                                    local_2 = type_20(array<f32, 3>(_e6378, _e6379, _e6380), _e6412, (select(_e6423, _e6420, (_e6420 > _e6423)) + _e6412));
+                                                    let _e6431 = local_10.member_3;
+                                                    let _e6433 = local_10.member_1[0u];
+                                                    let _e6439 = select(_e6433[0], -(_e6433[0]), (_e6433[0] < 0f));
+                                                    let _e6442 = select(_e6433[1], -(_e6433[1]), (_e6433[1] < 0f));
+                                                    let _e6444 = select(_e6442, _e6439, (_e6439 > _e6442));
+                                                    let _e6447 = select(_e6433[2], -(_e6433[2]), (_e6433[2] < 0f));
+                                                    let _e6449 = select(_e6447, _e6444, (_e6444 > _e6447));
+                                                    let _e6451 = local_10.member_1[1u];
+                                                    let _e6457 = select(_e6451[0], -(_e6451[0]), (_e6451[0] < 0f));
+                                                    let _e6460 = select(_e6451[1], -(_e6451[1]), (_e6451[1] < 0f));
+                                                    let _e6462 = select(_e6460, _e6457, (_e6457 > _e6460));
+                                                    let _e6465 = select(_e6451[2], -(_e6451[2]), (_e6451[2] < 0f));
+                                                    let _e6467 = select(_e6465, _e6462, (_e6462 > _e6465));
+                                                    let _e6472 = local_10.member_1[0u];
+                                                    let _e6477 = local_10.member_1[1u];
+                                                    let _e6487 = (_e6472[0] + ((_e6477[0] - _e6472[0]) * _e6317));
+                                                    let _e6488 = (_e6472[1] + ((_e6477[1] - _e6472[1]) * _e6317));
+                                                    let _e6489 = (_e6472[2] + ((_e6477[2] - _e6472[2]) * _e6317));
+                                                    let _e6491 = local_10.member_1[1u];
+                                                    let _e6496 = local_10.member_1[0u];
+                                                    let _e6500 = (_e6491[0] - _e6496[0]);
+                                                    let _e6501 = (_e6491[1] - _e6496[1]);
+                                                    let _e6502 = (_e6491[2] - _e6496[2]);
+                                                    let _e6505 = select(_e6500, -(_e6500), (_e6500 < 0f));
+                                                    let _e6508 = select(_e6501, -(_e6501), (_e6501 < 0f));
+                                                    let _e6510 = select(_e6508, _e6505, (_e6505 > _e6508));
+                                                    let _e6513 = select(_e6502, -(_e6502), (_e6502 < 0f));
+                                                    let _e6521 = ((((_e6319 * select(_e6513, _e6510, (_e6510 > _e6513))) * 1.01f) + ((select(_e6467, _e6449, (_e6449 > _e6467)) + _e6431) * (0.000000059604645f * 8f))) + _e6431);
+                                                    let _e6524 = select(_e6487, -(_e6487), (_e6487 < 0f));
+                                                    let _e6527 = select(_e6488, -(_e6488), (_e6488 < 0f));
+                                                    let _e6529 = select(_e6527, _e6524, (_e6524 > _e6527));
+                                                    let _e6532 = select(_e6489, -(_e6489), (_e6489 < 0f));
+                                                    local_3 = type_20(array<f32, 3>(_e6487, _e6488, _e6489), _e6521, (select(_e6532, _e6529, (_e6529 > _e6532)) + _e6521));
+                                                    let _e6540 = local_10.member_3;
+                                                    let _e6542 = local_10.member_2[0u];
+                                                    let _e6548 = select(_e6542[0], -(_e6542[0]), (_e6542[0] < 0f));
+                                                    let _e6551 = select(_e6542[1], -(_e6542[1]), (_e6542[1] < 0f));
+                                                    let _e6553 = select(_e6551, _e6548, (_e6548 > _e6551));
+                                                    let _e6556 = select(_e6542[2], -(_e6542[2]), (_e6542[2] < 0f));
+                                                    let _e6558 = select(_e6556, _e6553, (_e6553 > _e6556));
+                                                    let _e6560 = local_10.member_2[1u];
+                                                    let _e6566 = select(_e6560[0], -(_e6560[0]), (_e6560[0] < 0f));
+                                                    let _e6569 = select(_e6560[1], -(_e6560[1]), (_e6560[1] < 0f));
+                                                    let _e6571 = select(_e6569, _e6566, (_e6566 > _e6569));
+                                                    let _e6574 = select(_e6560[2], -(_e6560[2]), (_e6560[2] < 0f));
+                                                    let _e6576 = select(_e6574, _e6571, (_e6571 > _e6574));
+                                                    let _e6581 = local_10.member_2[0u];
+                                                    let _e6586 = local_10.member_2[1u];
+                                                    let _e6596 = (_e6581[0] + ((_e6586[0] - _e6581[0]) * _e6317));
+                                                    let _e6597 = (_e6581[1] + ((_e6586[1] - _e6581[1]) * _e6317));
+                                                    let _e6598 = (_e6581[2] + ((_e6586[2] - _e6581[2]) * _e6317));
+                                                    let _e6600 = local_10.member_2[1u];
+                                                    let _e6605 = local_10.member_2[0u];
+                                                    let _e6609 = (_e6600[0] - _e6605[0]);
+                                                    let _e6610 = (_e6600[1] - _e6605[1]);
+                                                    let _e6611 = (_e6600[2] - _e6605[2]);
+                                                    let _e6614 = select(_e6609, -(_e6609), (_e6609 < 0f));
+                                                    let _e6617 = select(_e6610, -(_e6610), (_e6610 < 0f));
+                                                    let _e6619 = select(_e6617, _e6614, (_e6614 > _e6617));
+                                                    let _e6622 = select(_e6611, -(_e6611), (_e6611 < 0f));
+                                                    let _e6630 = ((((_e6319 * select(_e6622, _e6619, (_e6619 > _e6622))) * 1.01f) + ((select(_e6576, _e6558, (_e6558 > _e6576)) + _e6540) * (0.000000059604645f * 8f))) + _e6540);
+                                                    let _e6633 = select(_e6596, -(_e6596), (_e6596 < 0f));
+                                                    let _e6636 = select(_e6597, -(_e6597), (_e6597 < 0f));
+                                                    let _e6638 = select(_e6636, _e6633, (_e6633 > _e6636));
+                                                    let _e6641 = select(_e6598, -(_e6598), (_e6598 < 0f));
+                                                    local_4 = type_20(array<f32, 3>(_e6596, _e6597, _e6598), _e6630, (select(_e6641, _e6638, (_e6638 > _e6641)) + _e6630));
+                                                    let _e6648 = local_3.member;
+                                                    let _e6653 = local_4.member;
+                                                    let _e6659 = ((_e6648[1] * _e6653[2]) - (_e6648[2] * _e6653[1]));
+                                                    let _e6662 = ((_e6648[2] * _e6653[0]) - (_e6648[0] * _e6653[2]));
+                                                    let _e6665 = ((_e6648[0] * _e6653[1]) - (_e6648[1] * _e6653[0]));
+                                                    if (select(_e6659, -(_e6659), (_e6659 < 0f)) > select(_e6662, -(_e6662), (_e6662 < 0f))) {
+                                                        let _e6688 = (select(_e6659, -(_e6659), (_e6659 < 0f)) > select(_e6665, -(_e6665), (_e6665 < 0f)));
+                                                        phi_10848_ = select(1u, 2u, _e6688);
+                                                        phi_10849_ = select(0u, 1u, _e6688);
                                                     } else {
-                                                        let _e6681 = (select(_e6664, -(_e6664), (_e6664 < 0f)) > select(_e6667, -(_e6667), (_e6667 < 0f)));
-                                                        phi_10849_ = select(1u, 0u, _e6681);
-                                                        phi_10850_ = select(0u, 2u, _e6681);
+                                                        let _e6679 = (select(_e6662, -(_e6662), (_e6662 < 0f)) > select(_e6665, -(_e6665), (_e6665 < 0f)));
+                                                        phi_10848_ = select(1u, 0u, _e6679);
+                                                        phi_10849_ = select(0u, 2u, _e6679);
                                                     }
+                                                    let _e6692 = phi_10848_;
                                                     let _e6694 = phi_10849_;
-                                                    let _e6696 = phi_10850_;
-                                                    let _e6699 = local_3.member[_e6696];
-                                                    let _e6702 = local_4.member[_e6694];
-                                                    let _e6706 = local_3.member[_e6694];
-                                                    let _e6709 = local_4.member[_e6696];
-                                                    let _e6711 = ((_e6699 * _e6702) - (_e6706 * _e6709));
-                                                    let _e6713 = local_3.member_1;
-                                                    let _e6715 = local_4.member_2;
-                                                    let _e6718 = local_3.member_2;
-                                                    let _e6720 = local_4.member_1;
-                                                    let _e6725 = local_3.member_2;
-                                                    let _e6728 = local_4.member_2;
-                                                    let _e6736 = local_3.member_2;
-                                                    let _e6739 = local_4.member_2;
-                                                    let _e6743 = (((((_e6713 * _e6715) + (_e6718 * _e6720)) * 2.01f) + (((_e6725 * 2f) * (_e6728 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e6736) * (1f + _e6739))));
-                                                    if (select(_e6711, -(_e6711), (_e6711 < 0f)) > _e6743) {
-                                                        let _e6749 = select(1f, -1f, (_e6711 < 0f));
-                                                        let _e6752 = local_2.member[_e6696];
-                                                        let _e6755 = local_4.member[_e6694];
-                                                        let _e6759 = local_2.member[_e6694];
-                                                        let _e6762 = local_4.member[_e6696];
-                                                        let _e6766 = local_2.member_1;
-                                                        let _e6768 = local_4.member_2;
-                                                        let _e6771 = local_2.member_2;
-                                                        let _e6773 = local_4.member_1;
-                                                        let _e6778 = local_2.member_2;
-                                                        let _e6781 = local_4.member_2;
-                                                        let _e6789 = local_2.member_2;
-                                                        let _e6792 = local_4.member_2;
-                                                        let _e6796 = (((((_e6766 * _e6768) + (_e6771 * _e6773)) * 2.01f) + (((_e6778 * 2f) * (_e6781 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e6789) * (1f + _e6792))));
-                                                        let _e6799 = local_3.member[_e6696];
-                                                        let _e6802 = local_2.member[_e6694];
-                                                        let _e6806 = local_3.member[_e6694];
-                                                        let _e6809 = local_2.member[_e6696];
-                                                        let _e6813 = local_3.member_1;
-                                                        let _e6815 = local_2.member_2;
-                                                        let _e6818 = local_3.member_2;
-                                                        let _e6820 = local_2.member_1;
-                                                        let _e6825 = local_3.member_2;
-                                                        let _e6828 = local_2.member_2;
-                                                        let _e6836 = local_3.member_2;
-                                                        let _e6839 = local_2.member_2;
-                                                        let _e6843 = (((((_e6813 * _e6815) + (_e6818 * _e6820)) * 2.01f) + (((_e6825 * 2f) * (_e6828 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e6836) * (1f + _e6839))));
-                                                        let _e6844 = (_e6711 * _e6749);
-                                                        let _e6845 = (((_e6752 * _e6755) - (_e6759 * _e6762)) * _e6749);
-                                                        let _e6846 = (((_e6799 * _e6802) - (_e6806 * _e6809)) * _e6749);
-                                                        let _e6859 = (((select(_e6844, -(_e6844), (_e6844 < 0f)) + select(_e6845, -(_e6845), (_e6845 < 0f))) + select(_e6846, -(_e6846), (_e6846 < 0f))) * (0.000000059604645f * 4f));
-                                                        if (_e283.member != 0u) {
-                                                            phi_11111_ = array<type_16, 4>(type_16(_e6845, _e6796), type_16(_e6846, _e6843), type_16((_e6844 - _e6845), ((_e6743 + _e6796) + _e6859)), type_16((_e6844 - _e6846), ((_e6743 + _e6843) + _e6859)));
+                                                    let _e6697 = local_3.member[_e6694];
+                                                    let _e6700 = local_4.member[_e6692];
+                                                    let _e6704 = local_3.member[_e6692];
+                                                    let _e6707 = local_4.member[_e6694];
+                                                    let _e6709 = ((_e6697 * _e6700) - (_e6704 * _e6707));
+                                                    let _e6711 = local_3.member_1;
+                                                    let _e6713 = local_4.member_2;
+                                                    let _e6716 = local_3.member_2;
+                                                    let _e6718 = local_4.member_1;
+                                                    let _e6723 = local_3.member_2;
+                                                    let _e6726 = local_4.member_2;
+                                                    let _e6734 = local_3.member_2;
+                                                    let _e6737 = local_4.member_2;
+                                                    let _e6741 = (((((_e6711 * _e6713) + (_e6716 * _e6718)) * 2.01f) + (((_e6723 * 2f) * (_e6726 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e6734) * (1f + _e6737))));
+                                                    if (select(_e6709, -(_e6709), (_e6709 < 0f)) > _e6741) {
+                                                        let _e6747 = select(1f, -1f, (_e6709 < 0f));
+                                                        let _e6750 = local_2.member[_e6694];
+                                                        let _e6753 = local_4.member[_e6692];
+                                                        let _e6757 = local_2.member[_e6692];
+                                                        let _e6760 = local_4.member[_e6694];
+                                                        let _e6764 = local_2.member_1;
+                                                        let _e6766 = local_4.member_2;
+                                                        let _e6769 = local_2.member_2;
+                                                        let _e6771 = local_4.member_1;
+                                                        let _e6776 = local_2.member_2;
+                                                        let _e6779 = local_4.member_2;
+                                                        let _e6787 = local_2.member_2;
+                                                        let _e6790 = local_4.member_2;
+                                                        let _e6794 = (((((_e6764 * _e6766) + (_e6769 * _e6771)) * 2.01f) + (((_e6776 * 2f) * (_e6779 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e6787) * (1f + _e6790))));
+                                                        let _e6797 = local_3.member[_e6694];
+                                                        let _e6800 = local_2.member[_e6692];
+                                                        let _e6804 = local_3.member[_e6692];
+                                                        let _e6807 = local_2.member[_e6694];
+                                                        let _e6811 = local_3.member_1;
+                                                        let _e6813 = local_2.member_2;
+                                                        let _e6816 = local_3.member_2;
+                                                        let _e6818 = local_2.member_1;
+                                                        let _e6823 = local_3.member_2;
+                                                        let _e6826 = local_2.member_2;
+                                                        let _e6834 = local_3.member_2;
+                                                        let _e6837 = local_2.member_2;
+                                                        let _e6841 = (((((_e6811 * _e6813) + (_e6816 * _e6818)) * 2.01f) + (((_e6823 * 2f) * (_e6826 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e6834) * (1f + _e6837))));
+                                                        let _e6842 = (_e6709 * _e6747);
+                                                        let _e6843 = (((_e6750 * _e6753) - (_e6757 * _e6760)) * _e6747);
+                                                        let _e6844 = (((_e6797 * _e6800) - (_e6804 * _e6807)) * _e6747);
+                                                        let _e6857 = (((select(_e6842, -(_e6842), (_e6842 < 0f)) + select(_e6843, -(_e6843), (_e6843 < 0f))) + select(_e6844, -(_e6844), (_e6844 < 0f))) * (0.000000059604645f * 4f));
+                                                        if (_e281.member != 0u) {
+                                                            phi_11110_ = array<type_16, 4>(type_16(_e6843, _e6794), type_16(_e6844, _e6841), type_16((_e6842 - _e6843), ((_e6741 + _e6794) + _e6857)), type_16((_e6842 - _e6844), ((_e6741 + _e6841) + _e6857)));
                                                         } else {
-                                                            let _e6862 = ((_e6844 - _e6845) - _e6846);
-                                                            let _e6865 = (((_e6743 + _e6796) + _e6843) + _e6859);
-                                                            phi_11111_ = array<type_16, 4>(type_16(_e6845, _e6796), type_16(_e6846, _e6843), type_16(_e6862, _e6865), type_16(_e6862, _e6865));
+                                                            let _e6860 = ((_e6842 - _e6843) - _e6844);
+                                                            let _e6863 = (((_e6741 + _e6794) + _e6841) + _e6857);
+                                                            phi_11110_ = array<type_16, 4>(type_16(_e6843, _e6794), type_16(_e6844, _e6841), type_16(_e6860, _e6863), type_16(_e6860, _e6863));
                                                         }
-                                                        let _e6883 = phi_11111_;
-                                                        local_5 = array<type_16, 4>(type_16(_e6883[0].member, _e6883[0].member_1), type_16(_e6883[1].member, _e6883[1].member_1), type_16(_e6883[2].member, _e6883[2].member_1), type_16(_e6883[3].member, _e6883[3].member_1));
-                                                        phi_11131_ = type_9(0u, 4u);
-                                                        phi_11134_ = true;
+                                                        let _e6881 = phi_11110_;
+                                                        local_5 = array<type_16, 4>(type_16(_e6881[0].member, _e6881[0].member_1), type_16(_e6881[1].member, _e6881[1].member_1), type_16(_e6881[2].member, _e6881[2].member_1), type_16(_e6881[3].member, _e6881[3].member_1));
+                                                        phi_11130_ = type_9(0u, 4u);
+                                                        phi_11133_ = true;
                                                         loop {
-                                                            let _e6902 = phi_11131_;
-                                                            let _e6904 = phi_11134_;
-                                                            local_87 = _e6904;
-                                                            let _e6907 = (_e6902.member < _e6902.member_1);
-                                                            let _e6918 = select(type_9().member_1, _e6902.member, _e6907);
-                                                            if (bitcast<i32>(select(0u, 1u, _e6907)) != 0i) {
-                                                                let _e6923 = local_5[_e6918].member;
-                                                                let _e6926 = local_5[_e6918].member_1;
-                                                                let _e6928 = (_e6923 < -(_e6926));
-                                                                phi_11135_ = select((_e6904 && (_e6923 > _e6926)), bool(), _e6928);
-                                                                phi_11186_ = select(true, false, _e6928);
-                                                                phi_11187_ = _e6928;
+                                                            let _e6900 = phi_11130_;
+                                                            let _e6902 = phi_11133_;
+                                                            local_87 = _e6902;
+                                                            let _e6905 = (_e6900.member < _e6900.member_1);
+                                                            let _e6916 = select(type_9().member_1, _e6900.member, _e6905);
+                                                            if (bitcast<i32>(select(0u, 1u, _e6905)) != 0i) {
+                                                                let _e6921 = local_5[_e6916].member;
+                                                                let _e6924 = local_5[_e6916].member_1;
+                                                                let _e6926 = (_e6921 < -(_e6924));
+                                                                phi_11134_ = select((_e6902 && (_e6921 > _e6924)), bool(), _e6926);
+                                                                phi_11185_ = select(true, false, _e6926);
+                                                                phi_11186_ = _e6926;
                                                             } else {
-                                                                phi_11135_ = bool();
+                                                                phi_11134_ = bool();
+                                                                phi_11185_ = false;
                                                                 phi_11186_ = false;
-                                                                phi_11187_ = false;
                                                             }
-                                                            let _e6934 = phi_11135_;
+                                                            let _e6932 = phi_11134_;
+                                                            let _e6934 = phi_11185_;
                                                             let _e6936 = phi_11186_;
-                                                            let _e6938 = phi_11187_;
-                                                            local_86 = _e6938;
+                                                            local_86 = _e6936;
                                                             continue;
                                                             continuing {
-                                                                phi_11131_ = type_9(select(_e6902.member, (_e6902.member + 1u), _e6907), select(_e6902.member_1, _e6902.member_1, _e6907));
-                                                                phi_11134_ = _e6934;
-                                                                break if !(_e6936);
+                                                                phi_11130_ = type_9(select(_e6900.member, (_e6900.member + 1u), _e6905), select(_e6900.member_1, _e6900.member_1, _e6905));
+                                                                phi_11133_ = _e6932;
+                                                                break if !(_e6934);
                                                             }
                                                         }
-                                                        let _e6941 = local_86;
-                                                        let _e6942 = select(true, false, _e6941);
-                                                        let _e6944 = local_87;
-                                                        phi_11201_ = select(u32(), select(2u, 1u, _e6944), _e6942);
-                                                        phi_11202_ = 0u;
-                                                        phi_11203_ = select(true, false, _e6942);
+                                                        let _e6939 = local_86;
+                                                        let _e6940 = select(true, false, _e6939);
+                                                        let _e6942 = local_87;
+                                                        phi_11200_ = select(u32(), select(2u, 1u, _e6942), _e6940);
+                                                        phi_11201_ = 0u;
+                                                        phi_11202_ = select(true, false, _e6940);
                                                     } else {
-                                                        phi_11201_ = u32();
-                                                        phi_11202_ = 2u;
-                                                        phi_11203_ = true;
+                                                        phi_11200_ = u32();
+                                                        phi_11201_ = 2u;
+                                                        phi_11202_ = true;
                                                     }
+                                                    let _e6947 = phi_11200_;
                                                     let _e6949 = phi_11201_;
                                                     let _e6951 = phi_11202_;
-                                                    let _e6953 = phi_11203_;
-                                                    let _e6954 = select(_e6949, _e6951, _e6953);
-                                                    let _e6955 = (_e6954 == 0u);
-                                                    if _e6955 {
-                                                        phi_11234_ = bool();
+                                                    let _e6952 = select(_e6947, _e6949, _e6951);
+                                                    let _e6953 = (_e6952 == 0u);
+                                                    if _e6953 {
+                                                        phi_11233_ = bool();
+                                                        phi_11234_ = false;
                                                         phi_11235_ = false;
-                                                        phi_11236_ = false;
                                                     } else {
-                                                        let _e6958 = select(false, _e6309.member_2, (_e6954 == 1u));
-                                                        let _e6964 = select(true, select(true, false, ((_e6309.member_1 - _e6309.member) <= _e5924)), _e6958);
-                                                        phi_11234_ = _e6958;
-                                                        phi_11235_ = _e6964;
-                                                        phi_11236_ = select(true, false, _e6964);
+                                                        let _e6956 = select(false, _e6307.member_2, (_e6952 == 1u));
+                                                        let _e6962 = select(true, select(true, false, ((_e6307.member_1 - _e6307.member) <= _e5922)), _e6956);
+                                                        phi_11233_ = _e6956;
+                                                        phi_11234_ = _e6962;
+                                                        phi_11235_ = select(true, false, _e6962);
                                                     }
+                                                    let _e6965 = phi_11233_;
                                                     let _e6967 = phi_11234_;
                                                     let _e6969 = phi_11235_;
-                                                    let _e6971 = phi_11236_;
-                                                    phi_11237_ = _e6967;
-                                                    phi_11238_ = _e6955;
+                                                    phi_11236_ = _e6965;
+                                                    phi_11237_ = _e6953;
+                                                    phi_11238_ = _e6967;
                                                     phi_11239_ = _e6969;
-                                                    phi_11240_ = _e6971;
                                                 }
+                                                let _e6971 = phi_11236_;
                                                 let _e6973 = phi_11237_;
                                                 let _e6975 = phi_11238_;
                                                 let _e6977 = phi_11239_;
-                                                let _e6979 = phi_11240_;
+                                                phi_11240_ = _e6971;
                                                 phi_11241_ = _e6973;
                                                 phi_11242_ = _e6975;
-                                                phi_11243_ = _e6977;
-                                                phi_11244_ = _e6314;
-                                                phi_11245_ = _e6979;
+                                                phi_11243_ = _e6312;
+                                                phi_11244_ = _e6977;
                                             }
+                                            let _e6979 = phi_11240_;
                                             let _e6981 = phi_11241_;
                                             let _e6983 = phi_11242_;
                                             let _e6985 = phi_11243_;
                                             let _e6987 = phi_11244_;
-                                            let _e6989 = phi_11245_;
-                                            phi_11246_ = _e6309;
-                                            phi_11247_ = _e6981;
-                                            phi_11248_ = _e6309;
+                                            phi_11245_ = _e6307;
+                                            phi_11246_ = _e6979;
+                                            phi_11247_ = _e6307;
+                                            phi_11248_ = _e6981;
                                             phi_11249_ = _e6983;
                                             phi_11250_ = _e6985;
                                             phi_11251_ = _e6987;
-                                            phi_11252_ = _e6989;
                                         }
+                                        let _e6989 = phi_11245_;
                                         let _e6991 = phi_11246_;
                                         let _e6993 = phi_11247_;
                                         let _e6995 = phi_11248_;
                                         let _e6997 = phi_11249_;
                                         let _e6999 = phi_11250_;
                                         let _e7001 = phi_11251_;
-                                        let _e7003 = phi_11252_;
+                                        phi_11252_ = _e6989;
                                         phi_11253_ = _e6991;
                                         phi_11254_ = _e6993;
                                         phi_11255_ = _e6995;
                                         phi_11256_ = _e6997;
-                                        phi_11257_ = _e6999;
-                                        phi_11258_ = _e5989;
+                                        phi_11257_ = _e5987;
+                                        phi_11258_ = _e6999;
                                         phi_11259_ = _e7001;
-                                        phi_11260_ = _e7003;
                                     } else {
-                                        phi_11253_ = type_46();
-                                        phi_11254_ = bool();
-                                        phi_11255_ = type_46();
-                                        phi_11256_ = true;
+                                        phi_11252_ = type_45();
+                                        phi_11253_ = bool();
+                                        phi_11254_ = type_45();
+                                        phi_11255_ = true;
+                                        phi_11256_ = false;
                                         phi_11257_ = false;
                                         phi_11258_ = false;
                                         phi_11259_ = false;
-                                        phi_11260_ = false;
                                     }
+                                    let _e7003 = phi_11252_;
                                     let _e7005 = phi_11253_;
                                     let _e7007 = phi_11254_;
                                     let _e7009 = phi_11255_;
@@ -3179,25 +3169,25 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e7013 = phi_11257_;
                                     let _e7015 = phi_11258_;
                                     let _e7017 = phi_11259_;
-                                    let _e7019 = phi_11260_;
+                                    phi_11267_ = _e7003;
                                     phi_11268_ = _e7005;
                                     phi_11269_ = _e7007;
-                                    phi_11270_ = _e7009;
-                                    phi_11271_ = select(_e7013, false, _e7011);
-                                    phi_11272_ = _e7011;
-                                    phi_11273_ = select(_e7015, false, _e7011);
-                                    phi_11274_ = select(_e7017, false, _e7011);
-                                    phi_11275_ = select(_e7019, false, _e7011);
+                                    phi_11270_ = select(_e7011, false, _e7009);
+                                    phi_11271_ = _e7009;
+                                    phi_11272_ = select(_e7013, false, _e7009);
+                                    phi_11273_ = select(_e7015, false, _e7009);
+                                    phi_11274_ = select(_e7017, false, _e7009);
                                 } else {
-                                    phi_11268_ = type_46(_e5095, _e5095, false);
-                                    phi_11269_ = false;
-                                    phi_11270_ = type_46();
-                                    phi_11271_ = true;
+                                    phi_11267_ = type_45(_e5093, _e5093, false);
+                                    phi_11268_ = false;
+                                    phi_11269_ = type_45();
+                                    phi_11270_ = true;
+                                    phi_11271_ = false;
                                     phi_11272_ = false;
                                     phi_11273_ = false;
                                     phi_11274_ = false;
-                                    phi_11275_ = false;
                                 }
+                                let _e7023 = phi_11267_;
                                 let _e7025 = phi_11268_;
                                 let _e7027 = phi_11269_;
                                 let _e7029 = phi_11270_;
@@ -3205,611 +3195,611 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e7033 = phi_11272_;
                                 let _e7035 = phi_11273_;
                                 let _e7037 = phi_11274_;
-                                let _e7039 = phi_11275_;
-                                if _e7031 {
-                                    let _e7044 = local_10.member[0u];
-                                    let _e7050 = local_10.member_1[0u];
-                                    let _e7056 = local_10.member_2[0u];
-                                    let _e7060 = (_e7044[0] - _e7050[0]);
-                                    let _e7061 = (_e7044[1] - _e7050[1]);
-                                    let _e7062 = (_e7044[2] - _e7050[2]);
-                                    let _e7063 = (_e283.member == 0u);
-                                    let _e7075 = local_10.member[1u];
-                                    let _e7081 = local_10.member_1[1u];
-                                    let _e7087 = local_10.member_2[1u];
-                                    let _e7091 = (_e7075[0] - _e7081[0]);
-                                    let _e7092 = (_e7075[1] - _e7081[1]);
-                                    let _e7093 = (_e7075[2] - _e7081[2]);
-                                    let _e7094 = (_e283.member == 0u);
-                                    let _e7106 = local_10.member[0u];
-                                    let _e7112 = select(_e7106[0], -(_e7106[0]), (_e7106[0] < 0f));
-                                    let _e7115 = select(_e7106[1], -(_e7106[1]), (_e7106[1] < 0f));
-                                    let _e7117 = select(_e7115, _e7112, (_e7112 > _e7115));
-                                    let _e7120 = select(_e7106[2], -(_e7106[2]), (_e7106[2] < 0f));
-                                    let _e7122 = select(_e7120, _e7117, (_e7117 > _e7120));
-                                    let _e7125 = local_10.member[1u];
-                                    let _e7131 = select(_e7125[0], -(_e7125[0]), (_e7125[0] < 0f));
-                                    let _e7134 = select(_e7125[1], -(_e7125[1]), (_e7125[1] < 0f));
-                                    let _e7136 = select(_e7134, _e7131, (_e7131 > _e7134));
-                                    let _e7139 = select(_e7125[2], -(_e7125[2]), (_e7125[2] < 0f));
-                                    let _e7141 = select(_e7139, _e7136, (_e7136 > _e7139));
-                                    let _e7145 = local_10.member_3;
-                                    let _e7149 = local_10.member_1[0u];
-                                    let _e7155 = select(_e7149[0], -(_e7149[0]), (_e7149[0] < 0f));
-                                    let _e7158 = select(_e7149[1], -(_e7149[1]), (_e7149[1] < 0f));
-                                    let _e7160 = select(_e7158, _e7155, (_e7155 > _e7158));
-                                    let _e7163 = select(_e7149[2], -(_e7149[2]), (_e7149[2] < 0f));
-                                    let _e7165 = select(_e7163, _e7160, (_e7160 > _e7163));
-                                    let _e7168 = local_10.member_1[1u];
-                                    let _e7174 = select(_e7168[0], -(_e7168[0]), (_e7168[0] < 0f));
-                                    let _e7177 = select(_e7168[1], -(_e7168[1]), (_e7168[1] < 0f));
-                                    let _e7179 = select(_e7177, _e7174, (_e7174 > _e7177));
-                                    let _e7182 = select(_e7168[2], -(_e7168[2]), (_e7168[2] < 0f));
-                                    let _e7184 = select(_e7182, _e7179, (_e7179 > _e7182));
-                                    let _e7188 = local_10.member_3;
-                                    let _e7192 = local_10.member_2[0u];
-                                    let _e7198 = select(_e7192[0], -(_e7192[0]), (_e7192[0] < 0f));
-                                    let _e7201 = select(_e7192[1], -(_e7192[1]), (_e7192[1] < 0f));
-                                    let _e7203 = select(_e7201, _e7198, (_e7198 > _e7201));
-                                    let _e7206 = select(_e7192[2], -(_e7192[2]), (_e7192[2] < 0f));
-                                    let _e7208 = select(_e7206, _e7203, (_e7203 > _e7206));
-                                    let _e7211 = local_10.member_2[1u];
-                                    let _e7217 = select(_e7211[0], -(_e7211[0]), (_e7211[0] < 0f));
-                                    let _e7220 = select(_e7211[1], -(_e7211[1]), (_e7211[1] < 0f));
-                                    let _e7222 = select(_e7220, _e7217, (_e7217 > _e7220));
-                                    let _e7225 = select(_e7211[2], -(_e7211[2]), (_e7211[2] < 0f));
-                                    let _e7227 = select(_e7225, _e7222, (_e7222 > _e7225));
-                                    let _e7231 = local_10.member_3;
-                                    let _e7238 = local_10.member_3;
-                                    let _e7243 = (_e5093 * 0.00390625f);
-                                    local = type_29(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                                    phi_11698_ = type_9(0u, 96u);
-                                    phi_11701_ = _e7025.member;
-                                    phi_11703_ = _e7025.member;
-                                    phi_11705_ = (_e7025.member_1 - _e7025.member);
-                                    phi_11707_ = _e7025.member;
-                                    phi_11709_ = false;
-                                    phi_11711_ = 0u;
+                                if _e7029 {
+                                    let _e7042 = local_10.member[0u];
+                                    let _e7048 = local_10.member_1[0u];
+                                    let _e7054 = local_10.member_2[0u];
+                                    let _e7058 = (_e7042[0] - _e7048[0]);
+                                    let _e7059 = (_e7042[1] - _e7048[1]);
+                                    let _e7060 = (_e7042[2] - _e7048[2]);
+                                    let _e7061 = (_e281.member == 0u);
+                                    let _e7073 = local_10.member[1u];
+                                    let _e7079 = local_10.member_1[1u];
+                                    let _e7085 = local_10.member_2[1u];
+                                    let _e7089 = (_e7073[0] - _e7079[0]);
+                                    let _e7090 = (_e7073[1] - _e7079[1]);
+                                    let _e7091 = (_e7073[2] - _e7079[2]);
+                                    let _e7092 = (_e281.member == 0u);
+                                    let _e7104 = local_10.member[0u];
+                                    let _e7110 = select(_e7104[0], -(_e7104[0]), (_e7104[0] < 0f));
+                                    let _e7113 = select(_e7104[1], -(_e7104[1]), (_e7104[1] < 0f));
+                                    let _e7115 = select(_e7113, _e7110, (_e7110 > _e7113));
+                                    let _e7118 = select(_e7104[2], -(_e7104[2]), (_e7104[2] < 0f));
+                                    let _e7120 = select(_e7118, _e7115, (_e7115 > _e7118));
+                                    let _e7123 = local_10.member[1u];
+                                    let _e7129 = select(_e7123[0], -(_e7123[0]), (_e7123[0] < 0f));
+                                    let _e7132 = select(_e7123[1], -(_e7123[1]), (_e7123[1] < 0f));
+                                    let _e7134 = select(_e7132, _e7129, (_e7129 > _e7132));
+                                    let _e7137 = select(_e7123[2], -(_e7123[2]), (_e7123[2] < 0f));
+                                    let _e7139 = select(_e7137, _e7134, (_e7134 > _e7137));
+                                    let _e7143 = local_10.member_3;
+                                    let _e7147 = local_10.member_1[0u];
+                                    let _e7153 = select(_e7147[0], -(_e7147[0]), (_e7147[0] < 0f));
+                                    let _e7156 = select(_e7147[1], -(_e7147[1]), (_e7147[1] < 0f));
+                                    let _e7158 = select(_e7156, _e7153, (_e7153 > _e7156));
+                                    let _e7161 = select(_e7147[2], -(_e7147[2]), (_e7147[2] < 0f));
+                                    let _e7163 = select(_e7161, _e7158, (_e7158 > _e7161));
+                                    let _e7166 = local_10.member_1[1u];
+                                    let _e7172 = select(_e7166[0], -(_e7166[0]), (_e7166[0] < 0f));
+                                    let _e7175 = select(_e7166[1], -(_e7166[1]), (_e7166[1] < 0f));
+                                    let _e7177 = select(_e7175, _e7172, (_e7172 > _e7175));
+                                    let _e7180 = select(_e7166[2], -(_e7166[2]), (_e7166[2] < 0f));
+                                    let _e7182 = select(_e7180, _e7177, (_e7177 > _e7180));
+                                    let _e7186 = local_10.member_3;
+                                    let _e7190 = local_10.member_2[0u];
+                                    let _e7196 = select(_e7190[0], -(_e7190[0]), (_e7190[0] < 0f));
+                                    let _e7199 = select(_e7190[1], -(_e7190[1]), (_e7190[1] < 0f));
+                                    let _e7201 = select(_e7199, _e7196, (_e7196 > _e7199));
+                                    let _e7204 = select(_e7190[2], -(_e7190[2]), (_e7190[2] < 0f));
+                                    let _e7206 = select(_e7204, _e7201, (_e7201 > _e7204));
+                                    let _e7209 = local_10.member_2[1u];
+                                    let _e7215 = select(_e7209[0], -(_e7209[0]), (_e7209[0] < 0f));
+                                    let _e7218 = select(_e7209[1], -(_e7209[1]), (_e7209[1] < 0f));
+                                    let _e7220 = select(_e7218, _e7215, (_e7215 > _e7218));
+                                    let _e7223 = select(_e7209[2], -(_e7209[2]), (_e7209[2] < 0f));
+                                    let _e7225 = select(_e7223, _e7220, (_e7220 > _e7223));
+                                    let _e7229 = local_10.member_3;
+                                    let _e7236 = local_10.member_3;
+                                    let _e7241 = (_e5091 * 0.00390625f);
+                                    local = type_28(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                    phi_11697_ = type_9(0u, 96u);
+                                    phi_11700_ = _e7023.member;
+                                    phi_11702_ = _e7023.member;
+                                    phi_11704_ = (_e7023.member_1 - _e7023.member);
+                                    phi_11706_ = _e7023.member;
+                                    phi_11708_ = false;
+                                    phi_11710_ = 0u;
                                     loop {
-                                        let _e7246 = phi_11698_;
-                                        let _e7248 = phi_11701_;
-                                        let _e7250 = phi_11703_;
-                                        let _e7252 = phi_11705_;
-                                        let _e7254 = phi_11707_;
-                                        let _e7256 = phi_11709_;
-                                        let _e7258 = phi_11711_;
-                                        local_97 = _e7248;
-                                        local_100 = _e7250;
-                                        let _e7261 = (_e7246.member < _e7246.member_1);
-                                        if (bitcast<i32>(select(0u, 1u, _e7261)) != 0i) {
-                                            let _e7275 = local_10.member[0u];
-                                            let _e7281 = local_10.member[1u];
-                                            let _e7297 = local_10.member_1[0u];
-                                            let _e7303 = local_10.member_1[1u];
-                                            let _e7319 = local_10.member_2[0u];
-                                            let _e7325 = local_10.member_2[1u];
-                                            let _e7339 = function_3(array<f32, 3>((_e7275[0] + ((_e7281[0] - _e7275[0]) * _e7248)), (_e7275[1] + ((_e7281[1] - _e7275[1]) * _e7248)), (_e7275[2] + ((_e7281[2] - _e7275[2]) * _e7248))), array<f32, 3>((_e7297[0] + ((_e7303[0] - _e7297[0]) * _e7248)), (_e7297[1] + ((_e7303[1] - _e7297[1]) * _e7248)), (_e7297[2] + ((_e7303[2] - _e7297[2]) * _e7248))), array<f32, 3>((_e7319[0] + ((_e7325[0] - _e7319[0]) * _e7248)), (_e7319[1] + ((_e7325[1] - _e7319[1]) * _e7248)), (_e7319[2] + ((_e7325[2] - _e7319[2]) * _e7248))), _e283.member);
-                                            if (_e7258 == 0u) {
-                                                phi_11862_ = _e7339;
+                                        let _e7244 = phi_11697_;
+                                        let _e7246 = phi_11700_;
+                                        let _e7248 = phi_11702_;
+                                        let _e7250 = phi_11704_;
+                                        let _e7252 = phi_11706_;
+                                        let _e7254 = phi_11708_;
+                                        let _e7256 = phi_11710_;
+                                        local_97 = _e7246;
+                                        local_100 = _e7248;
+                                        let _e7259 = (_e7244.member < _e7244.member_1);
+                                        if (bitcast<i32>(select(0u, 1u, _e7259)) != 0i) {
+                                            let _e7273 = local_10.member[0u];
+                                            let _e7279 = local_10.member[1u];
+                                            let _e7295 = local_10.member_1[0u];
+                                            let _e7301 = local_10.member_1[1u];
+                                            let _e7317 = local_10.member_2[0u];
+                                            let _e7323 = local_10.member_2[1u];
+                                            let _e7337 = function_3(array<f32, 3>((_e7273[0] + ((_e7279[0] - _e7273[0]) * _e7246)), (_e7273[1] + ((_e7279[1] - _e7273[1]) * _e7246)), (_e7273[2] + ((_e7279[2] - _e7273[2]) * _e7246))), array<f32, 3>((_e7295[0] + ((_e7301[0] - _e7295[0]) * _e7246)), (_e7295[1] + ((_e7301[1] - _e7295[1]) * _e7246)), (_e7295[2] + ((_e7301[2] - _e7295[2]) * _e7246))), array<f32, 3>((_e7317[0] + ((_e7323[0] - _e7317[0]) * _e7246)), (_e7317[1] + ((_e7323[1] - _e7317[1]) * _e7246)), (_e7317[2] + ((_e7323[2] - _e7317[2]) * _e7246))), _e281.member);
+                                            if (_e7256 == 0u) {
+                                                phi_11861_ = _e7337;
                                             } else {
-                                                phi_11862_ = array<f32, 3>(select(0f, _e7339[0], (_e7258 == 1u)), select(0f, _e7339[1], (_e7258 == 2u)), select(0f, _e7339[2], (_e7258 == 3u)));
+                                                phi_11861_ = array<f32, 3>(select(0f, _e7337[0], (_e7256 == 1u)), select(0f, _e7337[1], (_e7256 == 2u)), select(0f, _e7337[2], (_e7256 == 3u)));
                                             }
-                                            let _e7352 = phi_11862_;
-                                            let _e7366 = ((select(_e7352[0], -(_e7352[0]), (_e7352[0] < 0f)) + select(_e7352[1], -(_e7352[1]), (_e7352[1] < 0f))) + select(_e7352[2], -(_e7352[2]), (_e7352[2] < 0f)));
-                                            if (_e7366 > 0f) {
-                                                if ((bitcast<u32>(_e7366) & 2139095040u) != 2139095040u) {
-                                                    let _e7371 = (1f / _e7366);
-                                                    let _e7373 = (_e7352[0] * _e7371);
-                                                    let _e7375 = (_e7352[1] * _e7371);
-                                                    let _e7377 = (_e7352[2] * _e7371);
-                                                    let _e7382 = (((_e7373 * _e7373) + (_e7375 * _e7375)) + (_e7377 * _e7377));
-                                                    if (_e7382 <= 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_11985_ = select(0f, (0.000000000000000000106433627f * 2f), (_e7382 > 0f));
+                                            let _e7350 = phi_11861_;
+                                            let _e7364 = ((select(_e7350[0], -(_e7350[0]), (_e7350[0] < 0f)) + select(_e7350[1], -(_e7350[1]), (_e7350[1] < 0f))) + select(_e7350[2], -(_e7350[2]), (_e7350[2] < 0f)));
+                                            if (_e7364 > 0f) {
+                                                if ((bitcast<u32>(_e7364) & 2139095040u) != 2139095040u) {
+                                                    let _e7369 = (1f / _e7364);
+                                                    let _e7371 = (_e7350[0] * _e7369);
+                                                    let _e7373 = (_e7350[1] * _e7369);
+                                                    let _e7375 = (_e7350[2] * _e7369);
+                                                    let _e7380 = (((_e7371 * _e7371) + (_e7373 * _e7373)) + (_e7375 * _e7375));
+                                                    if (_e7380 <= 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_11984_ = select(0f, (0.000000000000000000106433627f * 2f), (_e7380 > 0f));
                                                     } else {
-                                                        phi_11928_ = type_14(0i, 5i);
-                                                        phi_11931_ = bitcast<f32>(((bitcast<u32>(_e7382) >> bitcast<u32>(1i)) + 532369198u));
+                                                        phi_11927_ = type_14(0i, 5i);
+                                                        phi_11930_ = bitcast<f32>(((bitcast<u32>(_e7380) >> bitcast<u32>(1i)) + 532369198u));
                                                         loop {
-                                                            let _e7390 = phi_11928_;
-                                                            let _e7392 = phi_11931_;
-                                                            local_88 = _e7392;
-                                                            if (_e7390.member < _e7390.member_1) {
-                                                                let _e7399 = (_e7390.member + 1i);
-                                                                phi_11929_ = type_14(select(_e7399, type_15().member_1, select(false, true, ((false == (_e7399 > _e7390.member)) != false))), _e7390.member_1);
-                                                                phi_11972_ = type_15(1u, _e7390.member);
+                                                            let _e7388 = phi_11927_;
+                                                            let _e7390 = phi_11930_;
+                                                            local_88 = _e7390;
+                                                            if (_e7388.member < _e7388.member_1) {
+                                                                let _e7397 = (_e7388.member + 1i);
+                                                                phi_11928_ = type_14(select(_e7397, type_15().member_1, select(false, true, ((false == (_e7397 > _e7388.member)) != false))), _e7388.member_1);
+                                                                phi_11971_ = type_15(1u, _e7388.member);
                                                             } else {
-                                                                phi_11929_ = _e7390;
-                                                                phi_11972_ = type_15(0u, type_15().member_1);
+                                                                phi_11928_ = _e7388;
+                                                                phi_11971_ = type_15(0u, type_15().member_1);
                                                             }
-                                                            let _e7410 = phi_11929_;
-                                                            let _e7412 = phi_11972_;
-                                                            let _e7415 = (bitcast<i32>(_e7412.member) != 0i);
-                                                            if _e7415 {
-                                                                phi_11932_ = (0.5f * (_e7392 + (_e7382 / _e7392)));
+                                                            let _e7408 = phi_11928_;
+                                                            let _e7410 = phi_11971_;
+                                                            let _e7413 = (bitcast<i32>(_e7410.member) != 0i);
+                                                            if _e7413 {
+                                                                phi_11931_ = (0.5f * (_e7390 + (_e7380 / _e7390)));
                                                             } else {
-                                                                phi_11932_ = f32();
+                                                                phi_11931_ = f32();
                                                             }
-                                                            let _e7420 = phi_11932_;
+                                                            let _e7418 = phi_11931_;
                                                             continue;
                                                             continuing {
-                                                                phi_11928_ = _e7410;
-                                                                phi_11931_ = _e7420;
-                                                                break if !(_e7415);
+                                                                phi_11927_ = _e7408;
+                                                                phi_11930_ = _e7418;
+                                                                break if !(_e7413);
                                                             }
                                                         }
-                                                        let _e7425 = local_88;
-                                                        phi_11985_ = (_e7425 * (1f + (8f * 0.000000059604645f)));
+                                                        let _e7423 = local_88;
+                                                        phi_11984_ = (_e7423 * (1f + (8f * 0.000000059604645f)));
                                                     }
-                                                    let _e7431 = phi_11985_;
-                                                    let _e7432 = (0.000000059604645f * 12f);
-                                                    let _e7437 = ((((((((select(_e7141, _e7122, (_e7122 > _e7141)) + _e7145) + (select(_e7184, _e7165, (_e7165 > _e7184)) + _e7188)) + (select(_e7227, _e7208, (_e7208 > _e7227)) + _e7231)) * (0.000000059604645f * 16f)) + (_e7238 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e7431) * (1f + _e7432)));
-                                                    let _e7442 = (((_e7373 * _e7044[0]) + (_e7375 * _e7044[1])) + (_e7377 * _e7044[2]));
-                                                    let _e7447 = (((_e7373 * _e7060) + (_e7375 * _e7061)) + (_e7377 * _e7062));
-                                                    let _e7452 = (((_e7373 * (_e7044[0] - _e7056[0])) + (_e7375 * (_e7044[1] - _e7056[1]))) + (_e7377 * (_e7044[2] - _e7056[2])));
-                                                    let _e7457 = (((_e7373 * select((_e7060 - _e7056[0]), _e7044[0], _e7063)) + (_e7375 * select((_e7061 - _e7056[1]), _e7044[1], _e7063))) + (_e7377 * select((_e7062 - _e7056[2]), _e7044[2], _e7063)));
-                                                    let _e7463 = (((_e7373 * _e7075[0]) + (_e7375 * _e7075[1])) + (_e7377 * _e7075[2]));
-                                                    let _e7468 = (((_e7373 * _e7091) + (_e7375 * _e7092)) + (_e7377 * _e7093));
-                                                    let _e7473 = (((_e7373 * (_e7075[0] - _e7087[0])) + (_e7375 * (_e7075[1] - _e7087[1]))) + (_e7377 * (_e7075[2] - _e7087[2])));
-                                                    let _e7478 = (((_e7373 * select((_e7091 - _e7087[0]), _e7075[0], _e7094)) + (_e7375 * select((_e7092 - _e7087[1]), _e7075[1], _e7094))) + (_e7377 * select((_e7093 - _e7087[2]), _e7075[2], _e7094)));
-                                                    phi_12108_ = type_29(array<f32, 4>(_e7442, _e7447, _e7452, _e7457), array<f32, 4>(_e7463, _e7468, _e7473, _e7478), array<f32, 4>((_e7437 + ((select(_e7442, -(_e7442), (_e7442 < 0f)) + select(_e7463, -(_e7463), (_e7463 < 0f))) * _e7432)), (_e7437 + ((select(_e7447, -(_e7447), (_e7447 < 0f)) + select(_e7468, -(_e7468), (_e7468 < 0f))) * _e7432)), (_e7437 + ((select(_e7452, -(_e7452), (_e7452 < 0f)) + select(_e7473, -(_e7473), (_e7473 < 0f))) * _e7432)), (_e7437 + ((select(_e7457, -(_e7457), (_e7457 < 0f)) + select(_e7478, -(_e7478), (_e7478 < 0f))) * _e7432))));
-                                                    phi_12109_ = false;
+                                                    let _e7429 = phi_11984_;
+                                                    let _e7430 = (0.000000059604645f * 12f);
+                                                    let _e7435 = ((((((((select(_e7139, _e7120, (_e7120 > _e7139)) + _e7143) + (select(_e7182, _e7163, (_e7163 > _e7182)) + _e7186)) + (select(_e7225, _e7206, (_e7206 > _e7225)) + _e7229)) * (0.000000059604645f * 16f)) + (_e7236 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e7429) * (1f + _e7430)));
+                                                    let _e7440 = (((_e7371 * _e7042[0]) + (_e7373 * _e7042[1])) + (_e7375 * _e7042[2]));
+                                                    let _e7445 = (((_e7371 * _e7058) + (_e7373 * _e7059)) + (_e7375 * _e7060));
+                                                    let _e7450 = (((_e7371 * (_e7042[0] - _e7054[0])) + (_e7373 * (_e7042[1] - _e7054[1]))) + (_e7375 * (_e7042[2] - _e7054[2])));
+                                                    let _e7455 = (((_e7371 * select((_e7058 - _e7054[0]), _e7042[0], _e7061)) + (_e7373 * select((_e7059 - _e7054[1]), _e7042[1], _e7061))) + (_e7375 * select((_e7060 - _e7054[2]), _e7042[2], _e7061)));
+                                                    let _e7461 = (((_e7371 * _e7073[0]) + (_e7373 * _e7073[1])) + (_e7375 * _e7073[2]));
+                                                    let _e7466 = (((_e7371 * _e7089) + (_e7373 * _e7090)) + (_e7375 * _e7091));
+                                                    let _e7471 = (((_e7371 * (_e7073[0] - _e7085[0])) + (_e7373 * (_e7073[1] - _e7085[1]))) + (_e7375 * (_e7073[2] - _e7085[2])));
+                                                    let _e7476 = (((_e7371 * select((_e7089 - _e7085[0]), _e7073[0], _e7092)) + (_e7373 * select((_e7090 - _e7085[1]), _e7073[1], _e7092))) + (_e7375 * select((_e7091 - _e7085[2]), _e7073[2], _e7092)));
+                                                    phi_12107_ = type_28(array<f32, 4>(_e7440, _e7445, _e7450, _e7455), array<f32, 4>(_e7461, _e7466, _e7471, _e7476), array<f32, 4>((_e7435 + ((select(_e7440, -(_e7440), (_e7440 < 0f)) + select(_e7461, -(_e7461), (_e7461 < 0f))) * _e7430)), (_e7435 + ((select(_e7445, -(_e7445), (_e7445 < 0f)) + select(_e7466, -(_e7466), (_e7466 < 0f))) * _e7430)), (_e7435 + ((select(_e7450, -(_e7450), (_e7450 < 0f)) + select(_e7471, -(_e7471), (_e7471 < 0f))) * _e7430)), (_e7435 + ((select(_e7455, -(_e7455), (_e7455 < 0f)) + select(_e7476, -(_e7476), (_e7476 < 0f))) * _e7430))));
+                                                    phi_12108_ = false;
                                                 } else {
-                                                    phi_12108_ = type_29();
-                                                    phi_12109_ = true;
+                                                    phi_12107_ = type_28();
+                                                    phi_12108_ = true;
                                                 }
+                                                let _e7517 = phi_12107_;
                                                 let _e7519 = phi_12108_;
-                                                let _e7521 = phi_12109_;
+                                                phi_12109_ = _e7517;
                                                 phi_12110_ = _e7519;
-                                                phi_12111_ = _e7521;
                                             } else {
-                                                phi_12110_ = type_29();
-                                                phi_12111_ = true;
+                                                phi_12109_ = type_28();
+                                                phi_12110_ = true;
                                             }
+                                            let _e7521 = phi_12109_;
                                             let _e7523 = phi_12110_;
-                                            let _e7525 = phi_12111_;
-                                            if _e7525 {
-                                                phi_12119_ = type_29(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                            if _e7523 {
+                                                phi_12118_ = type_28(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                             } else {
-                                                phi_12119_ = _e7523;
+                                                phi_12118_ = _e7521;
                                             }
-                                            let _e7527 = phi_12119_;
-                                            local_1 = type_29(array<f32, 4>(_e7527.member[0], _e7527.member[1], _e7527.member[2], _e7527.member[3]), array<f32, 4>(_e7527.member_1[0], _e7527.member_1[1], _e7527.member_1[2], _e7527.member_1[3]), array<f32, 4>(_e7527.member_2[0], _e7527.member_2[1], _e7527.member_2[2], _e7527.member_2[3]));
-                                            let _e7547 = (_e7248 - _e7254);
-                                            let _e7551 = local_1.member[0u];
-                                            let _e7554 = local_1.member_1[0u];
-                                            let _e7557 = local_1.member[0u];
-                                            let _e7563 = local_1.member_2[0u];
-                                            if (((_e7551 + ((_e7554 - _e7557) * _e7248)) - _e7563) > 0f) {
-                                                let _e7568 = local_1.member[1u];
-                                                let _e7571 = local_1.member_1[1u];
-                                                let _e7574 = local_1.member[1u];
-                                                let _e7580 = local_1.member_2[1u];
-                                                if (((_e7568 + ((_e7571 - _e7574) * _e7248)) - _e7580) > 0f) {
-                                                    let _e7585 = local_1.member[2u];
-                                                    let _e7588 = local_1.member_1[2u];
-                                                    let _e7591 = local_1.member[2u];
-                                                    let _e7597 = local_1.member_2[2u];
-                                                    if (((_e7585 + ((_e7588 - _e7591) * _e7248)) - _e7597) > 0f) {
-                                                        let _e7602 = local_1.member[3u];
-                                                        let _e7605 = local_1.member_1[3u];
-                                                        let _e7608 = local_1.member[3u];
-                                                        let _e7614 = local_1.member_2[3u];
-                                                        phi_12290_ = (((_e7602 + ((_e7605 - _e7608) * _e7248)) - _e7614) > 0f);
-                                                        phi_12291_ = false;
+                                            let _e7525 = phi_12118_;
+                                            local_1 = type_28(array<f32, 4>(_e7525.member[0], _e7525.member[1], _e7525.member[2], _e7525.member[3]), array<f32, 4>(_e7525.member_1[0], _e7525.member_1[1], _e7525.member_1[2], _e7525.member_1[3]), array<f32, 4>(_e7525.member_2[0], _e7525.member_2[1], _e7525.member_2[2], _e7525.member_2[3]));
+                                            let _e7545 = (_e7246 - _e7252);
+                                            let _e7549 = local_1.member[0u];
+                                            let _e7552 = local_1.member_1[0u];
+                                            let _e7555 = local_1.member[0u];
+                                            let _e7561 = local_1.member_2[0u];
+                                            if (((_e7549 + ((_e7552 - _e7555) * _e7246)) - _e7561) > 0f) {
+                                                let _e7566 = local_1.member[1u];
+                                                let _e7569 = local_1.member_1[1u];
+                                                let _e7572 = local_1.member[1u];
+                                                let _e7578 = local_1.member_2[1u];
+                                                if (((_e7566 + ((_e7569 - _e7572) * _e7246)) - _e7578) > 0f) {
+                                                    let _e7583 = local_1.member[2u];
+                                                    let _e7586 = local_1.member_1[2u];
+                                                    let _e7589 = local_1.member[2u];
+                                                    let _e7595 = local_1.member_2[2u];
+                                                    if (((_e7583 + ((_e7586 - _e7589) * _e7246)) - _e7595) > 0f) {
+                                                        let _e7600 = local_1.member[3u];
+                                                        let _e7603 = local_1.member_1[3u];
+                                                        let _e7606 = local_1.member[3u];
+                                                        let _e7612 = local_1.member_2[3u];
+                                                        phi_12289_ = (((_e7600 + ((_e7603 - _e7606) * _e7246)) - _e7612) > 0f);
+                                                        phi_12290_ = false;
                                                     } else {
-                                                        phi_12290_ = bool();
-                                                        phi_12291_ = true;
+                                                        phi_12289_ = bool();
+                                                        phi_12290_ = true;
                                                     }
+                                                    let _e7616 = phi_12289_;
                                                     let _e7618 = phi_12290_;
-                                                    let _e7620 = phi_12291_;
+                                                    phi_12291_ = _e7616;
                                                     phi_12292_ = _e7618;
-                                                    phi_12293_ = _e7620;
                                                 } else {
-                                                    phi_12292_ = bool();
-                                                    phi_12293_ = true;
+                                                    phi_12291_ = bool();
+                                                    phi_12292_ = true;
                                                 }
+                                                let _e7620 = phi_12291_;
                                                 let _e7622 = phi_12292_;
-                                                let _e7624 = phi_12293_;
+                                                phi_12293_ = _e7620;
                                                 phi_12294_ = _e7622;
-                                                phi_12295_ = _e7624;
                                             } else {
-                                                phi_12294_ = bool();
-                                                phi_12295_ = true;
+                                                phi_12293_ = bool();
+                                                phi_12294_ = true;
                                             }
+                                            let _e7624 = phi_12293_;
                                             let _e7626 = phi_12294_;
-                                            let _e7628 = phi_12295_;
-                                            if select(_e7626, false, _e7628) {
-                                                if (_e7248 <= _e7250) {
-                                                    phi_12609_ = true;
+                                            if select(_e7624, false, _e7626) {
+                                                if (_e7246 <= _e7248) {
+                                                    phi_12608_ = true;
                                                 } else {
-                                                    let _e7633 = local.member[0u];
-                                                    let _e7636 = local.member_1[0u];
-                                                    let _e7639 = local.member[0u];
-                                                    let _e7645 = local.member_2[0u];
-                                                    let _e7649 = local_1.member[0u];
-                                                    let _e7652 = local_1.member_1[0u];
-                                                    let _e7655 = local_1.member[0u];
-                                                    let _e7661 = local_1.member_2[0u];
-                                                    if ((((_e7633 + ((_e7636 - _e7639) * _e7248)) - _e7645) + ((_e7649 + ((_e7652 - _e7655) * _e7254)) - _e7661)) > 0f) {
-                                                        let _e7667 = local.member[1u];
-                                                        let _e7670 = local.member_1[1u];
-                                                        let _e7673 = local.member[1u];
-                                                        let _e7679 = local.member_2[1u];
-                                                        let _e7683 = local_1.member[1u];
-                                                        let _e7686 = local_1.member_1[1u];
-                                                        let _e7689 = local_1.member[1u];
-                                                        let _e7695 = local_1.member_2[1u];
-                                                        if ((((_e7667 + ((_e7670 - _e7673) * _e7248)) - _e7679) + ((_e7683 + ((_e7686 - _e7689) * _e7254)) - _e7695)) > 0f) {
-                                                            let _e7701 = local.member[2u];
-                                                            let _e7704 = local.member_1[2u];
-                                                            let _e7707 = local.member[2u];
-                                                            let _e7713 = local.member_2[2u];
-                                                            let _e7717 = local_1.member[2u];
-                                                            let _e7720 = local_1.member_1[2u];
-                                                            let _e7723 = local_1.member[2u];
-                                                            let _e7729 = local_1.member_2[2u];
-                                                            if ((((_e7701 + ((_e7704 - _e7707) * _e7248)) - _e7713) + ((_e7717 + ((_e7720 - _e7723) * _e7254)) - _e7729)) > 0f) {
-                                                                let _e7735 = local.member[3u];
-                                                                let _e7738 = local.member_1[3u];
-                                                                let _e7741 = local.member[3u];
-                                                                let _e7747 = local.member_2[3u];
-                                                                let _e7751 = local_1.member[3u];
-                                                                let _e7754 = local_1.member_1[3u];
-                                                                let _e7757 = local_1.member[3u];
-                                                                let _e7763 = local_1.member_2[3u];
-                                                                phi_12596_ = ((((_e7735 + ((_e7738 - _e7741) * _e7248)) - _e7747) + ((_e7751 + ((_e7754 - _e7757) * _e7254)) - _e7763)) > 0f);
-                                                                phi_12597_ = false;
+                                                    let _e7631 = local.member[0u];
+                                                    let _e7634 = local.member_1[0u];
+                                                    let _e7637 = local.member[0u];
+                                                    let _e7643 = local.member_2[0u];
+                                                    let _e7647 = local_1.member[0u];
+                                                    let _e7650 = local_1.member_1[0u];
+                                                    let _e7653 = local_1.member[0u];
+                                                    let _e7659 = local_1.member_2[0u];
+                                                    if ((((_e7631 + ((_e7634 - _e7637) * _e7246)) - _e7643) + ((_e7647 + ((_e7650 - _e7653) * _e7252)) - _e7659)) > 0f) {
+                                                        let _e7665 = local.member[1u];
+                                                        let _e7668 = local.member_1[1u];
+                                                        let _e7671 = local.member[1u];
+                                                        let _e7677 = local.member_2[1u];
+                                                        let _e7681 = local_1.member[1u];
+                                                        let _e7684 = local_1.member_1[1u];
+                                                        let _e7687 = local_1.member[1u];
+                                                        let _e7693 = local_1.member_2[1u];
+                                                        if ((((_e7665 + ((_e7668 - _e7671) * _e7246)) - _e7677) + ((_e7681 + ((_e7684 - _e7687) * _e7252)) - _e7693)) > 0f) {
+                                                            let _e7699 = local.member[2u];
+                                                            let _e7702 = local.member_1[2u];
+                                                            let _e7705 = local.member[2u];
+                                                            let _e7711 = local.member_2[2u];
+                                                            let _e7715 = local_1.member[2u];
+                                                            let _e7718 = local_1.member_1[2u];
+                                                            let _e7721 = local_1.member[2u];
+                                                            let _e7727 = local_1.member_2[2u];
+                                                            if ((((_e7699 + ((_e7702 - _e7705) * _e7246)) - _e7711) + ((_e7715 + ((_e7718 - _e7721) * _e7252)) - _e7727)) > 0f) {
+                                                                let _e7733 = local.member[3u];
+                                                                let _e7736 = local.member_1[3u];
+                                                                let _e7739 = local.member[3u];
+                                                                let _e7745 = local.member_2[3u];
+                                                                let _e7749 = local_1.member[3u];
+                                                                let _e7752 = local_1.member_1[3u];
+                                                                let _e7755 = local_1.member[3u];
+                                                                let _e7761 = local_1.member_2[3u];
+                                                                phi_12595_ = ((((_e7733 + ((_e7736 - _e7739) * _e7246)) - _e7745) + ((_e7749 + ((_e7752 - _e7755) * _e7252)) - _e7761)) > 0f);
+                                                                phi_12596_ = false;
                                                             } else {
-                                                                phi_12596_ = bool();
-                                                                phi_12597_ = true;
+                                                                phi_12595_ = bool();
+                                                                phi_12596_ = true;
                                                             }
+                                                            let _e7766 = phi_12595_;
                                                             let _e7768 = phi_12596_;
-                                                            let _e7770 = phi_12597_;
+                                                            phi_12597_ = _e7766;
                                                             phi_12598_ = _e7768;
-                                                            phi_12599_ = _e7770;
                                                         } else {
-                                                            phi_12598_ = bool();
-                                                            phi_12599_ = true;
+                                                            phi_12597_ = bool();
+                                                            phi_12598_ = true;
                                                         }
+                                                        let _e7770 = phi_12597_;
                                                         let _e7772 = phi_12598_;
-                                                        let _e7774 = phi_12599_;
+                                                        phi_12599_ = _e7770;
                                                         phi_12600_ = _e7772;
-                                                        phi_12601_ = _e7774;
                                                     } else {
-                                                        phi_12600_ = bool();
-                                                        phi_12601_ = true;
+                                                        phi_12599_ = bool();
+                                                        phi_12600_ = true;
                                                     }
+                                                    let _e7774 = phi_12599_;
                                                     let _e7776 = phi_12600_;
-                                                    let _e7778 = phi_12601_;
-                                                    phi_12609_ = select(_e7776, false, _e7778);
+                                                    phi_12608_ = select(_e7774, false, _e7776);
                                                 }
-                                                let _e7781 = phi_12609_;
-                                                if _e7781 {
-                                                    if select(true, select(true, false, (_e7248 >= _e7025.member_1)), _e7256) {
-                                                        local = type_29(array<f32, 4>(_e7527.member[0], _e7527.member[1], _e7527.member[2], _e7527.member[3]), array<f32, 4>(_e7527.member_1[0], _e7527.member_1[1], _e7527.member_1[2], _e7527.member_1[3]), array<f32, 4>(_e7527.member_2[0], _e7527.member_2[1], _e7527.member_2[2], _e7527.member_2[3]));
-                                                        let _e7806 = local.member[0u];
-                                                        let _e7809 = local.member_1[0u];
-                                                        let _e7812 = local.member_2[0u];
-                                                        if select(true, select(true, false, (_e7809 > _e7812)), (_e7806 > _e7812)) {
-                                                            let _e7817 = (_e7809 >= _e7806);
-                                                            if _e7817 {
-                                                                phi_12718_ = f32();
-                                                                phi_12719_ = false;
+                                                let _e7779 = phi_12608_;
+                                                if _e7779 {
+                                                    if select(true, select(true, false, (_e7246 >= _e7023.member_1)), _e7254) {
+                                                        local = type_28(array<f32, 4>(_e7525.member[0], _e7525.member[1], _e7525.member[2], _e7525.member[3]), array<f32, 4>(_e7525.member_1[0], _e7525.member_1[1], _e7525.member_1[2], _e7525.member_1[3]), array<f32, 4>(_e7525.member_2[0], _e7525.member_2[1], _e7525.member_2[2], _e7525.member_2[3]));
+                                                        let _e7804 = local.member[0u];
+                                                        let _e7807 = local.member_1[0u];
+                                                        let _e7810 = local.member_2[0u];
+                                                        if select(true, select(true, false, (_e7807 > _e7810)), (_e7804 > _e7810)) {
+                                                            let _e7815 = (_e7807 >= _e7804);
+                                                            if _e7815 {
+                                                                phi_12717_ = f32();
+                                                                phi_12718_ = false;
                                                             } else {
-                                                                if ((_e7806 - _e7809) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                    phi_12716_ = (((_e7806 - _e7812) / (_e7806 - _e7809)) * (1f - (0.000000059604645f * 16f)));
-                                                                    phi_12717_ = false;
+                                                                if ((_e7804 - _e7807) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                    phi_12715_ = (((_e7804 - _e7810) / (_e7804 - _e7807)) * (1f - (0.000000059604645f * 16f)));
+                                                                    phi_12716_ = false;
                                                                 } else {
-                                                                    phi_12716_ = f32();
-                                                                    phi_12717_ = true;
+                                                                    phi_12715_ = f32();
+                                                                    phi_12716_ = true;
                                                                 }
+                                                                let _e7826 = phi_12715_;
                                                                 let _e7828 = phi_12716_;
-                                                                let _e7830 = phi_12717_;
+                                                                phi_12717_ = _e7826;
                                                                 phi_12718_ = _e7828;
-                                                                phi_12719_ = _e7830;
                                                             }
+                                                            let _e7830 = phi_12717_;
                                                             let _e7832 = phi_12718_;
-                                                            let _e7834 = phi_12719_;
-                                                            phi_12720_ = _e7832;
-                                                            phi_12721_ = _e7817;
-                                                            phi_12722_ = _e7834;
+                                                            phi_12719_ = _e7830;
+                                                            phi_12720_ = _e7815;
+                                                            phi_12721_ = _e7832;
                                                         } else {
-                                                            phi_12720_ = f32();
-                                                            phi_12721_ = true;
-                                                            phi_12722_ = false;
+                                                            phi_12719_ = f32();
+                                                            phi_12720_ = true;
+                                                            phi_12721_ = false;
                                                         }
+                                                        let _e7834 = phi_12719_;
                                                         let _e7836 = phi_12720_;
                                                         let _e7838 = phi_12721_;
-                                                        let _e7840 = phi_12722_;
-                                                        let _e7843 = select(_e7836, select(_e7248, 2f, _e7838), select(_e7840, true, _e7838));
-                                                        let _e7846 = local.member[1u];
-                                                        let _e7849 = local.member_1[1u];
-                                                        let _e7852 = local.member_2[1u];
-                                                        if select(true, select(true, false, (_e7849 > _e7852)), (_e7846 > _e7852)) {
-                                                            let _e7857 = (_e7849 >= _e7846);
-                                                            if _e7857 {
-                                                                phi_12786_ = f32();
-                                                                phi_12787_ = false;
+                                                        let _e7841 = select(_e7834, select(_e7246, 2f, _e7836), select(_e7838, true, _e7836));
+                                                        let _e7844 = local.member[1u];
+                                                        let _e7847 = local.member_1[1u];
+                                                        let _e7850 = local.member_2[1u];
+                                                        if select(true, select(true, false, (_e7847 > _e7850)), (_e7844 > _e7850)) {
+                                                            let _e7855 = (_e7847 >= _e7844);
+                                                            if _e7855 {
+                                                                phi_12785_ = f32();
+                                                                phi_12786_ = false;
                                                             } else {
-                                                                if ((_e7846 - _e7849) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                    phi_12784_ = (((_e7846 - _e7852) / (_e7846 - _e7849)) * (1f - (0.000000059604645f * 16f)));
-                                                                    phi_12785_ = false;
+                                                                if ((_e7844 - _e7847) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                    phi_12783_ = (((_e7844 - _e7850) / (_e7844 - _e7847)) * (1f - (0.000000059604645f * 16f)));
+                                                                    phi_12784_ = false;
                                                                 } else {
-                                                                    phi_12784_ = f32();
-                                                                    phi_12785_ = true;
+                                                                    phi_12783_ = f32();
+                                                                    phi_12784_ = true;
                                                                 }
+                                                                let _e7866 = phi_12783_;
                                                                 let _e7868 = phi_12784_;
-                                                                let _e7870 = phi_12785_;
+                                                                phi_12785_ = _e7866;
                                                                 phi_12786_ = _e7868;
-                                                                phi_12787_ = _e7870;
                                                             }
+                                                            let _e7870 = phi_12785_;
                                                             let _e7872 = phi_12786_;
-                                                            let _e7874 = phi_12787_;
-                                                            phi_12788_ = _e7872;
-                                                            phi_12789_ = _e7857;
-                                                            phi_12790_ = _e7874;
+                                                            phi_12787_ = _e7870;
+                                                            phi_12788_ = _e7855;
+                                                            phi_12789_ = _e7872;
                                                         } else {
-                                                            phi_12788_ = f32();
-                                                            phi_12789_ = true;
-                                                            phi_12790_ = false;
+                                                            phi_12787_ = f32();
+                                                            phi_12788_ = true;
+                                                            phi_12789_ = false;
                                                         }
+                                                        let _e7874 = phi_12787_;
                                                         let _e7876 = phi_12788_;
                                                         let _e7878 = phi_12789_;
-                                                        let _e7880 = phi_12790_;
-                                                        let _e7883 = select(_e7876, select(_e7248, 2f, _e7878), select(_e7880, true, _e7878));
-                                                        let _e7885 = select(_e7883, _e7843, (_e7843 < _e7883));
-                                                        let _e7888 = local.member[2u];
-                                                        let _e7891 = local.member_1[2u];
-                                                        let _e7894 = local.member_2[2u];
-                                                        if select(true, select(true, false, (_e7891 > _e7894)), (_e7888 > _e7894)) {
-                                                            let _e7899 = (_e7891 >= _e7888);
-                                                            if _e7899 {
-                                                                phi_12859_ = f32();
-                                                                phi_12860_ = false;
+                                                        let _e7881 = select(_e7874, select(_e7246, 2f, _e7876), select(_e7878, true, _e7876));
+                                                        let _e7883 = select(_e7881, _e7841, (_e7841 < _e7881));
+                                                        let _e7886 = local.member[2u];
+                                                        let _e7889 = local.member_1[2u];
+                                                        let _e7892 = local.member_2[2u];
+                                                        if select(true, select(true, false, (_e7889 > _e7892)), (_e7886 > _e7892)) {
+                                                            let _e7897 = (_e7889 >= _e7886);
+                                                            if _e7897 {
+                                                                phi_12858_ = f32();
+                                                                phi_12859_ = false;
                                                             } else {
-                                                                if ((_e7888 - _e7891) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                    phi_12857_ = (((_e7888 - _e7894) / (_e7888 - _e7891)) * (1f - (0.000000059604645f * 16f)));
-                                                                    phi_12858_ = false;
+                                                                if ((_e7886 - _e7889) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                    phi_12856_ = (((_e7886 - _e7892) / (_e7886 - _e7889)) * (1f - (0.000000059604645f * 16f)));
+                                                                    phi_12857_ = false;
                                                                 } else {
-                                                                    phi_12857_ = f32();
-                                                                    phi_12858_ = true;
+                                                                    phi_12856_ = f32();
+                                                                    phi_12857_ = true;
                                                                 }
+                                                                let _e7908 = phi_12856_;
                                                                 let _e7910 = phi_12857_;
-                                                                let _e7912 = phi_12858_;
+                                                                phi_12858_ = _e7908;
                                                                 phi_12859_ = _e7910;
-                                                                phi_12860_ = _e7912;
                                                             }
+                                                            let _e7912 = phi_12858_;
                                                             let _e7914 = phi_12859_;
-                                                            let _e7916 = phi_12860_;
-                                                            phi_12861_ = _e7914;
-                                                            phi_12862_ = _e7899;
-                                                            phi_12863_ = _e7916;
+                                                            phi_12860_ = _e7912;
+                                                            phi_12861_ = _e7897;
+                                                            phi_12862_ = _e7914;
                                                         } else {
-                                                            phi_12861_ = f32();
-                                                            phi_12862_ = true;
-                                                            phi_12863_ = false;
+                                                            phi_12860_ = f32();
+                                                            phi_12861_ = true;
+                                                            phi_12862_ = false;
                                                         }
+                                                        let _e7916 = phi_12860_;
                                                         let _e7918 = phi_12861_;
                                                         let _e7920 = phi_12862_;
-                                                        let _e7922 = phi_12863_;
-                                                        let _e7925 = select(_e7918, select(_e7248, 2f, _e7920), select(_e7922, true, _e7920));
-                                                        let _e7928 = local.member[3u];
-                                                        let _e7931 = local.member_1[3u];
-                                                        let _e7934 = local.member_2[3u];
-                                                        if select(true, select(true, false, (_e7931 > _e7934)), (_e7928 > _e7934)) {
-                                                            let _e7939 = (_e7931 >= _e7928);
-                                                            if _e7939 {
-                                                                phi_12927_ = f32();
-                                                                phi_12928_ = false;
+                                                        let _e7923 = select(_e7916, select(_e7246, 2f, _e7918), select(_e7920, true, _e7918));
+                                                        let _e7926 = local.member[3u];
+                                                        let _e7929 = local.member_1[3u];
+                                                        let _e7932 = local.member_2[3u];
+                                                        if select(true, select(true, false, (_e7929 > _e7932)), (_e7926 > _e7932)) {
+                                                            let _e7937 = (_e7929 >= _e7926);
+                                                            if _e7937 {
+                                                                phi_12926_ = f32();
+                                                                phi_12927_ = false;
                                                             } else {
-                                                                if ((_e7928 - _e7931) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                    phi_12925_ = (((_e7928 - _e7934) / (_e7928 - _e7931)) * (1f - (0.000000059604645f * 16f)));
-                                                                    phi_12926_ = false;
+                                                                if ((_e7926 - _e7929) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                    phi_12924_ = (((_e7926 - _e7932) / (_e7926 - _e7929)) * (1f - (0.000000059604645f * 16f)));
+                                                                    phi_12925_ = false;
                                                                 } else {
-                                                                    phi_12925_ = f32();
-                                                                    phi_12926_ = true;
+                                                                    phi_12924_ = f32();
+                                                                    phi_12925_ = true;
                                                                 }
+                                                                let _e7948 = phi_12924_;
                                                                 let _e7950 = phi_12925_;
-                                                                let _e7952 = phi_12926_;
+                                                                phi_12926_ = _e7948;
                                                                 phi_12927_ = _e7950;
-                                                                phi_12928_ = _e7952;
                                                             }
+                                                            let _e7952 = phi_12926_;
                                                             let _e7954 = phi_12927_;
-                                                            let _e7956 = phi_12928_;
-                                                            phi_12929_ = _e7954;
-                                                            phi_12930_ = _e7939;
-                                                            phi_12931_ = _e7956;
+                                                            phi_12928_ = _e7952;
+                                                            phi_12929_ = _e7937;
+                                                            phi_12930_ = _e7954;
                                                         } else {
-                                                            phi_12929_ = f32();
-                                                            phi_12930_ = true;
-                                                            phi_12931_ = false;
+                                                            phi_12928_ = f32();
+                                                            phi_12929_ = true;
+                                                            phi_12930_ = false;
                                                         }
+                                                        let _e7956 = phi_12928_;
                                                         let _e7958 = phi_12929_;
                                                         let _e7960 = phi_12930_;
-                                                        let _e7962 = phi_12931_;
-                                                        let _e7965 = select(_e7958, select(_e7248, 2f, _e7960), select(_e7962, true, _e7960));
-                                                        let _e7967 = select(_e7965, _e7925, (_e7925 < _e7965));
-                                                        let _e7969 = select(_e7967, _e7885, (_e7885 < _e7967));
-                                                        let _e7971 = select(_e7248, _e7969, (_e7969 > _e7248));
-                                                        let _e7972 = (_e7971 > _e7025.member_1);
-                                                        if _e7972 {
+                                                        let _e7963 = select(_e7956, select(_e7246, 2f, _e7958), select(_e7960, true, _e7958));
+                                                        let _e7965 = select(_e7963, _e7923, (_e7923 < _e7963));
+                                                        let _e7967 = select(_e7965, _e7883, (_e7883 < _e7965));
+                                                        let _e7969 = select(_e7246, _e7967, (_e7967 > _e7246));
+                                                        let _e7970 = (_e7969 > _e7023.member_1);
+                                                        if _e7970 {
+                                                            phi_13459_ = f32();
                                                             phi_13460_ = f32();
-                                                            phi_13461_ = f32();
-                                                            phi_13462_ = false;
+                                                            phi_13461_ = false;
                                                         } else {
-                                                            let _e7973 = (_e7971 - _e7248);
-                                                            phi_13460_ = select((_e7025.member_1 - _e7248), select(0f, (_e7547 + _e7547), select(select(true, false, (_e7973 <= (_e7252 * 0.25f))), true, (_e7973 <= _e7243))), _e7256);
-                                                            phi_13461_ = _e7973;
-                                                            phi_13462_ = true;
+                                                            let _e7971 = (_e7969 - _e7246);
+                                                            phi_13459_ = select((_e7023.member_1 - _e7246), select(0f, (_e7545 + _e7545), select(select(true, false, (_e7971 <= (_e7250 * 0.25f))), true, (_e7971 <= _e7241))), _e7254);
+                                                            phi_13460_ = _e7971;
+                                                            phi_13461_ = true;
                                                         }
+                                                        let _e7982 = phi_13459_;
                                                         let _e7984 = phi_13460_;
                                                         let _e7986 = phi_13461_;
-                                                        let _e7988 = phi_13462_;
-                                                        phi_13464_ = _e7971;
+                                                        phi_13463_ = _e7969;
+                                                        phi_13464_ = _e7982;
                                                         phi_13465_ = _e7984;
-                                                        phi_13466_ = _e7986;
-                                                        phi_13468_ = _e7988;
-                                                        phi_13469_ = _e7972;
-                                                        phi_13471_ = false;
+                                                        phi_13467_ = _e7986;
+                                                        phi_13468_ = _e7970;
+                                                        phi_13470_ = false;
                                                     } else {
+                                                        phi_13463_ = f32();
                                                         phi_13464_ = f32();
                                                         phi_13465_ = f32();
-                                                        phi_13466_ = f32();
+                                                        phi_13467_ = false;
                                                         phi_13468_ = false;
-                                                        phi_13469_ = false;
-                                                        phi_13471_ = true;
+                                                        phi_13470_ = true;
                                                     }
+                                                    let _e7988 = phi_13463_;
                                                     let _e7990 = phi_13464_;
                                                     let _e7992 = phi_13465_;
-                                                    let _e7994 = phi_13466_;
+                                                    let _e7994 = phi_13467_;
                                                     let _e7996 = phi_13468_;
-                                                    let _e7998 = phi_13469_;
-                                                    let _e8000 = phi_13471_;
+                                                    let _e7998 = phi_13470_;
+                                                    phi_13471_ = _e7988;
                                                     phi_13472_ = _e7990;
                                                     phi_13473_ = _e7992;
-                                                    phi_13474_ = _e7994;
-                                                    phi_13476_ = false;
+                                                    phi_13475_ = false;
+                                                    phi_13476_ = _e7994;
                                                     phi_13477_ = _e7996;
-                                                    phi_13478_ = _e7998;
-                                                    phi_13480_ = _e8000;
+                                                    phi_13479_ = _e7998;
                                                 } else {
+                                                    phi_13471_ = f32();
                                                     phi_13472_ = f32();
                                                     phi_13473_ = f32();
-                                                    phi_13474_ = f32();
-                                                    phi_13476_ = true;
+                                                    phi_13475_ = true;
+                                                    phi_13476_ = false;
                                                     phi_13477_ = false;
-                                                    phi_13478_ = false;
-                                                    phi_13480_ = false;
+                                                    phi_13479_ = false;
                                                 }
+                                                let _e8000 = phi_13471_;
                                                 let _e8002 = phi_13472_;
                                                 let _e8004 = phi_13473_;
-                                                let _e8006 = phi_13474_;
+                                                let _e8006 = phi_13475_;
                                                 let _e8008 = phi_13476_;
                                                 let _e8010 = phi_13477_;
-                                                let _e8012 = phi_13478_;
-                                                let _e8014 = phi_13480_;
+                                                let _e8012 = phi_13479_;
+                                                phi_13480_ = _e8000;
                                                 phi_13481_ = _e8002;
                                                 phi_13482_ = _e8004;
-                                                phi_13483_ = _e8006;
+                                                phi_13484_ = _e8006;
                                                 phi_13485_ = _e8008;
                                                 phi_13486_ = _e8010;
-                                                phi_13487_ = _e8012;
-                                                phi_13489_ = _e8014;
+                                                phi_13488_ = _e8012;
                                             } else {
+                                                phi_13480_ = f32();
                                                 phi_13481_ = f32();
                                                 phi_13482_ = f32();
-                                                phi_13483_ = f32();
-                                                phi_13485_ = true;
+                                                phi_13484_ = true;
+                                                phi_13485_ = false;
                                                 phi_13486_ = false;
-                                                phi_13487_ = false;
-                                                phi_13489_ = false;
+                                                phi_13488_ = false;
                                             }
+                                            let _e8014 = phi_13480_;
                                             let _e8016 = phi_13481_;
                                             let _e8018 = phi_13482_;
-                                            let _e8020 = phi_13483_;
+                                            let _e8020 = phi_13484_;
                                             let _e8022 = phi_13485_;
                                             let _e8024 = phi_13486_;
-                                            let _e8026 = phi_13487_;
-                                            let _e8028 = phi_13489_;
-                                            if _e8022 {
-                                                if (_e7248 <= _e7250) {
-                                                    let _e8181 = (_e7258 + 1u);
-                                                    let _e8182 = (_e8181 > 3u);
-                                                    phi_13824_ = _e8181;
-                                                    phi_13825_ = f32();
-                                                    phi_13826_ = false;
-                                                    phi_13827_ = select(true, false, _e8182);
-                                                    phi_13828_ = _e8182;
+                                            let _e8026 = phi_13488_;
+                                            if _e8020 {
+                                                if (_e7246 <= _e7248) {
+                                                    let _e8179 = (_e7256 + 1u);
+                                                    let _e8180 = (_e8179 > 3u);
+                                                    phi_13823_ = _e8179;
+                                                    phi_13824_ = f32();
+                                                    phi_13825_ = false;
+                                                    phi_13826_ = select(true, false, _e8180);
+                                                    phi_13827_ = _e8180;
                                                 } else {
-                                                    let _e8032 = local.member[0u];
-                                                    let _e8035 = local.member_1[0u];
-                                                    let _e8038 = local.member[0u];
-                                                    let _e8044 = local.member_2[0u];
-                                                    let _e8045 = ((_e8032 + ((_e8035 - _e8038) * _e7254)) - _e8044);
-                                                    let _e8048 = local.member[1u];
-                                                    let _e8051 = local.member_1[1u];
-                                                    let _e8054 = local.member[1u];
-                                                    let _e8060 = local.member_2[1u];
-                                                    let _e8061 = ((_e8048 + ((_e8051 - _e8054) * _e7254)) - _e8060);
-                                                    let _e8063 = select(_e8061, _e8045, (_e8045 < _e8061));
-                                                    let _e8066 = local.member[2u];
-                                                    let _e8069 = local.member_1[2u];
-                                                    let _e8072 = local.member[2u];
-                                                    let _e8078 = local.member_2[2u];
-                                                    let _e8079 = ((_e8066 + ((_e8069 - _e8072) * _e7254)) - _e8078);
-                                                    let _e8082 = local.member[3u];
-                                                    let _e8085 = local.member_1[3u];
-                                                    let _e8088 = local.member[3u];
-                                                    let _e8094 = local.member_2[3u];
-                                                    let _e8095 = ((_e8082 + ((_e8085 - _e8088) * _e7254)) - _e8094);
-                                                    let _e8097 = select(_e8095, _e8079, (_e8079 < _e8095));
-                                                    let _e8099 = select(_e8097, _e8063, (_e8063 < _e8097));
-                                                    let _e8102 = local_1.member[0u];
-                                                    let _e8105 = local_1.member_1[0u];
-                                                    let _e8108 = local_1.member[0u];
-                                                    let _e8114 = local_1.member_2[0u];
-                                                    let _e8115 = ((_e8102 + ((_e8105 - _e8108) * _e7248)) - _e8114);
-                                                    let _e8118 = local_1.member[1u];
-                                                    let _e8121 = local_1.member_1[1u];
-                                                    let _e8124 = local_1.member[1u];
-                                                    let _e8130 = local_1.member_2[1u];
-                                                    let _e8131 = ((_e8118 + ((_e8121 - _e8124) * _e7248)) - _e8130);
-                                                    let _e8133 = select(_e8131, _e8115, (_e8115 < _e8131));
-                                                    let _e8136 = local_1.member[2u];
-                                                    let _e8139 = local_1.member_1[2u];
-                                                    let _e8142 = local_1.member[2u];
-                                                    let _e8148 = local_1.member_2[2u];
-                                                    let _e8149 = ((_e8136 + ((_e8139 - _e8142) * _e7248)) - _e8148);
-                                                    let _e8152 = local_1.member[3u];
-                                                    let _e8155 = local_1.member_1[3u];
-                                                    let _e8158 = local_1.member[3u];
-                                                    let _e8164 = local_1.member_2[3u];
-                                                    let _e8165 = ((_e8152 + ((_e8155 - _e8158) * _e7248)) - _e8164);
-                                                    let _e8167 = select(_e8165, _e8149, (_e8149 < _e8165));
-                                                    let _e8169 = select(_e8167, _e8133, (_e8133 < _e8167));
-                                                    if (_e8169 > 0f) {
-                                                        phi_13822_ = 0.5f;
+                                                    let _e8030 = local.member[0u];
+                                                    let _e8033 = local.member_1[0u];
+                                                    let _e8036 = local.member[0u];
+                                                    let _e8042 = local.member_2[0u];
+                                                    let _e8043 = ((_e8030 + ((_e8033 - _e8036) * _e7252)) - _e8042);
+                                                    let _e8046 = local.member[1u];
+                                                    let _e8049 = local.member_1[1u];
+                                                    let _e8052 = local.member[1u];
+                                                    let _e8058 = local.member_2[1u];
+                                                    let _e8059 = ((_e8046 + ((_e8049 - _e8052) * _e7252)) - _e8058);
+                                                    let _e8061 = select(_e8059, _e8043, (_e8043 < _e8059));
+                                                    let _e8064 = local.member[2u];
+                                                    let _e8067 = local.member_1[2u];
+                                                    let _e8070 = local.member[2u];
+                                                    let _e8076 = local.member_2[2u];
+                                                    let _e8077 = ((_e8064 + ((_e8067 - _e8070) * _e7252)) - _e8076);
+                                                    let _e8080 = local.member[3u];
+                                                    let _e8083 = local.member_1[3u];
+                                                    let _e8086 = local.member[3u];
+                                                    let _e8092 = local.member_2[3u];
+                                                    let _e8093 = ((_e8080 + ((_e8083 - _e8086) * _e7252)) - _e8092);
+                                                    let _e8095 = select(_e8093, _e8077, (_e8077 < _e8093));
+                                                    let _e8097 = select(_e8095, _e8061, (_e8061 < _e8095));
+                                                    let _e8100 = local_1.member[0u];
+                                                    let _e8103 = local_1.member_1[0u];
+                                                    let _e8106 = local_1.member[0u];
+                                                    let _e8112 = local_1.member_2[0u];
+                                                    let _e8113 = ((_e8100 + ((_e8103 - _e8106) * _e7246)) - _e8112);
+                                                    let _e8116 = local_1.member[1u];
+                                                    let _e8119 = local_1.member_1[1u];
+                                                    let _e8122 = local_1.member[1u];
+                                                    let _e8128 = local_1.member_2[1u];
+                                                    let _e8129 = ((_e8116 + ((_e8119 - _e8122) * _e7246)) - _e8128);
+                                                    let _e8131 = select(_e8129, _e8113, (_e8113 < _e8129));
+                                                    let _e8134 = local_1.member[2u];
+                                                    let _e8137 = local_1.member_1[2u];
+                                                    let _e8140 = local_1.member[2u];
+                                                    let _e8146 = local_1.member_2[2u];
+                                                    let _e8147 = ((_e8134 + ((_e8137 - _e8140) * _e7246)) - _e8146);
+                                                    let _e8150 = local_1.member[3u];
+                                                    let _e8153 = local_1.member_1[3u];
+                                                    let _e8156 = local_1.member[3u];
+                                                    let _e8162 = local_1.member_2[3u];
+                                                    let _e8163 = ((_e8150 + ((_e8153 - _e8156) * _e7246)) - _e8162);
+                                                    let _e8165 = select(_e8163, _e8147, (_e8147 < _e8163));
+                                                    let _e8167 = select(_e8165, _e8131, (_e8131 < _e8165));
+                                                    if (_e8167 > 0f) {
+                                                        phi_13821_ = 0.5f;
                                                     } else {
-                                                        let _e8173 = (0.95f * (_e8099 / (_e8099 - _e8169)));
-                                                        phi_13822_ = select(0.0625f, select(0.9f, _e8173, (_e8173 < 0.9f)), (_e8173 > 0.0625f));
+                                                        let _e8171 = (0.95f * (_e8097 / (_e8097 - _e8167)));
+                                                        phi_13821_ = select(0.0625f, select(0.9f, _e8171, (_e8171 < 0.9f)), (_e8171 > 0.0625f));
                                                     }
-                                                    let _e8179 = phi_13822_;
-                                                    phi_13824_ = u32();
-                                                    phi_13825_ = (_e7547 * _e8179);
-                                                    phi_13826_ = true;
+                                                    let _e8177 = phi_13821_;
+                                                    phi_13823_ = u32();
+                                                    phi_13824_ = (_e7545 * _e8177);
+                                                    phi_13825_ = true;
+                                                    phi_13826_ = false;
                                                     phi_13827_ = false;
-                                                    phi_13828_ = false;
                                                 }
+                                                let _e8183 = phi_13823_;
                                                 let _e8185 = phi_13824_;
                                                 let _e8187 = phi_13825_;
                                                 let _e8189 = phi_13826_;
                                                 let _e8191 = phi_13827_;
-                                                let _e8193 = phi_13828_;
-                                                phi_13829_ = _e8185;
-                                                phi_13830_ = _e7250;
-                                                phi_13831_ = _e8187;
+                                                phi_13828_ = _e8183;
+                                                phi_13829_ = _e7248;
+                                                phi_13830_ = _e8185;
+                                                phi_13831_ = _e7250;
                                                 phi_13832_ = _e7252;
                                                 phi_13833_ = _e7254;
                                                 phi_13834_ = _e7256;
-                                                phi_13835_ = _e7258;
+                                                phi_13835_ = _e8187;
                                                 phi_13836_ = _e8189;
                                                 phi_13837_ = _e8191;
-                                                phi_13838_ = _e8193;
-                                                phi_13839_ = false;
-                                                phi_13841_ = false;
+                                                phi_13838_ = false;
+                                                phi_13840_ = false;
                                             } else {
-                                                phi_13829_ = u32();
+                                                phi_13828_ = u32();
+                                                phi_13829_ = _e8014;
                                                 phi_13830_ = _e8016;
                                                 phi_13831_ = _e8018;
-                                                phi_13832_ = _e8020;
-                                                phi_13833_ = _e7248;
-                                                phi_13834_ = true;
-                                                phi_13835_ = 0u;
-                                                phi_13836_ = _e8024;
+                                                phi_13832_ = _e7246;
+                                                phi_13833_ = true;
+                                                phi_13834_ = 0u;
+                                                phi_13835_ = _e8022;
+                                                phi_13836_ = false;
                                                 phi_13837_ = false;
-                                                phi_13838_ = false;
-                                                phi_13839_ = _e8026;
-                                                phi_13841_ = _e8028;
+                                                phi_13838_ = _e8024;
+                                                phi_13840_ = _e8026;
                                             }
+                                            let _e8193 = phi_13828_;
                                             let _e8195 = phi_13829_;
                                             let _e8197 = phi_13830_;
                                             let _e8199 = phi_13831_;
@@ -3820,37 +3810,37 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e8209 = phi_13836_;
                                             let _e8211 = phi_13837_;
                                             let _e8213 = phi_13838_;
-                                            let _e8215 = phi_13839_;
-                                            let _e8217 = phi_13841_;
-                                            if _e8209 {
-                                                let _e8218 = (_e8203 + _e8199);
-                                                let _e8220 = select(_e8197, _e8218, (_e8218 > _e8197));
-                                                let _e8222 = select(_e7025.member_1, _e8220, (_e8220 < _e7025.member_1));
-                                                let _e8225 = select(((_e8222 - _e8203) > _e7243), true, !(_e7256));
-                                                phi_13869_ = _e8222;
-                                                phi_13870_ = _e8197;
+                                            let _e8215 = phi_13840_;
+                                            if _e8207 {
+                                                let _e8216 = (_e8201 + _e8197);
+                                                let _e8218 = select(_e8195, _e8216, (_e8216 > _e8195));
+                                                let _e8220 = select(_e7023.member_1, _e8218, (_e8218 < _e7023.member_1));
+                                                let _e8223 = select(((_e8220 - _e8201) > _e7241), true, !(_e7254));
+                                                phi_13868_ = _e8220;
+                                                phi_13869_ = _e8195;
+                                                phi_13870_ = _e8199;
                                                 phi_13871_ = _e8201;
                                                 phi_13872_ = _e8203;
                                                 phi_13873_ = _e8205;
-                                                phi_13874_ = _e8207;
-                                                phi_13875_ = _e8225;
-                                                phi_13876_ = select(true, false, _e8225);
+                                                phi_13874_ = _e8223;
+                                                phi_13875_ = select(true, false, _e8223);
+                                                phi_13876_ = false;
                                                 phi_13877_ = false;
-                                                phi_13878_ = false;
-                                                phi_13880_ = false;
+                                                phi_13879_ = false;
                                             } else {
+                                                phi_13868_ = _e7246;
                                                 phi_13869_ = _e7248;
                                                 phi_13870_ = _e7250;
                                                 phi_13871_ = _e7252;
                                                 phi_13872_ = _e7254;
-                                                phi_13873_ = _e7256;
-                                                phi_13874_ = _e8195;
-                                                phi_13875_ = _e8211;
-                                                phi_13876_ = false;
+                                                phi_13873_ = _e8193;
+                                                phi_13874_ = _e8209;
+                                                phi_13875_ = false;
+                                                phi_13876_ = _e8211;
                                                 phi_13877_ = _e8213;
-                                                phi_13878_ = _e8215;
-                                                phi_13880_ = _e8217;
+                                                phi_13879_ = _e8215;
                                             }
+                                            let _e8226 = phi_13868_;
                                             let _e8228 = phi_13869_;
                                             let _e8230 = phi_13870_;
                                             let _e8232 = phi_13871_;
@@ -3860,132 +3850,132 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e8240 = phi_13875_;
                                             let _e8242 = phi_13876_;
                                             let _e8244 = phi_13877_;
-                                            let _e8246 = phi_13878_;
-                                            let _e8248 = phi_13880_;
-                                            phi_11702_ = _e8228;
-                                            phi_11704_ = _e8230;
-                                            phi_11706_ = _e8232;
-                                            phi_11708_ = _e8234;
-                                            phi_11710_ = _e8236;
-                                            phi_11712_ = _e8238;
-                                            phi_13881_ = _e8197;
+                                            let _e8246 = phi_13879_;
+                                            phi_11701_ = _e8226;
+                                            phi_11703_ = _e8228;
+                                            phi_11705_ = _e8230;
+                                            phi_11707_ = _e8232;
+                                            phi_11709_ = _e8234;
+                                            phi_11711_ = _e8236;
+                                            phi_13880_ = _e8195;
+                                            phi_13882_ = _e8238;
                                             phi_13883_ = _e8240;
                                             phi_13884_ = _e8242;
                                             phi_13885_ = _e8244;
-                                            phi_13886_ = _e8246;
-                                            phi_13888_ = false;
-                                            phi_13889_ = _e8248;
+                                            phi_13887_ = false;
+                                            phi_13888_ = _e8246;
                                         } else {
-                                            phi_11702_ = f32();
-                                            phi_11704_ = f32();
-                                            phi_11706_ = f32();
-                                            phi_11708_ = f32();
-                                            phi_11710_ = bool();
-                                            phi_11712_ = u32();
-                                            phi_13881_ = f32();
+                                            phi_11701_ = f32();
+                                            phi_11703_ = f32();
+                                            phi_11705_ = f32();
+                                            phi_11707_ = f32();
+                                            phi_11709_ = bool();
+                                            phi_11711_ = u32();
+                                            phi_13880_ = f32();
+                                            phi_13882_ = false;
                                             phi_13883_ = false;
                                             phi_13884_ = false;
                                             phi_13885_ = false;
-                                            phi_13886_ = false;
-                                            phi_13888_ = true;
-                                            phi_13889_ = false;
+                                            phi_13887_ = true;
+                                            phi_13888_ = false;
                                         }
-                                        let _e8250 = phi_11702_;
-                                        let _e8252 = phi_11704_;
-                                        let _e8254 = phi_11706_;
-                                        let _e8256 = phi_11708_;
-                                        let _e8258 = phi_11710_;
-                                        let _e8260 = phi_11712_;
-                                        let _e8262 = phi_13881_;
+                                        let _e8248 = phi_11701_;
+                                        let _e8250 = phi_11703_;
+                                        let _e8252 = phi_11705_;
+                                        let _e8254 = phi_11707_;
+                                        let _e8256 = phi_11709_;
+                                        let _e8258 = phi_11711_;
+                                        let _e8260 = phi_13880_;
+                                        let _e8262 = phi_13882_;
                                         let _e8264 = phi_13883_;
                                         let _e8266 = phi_13884_;
                                         let _e8268 = phi_13885_;
-                                        let _e8270 = phi_13886_;
+                                        let _e8270 = phi_13887_;
                                         let _e8272 = phi_13888_;
-                                        let _e8274 = phi_13889_;
-                                        local_89 = _e8266;
-                                        local_90 = _e8268;
-                                        local_91 = _e8266;
-                                        local_92 = _e8270;
-                                        local_93 = _e8266;
-                                        local_94 = _e8272;
-                                        local_95 = _e8266;
-                                        local_96 = _e8274;
-                                        local_98 = _e8266;
-                                        local_99 = _e8262;
+                                        local_89 = _e8264;
+                                        local_90 = _e8266;
+                                        local_91 = _e8264;
+                                        local_92 = _e8268;
+                                        local_93 = _e8264;
+                                        local_94 = _e8270;
+                                        local_95 = _e8264;
+                                        local_96 = _e8272;
+                                        local_98 = _e8264;
+                                        local_99 = _e8260;
                                         continue;
                                         continuing {
-                                            phi_11698_ = type_9(select(_e7246.member, (_e7246.member + 1u), _e7261), select(_e7246.member_1, _e7246.member_1, _e7261));
-                                            phi_11701_ = _e8250;
-                                            phi_11703_ = _e8252;
-                                            phi_11705_ = _e8254;
-                                            phi_11707_ = _e8256;
-                                            phi_11709_ = _e8258;
-                                            phi_11711_ = _e8260;
-                                            break if !(_e8264);
+                                            phi_11697_ = type_9(select(_e7244.member, (_e7244.member + 1u), _e7259), select(_e7244.member_1, _e7244.member_1, _e7259));
+                                            phi_11700_ = _e8248;
+                                            phi_11702_ = _e8250;
+                                            phi_11704_ = _e8252;
+                                            phi_11706_ = _e8254;
+                                            phi_11708_ = _e8256;
+                                            phi_11710_ = _e8258;
+                                            break if !(_e8262);
                                         }
                                     }
-                                    let _e8277 = local_89;
-                                    let _e8279 = local_90;
-                                    let _e8280 = select(_e8279, false, _e8277);
-                                    let _e8282 = local_91;
-                                    let _e8284 = local_92;
-                                    let _e8287 = local_93;
-                                    let _e8289 = local_94;
-                                    let _e8292 = local_95;
-                                    let _e8294 = local_96;
-                                    let _e8300 = local_97;
-                                    let _e8302 = select(select(_e8284, false, _e8282), false, _e8280);
-                                    let _e8304 = local_98;
-                                    let _e8311 = select(select(_e8304, false, _e8280), false, _e8302);
-                                    let _e8316 = local_99;
-                                    let _e8318 = local_100;
-                                    let _e8320 = select(select(select(select(_e8289, false, _e8287), false, _e8280), false, _e8302), true, _e8311);
-                                    let _e8327 = select(select(select(select(select(_e8294, false, _e8292), false, _e8280), false, _e8302), false, _e8311), false, _e8320);
-                                    let _e8332 = select(select(select(select(_e8280, true, _e8302), false, _e8311), false, _e8320), true, _e8327);
-                                    let _e8335 = (select(select(type_34().member, 1u, _e8320), select(select(select(type_34().member, 1u, _e8280), 0u, _e8302), 0u, _e8327), _e8332) != 0u);
-                                    phi_13957_ = select(select(type_34().member_1, select(_e8318, _e8316, _e8311), _e8320), select(select(select(type_34().member_1, _e8300, _e8280), type_34().member_1, _e8302), type_34().member_1, _e8327), _e8332);
-                                    phi_13958_ = select(true, false, _e8335);
-                                    phi_13959_ = _e8335;
+                                    let _e8275 = local_89;
+                                    let _e8277 = local_90;
+                                    let _e8278 = select(_e8277, false, _e8275);
+                                    let _e8280 = local_91;
+                                    let _e8282 = local_92;
+                                    let _e8285 = local_93;
+                                    let _e8287 = local_94;
+                                    let _e8290 = local_95;
+                                    let _e8292 = local_96;
+                                    let _e8298 = local_97;
+                                    let _e8300 = select(select(_e8282, false, _e8280), false, _e8278);
+                                    let _e8302 = local_98;
+                                    let _e8309 = select(select(_e8302, false, _e8278), false, _e8300);
+                                    let _e8314 = local_99;
+                                    let _e8316 = local_100;
+                                    let _e8318 = select(select(select(select(_e8287, false, _e8285), false, _e8278), false, _e8300), true, _e8309);
+                                    let _e8325 = select(select(select(select(select(_e8292, false, _e8290), false, _e8278), false, _e8300), false, _e8309), false, _e8318);
+                                    let _e8330 = select(select(select(select(_e8278, true, _e8300), false, _e8309), false, _e8318), true, _e8325);
+                                    let _e8333 = (select(select(type_30().member, 1u, _e8318), select(select(select(type_30().member, 1u, _e8278), 0u, _e8300), 0u, _e8325), _e8330) != 0u);
+                                    phi_13956_ = select(select(type_30().member_1, select(_e8316, _e8314, _e8309), _e8318), select(select(select(type_30().member_1, _e8298, _e8278), type_30().member_1, _e8300), type_30().member_1, _e8325), _e8330);
+                                    phi_13957_ = select(true, false, _e8333);
+                                    phi_13958_ = _e8333;
+                                    phi_13959_ = false;
                                     phi_13960_ = false;
                                     phi_13961_ = false;
-                                    phi_13962_ = false;
                                 } else {
-                                    phi_13957_ = f32();
-                                    phi_13958_ = _e7033;
-                                    phi_13959_ = false;
+                                    phi_13956_ = f32();
+                                    phi_13957_ = _e7031;
+                                    phi_13958_ = false;
+                                    phi_13959_ = _e7033;
                                     phi_13960_ = _e7035;
                                     phi_13961_ = _e7037;
-                                    phi_13962_ = _e7039;
                                 }
+                                let _e8336 = phi_13956_;
                                 let _e8338 = phi_13957_;
                                 let _e8340 = phi_13958_;
                                 let _e8342 = phi_13959_;
                                 let _e8344 = phi_13960_;
                                 let _e8346 = phi_13961_;
-                                let _e8348 = phi_13962_;
+                                phi_13962_ = _e7023;
                                 phi_13963_ = _e7025;
-                                phi_13964_ = _e7027;
-                                phi_13965_ = _e8338;
-                                phi_13966_ = _e7029;
+                                phi_13964_ = _e8336;
+                                phi_13965_ = _e7027;
+                                phi_13966_ = _e8338;
                                 phi_13967_ = _e8340;
-                                phi_13968_ = _e8342;
-                                phi_13969_ = false;
+                                phi_13968_ = false;
+                                phi_13969_ = _e8342;
                                 phi_13970_ = _e8344;
                                 phi_13971_ = _e8346;
-                                phi_13972_ = _e8348;
                             } else {
-                                phi_13963_ = type_46();
-                                phi_13964_ = bool();
-                                phi_13965_ = f32();
-                                phi_13966_ = type_46();
+                                phi_13962_ = type_45();
+                                phi_13963_ = bool();
+                                phi_13964_ = f32();
+                                phi_13965_ = type_45();
+                                phi_13966_ = false;
                                 phi_13967_ = false;
-                                phi_13968_ = false;
-                                phi_13969_ = true;
+                                phi_13968_ = true;
+                                phi_13969_ = false;
                                 phi_13970_ = false;
                                 phi_13971_ = false;
-                                phi_13972_ = false;
                             }
+                            let _e8348 = phi_13962_;
                             let _e8350 = phi_13963_;
                             let _e8352 = phi_13964_;
                             let _e8354 = phi_13965_;
@@ -3995,220 +3985,218 @@ fn function_15(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e8362 = phi_13969_;
                             let _e8364 = phi_13970_;
                             let _e8366 = phi_13971_;
-                            let _e8368 = phi_13972_;
-                            local_101 = _e8360;
-                            local_102 = _e8352;
-                            local_103 = _e8350;
-                            local_104 = _e8354;
-                            local_105 = _e8354;
-                            local_106 = _e8354;
-                            local_110 = _e8362;
-                            local_111 = _e8364;
-                            local_112 = _e8366;
-                            local_113 = _e8368;
-                            local_107 = _e8360;
-                            local_108 = _e8356;
+                            local_101 = _e8358;
+                            local_102 = _e8350;
+                            local_103 = _e8348;
+                            local_104 = _e8352;
+                            local_105 = _e8352;
+                            local_106 = _e8352;
+                            local_110 = _e8360;
+                            local_111 = _e8362;
+                            local_112 = _e8364;
+                            local_113 = _e8366;
+                            local_107 = _e8358;
+                            local_108 = _e8354;
                             continue;
                             continuing {
-                                phi_9693_ = type_9(select(_e5960.member, (_e5960.member + 1u), _e5963), select(_e5960.member_1, _e5960.member_1, _e5963));
-                                break if !(_e8358);
+                                phi_9692_ = type_9(select(_e5958.member, (_e5958.member + 1u), _e5961), select(_e5958.member_1, _e5958.member_1, _e5961));
+                                break if !(_e8356);
                             }
                         }
-                        let _e8371 = local_101;
-                        if _e8371 {
-                            let _e8373 = local_102;
-                            if _e8373 {
-                                let _e8375 = local_103;
-                                let _e8378 = local_104;
-                                let _e8380 = ((_e8375.member_1 - _e8378) <= _e5924);
-                                let _e8385 = local_105;
-                                phi_13988_ = type_34(select(type_34().member, 1u, _e8380), select(type_34().member_1, _e8385, _e8380));
-                                phi_13989_ = select(true, false, _e8380);
+                        let _e8369 = local_101;
+                        if _e8369 {
+                            let _e8371 = local_102;
+                            if _e8371 {
+                                let _e8373 = local_103;
+                                let _e8376 = local_104;
+                                let _e8378 = ((_e8373.member_1 - _e8376) <= _e5922);
+                                let _e8383 = local_105;
+                                phi_13987_ = type_30(select(type_30().member, 1u, _e8378), select(type_30().member_1, _e8383, _e8378));
+                                phi_13988_ = select(true, false, _e8378);
                             } else {
-                                phi_13988_ = type_34();
-                                phi_13989_ = true;
+                                phi_13987_ = type_30();
+                                phi_13988_ = true;
                             }
+                            let _e8388 = phi_13987_;
                             let _e8390 = phi_13988_;
-                            let _e8392 = phi_13989_;
-                            let _e8397 = local_106;
-                            phi_13995_ = type_34(select(_e8390.member, 2u, _e8392), select(_e8390.member_1, _e8397, _e8392));
+                            let _e8395 = local_106;
+                            phi_13994_ = type_30(select(_e8388.member, 2u, _e8390), select(_e8388.member_1, _e8395, _e8390));
+                            phi_13995_ = false;
                             phi_13996_ = false;
                             phi_13997_ = false;
                             phi_13998_ = false;
-                            phi_13999_ = false;
                         } else {
-                            phi_13995_ = type_34();
-                            let _e9053 = local_110;
-                            phi_13996_ = _e9053;
-                            let _e9056 = local_111;
-                            phi_13997_ = _e9056;
-                            let _e9059 = local_112;
-                            phi_13998_ = _e9059;
-                            let _e9062 = local_113;
-                            phi_13999_ = _e9062;
+                            phi_13994_ = type_30();
+                            let _e9043 = local_110;
+                            phi_13995_ = _e9043;
+                            let _e9046 = local_111;
+                            phi_13996_ = _e9046;
+                            let _e9049 = local_112;
+                            phi_13997_ = _e9049;
+                            let _e9052 = local_113;
+                            phi_13998_ = _e9052;
                         }
+                        let _e8399 = phi_13994_;
                         let _e8401 = phi_13995_;
                         let _e8403 = phi_13996_;
                         let _e8405 = phi_13997_;
                         let _e8407 = phi_13998_;
-                        let _e8409 = phi_13999_;
-                        let _e8416 = select(_e8405, false, _e8403);
-                        let _e8420 = local_107;
-                        let _e8427 = select(select(_e8407, false, _e8403), false, _e8416);
-                        let _e8433 = select(select(select(_e8409, false, _e8403), false, _e8416), false, _e8427);
-                        let _e8437 = local_108;
-                        let _e8441 = select(select(_e8416, true, _e8427), true, _e8433);
-                        phi_14041_ = type_34(select(_e8401.member, select(select(select(type_34().member, 0u, _e8416), 0u, _e8427), 1u, _e8433), _e8441), select(_e8401.member_1, select(select(select(type_34().member_1, type_34().member_1, _e8416), type_34().member_1, _e8427), _e8437.member, _e8433), _e8441));
-                        phi_14042_ = type_34(select(type_34().member, 0u, _e8403), select(type_34().member_1, type_34().member_1, _e8403));
-                        phi_14043_ = select(select(select(select(select(_e8420, false, _e8403), false, _e8416), false, _e8427), false, _e8433), true, _e8441);
+                        let _e8414 = select(_e8403, false, _e8401);
+                        let _e8418 = local_107;
+                        let _e8425 = select(select(_e8405, false, _e8401), false, _e8414);
+                        let _e8431 = select(select(select(_e8407, false, _e8401), false, _e8414), false, _e8425);
+                        let _e8435 = local_108;
+                        let _e8439 = select(select(_e8414, true, _e8425), true, _e8431);
+                        phi_14040_ = type_30(select(_e8399.member, select(select(select(type_30().member, 0u, _e8414), 0u, _e8425), 1u, _e8431), _e8439), select(_e8399.member_1, select(select(select(type_30().member_1, type_30().member_1, _e8414), type_30().member_1, _e8425), _e8435.member, _e8431), _e8439));
+                        phi_14041_ = type_30(select(type_30().member, 0u, _e8401), select(type_30().member_1, type_30().member_1, _e8401));
+                        phi_14042_ = select(select(select(select(select(_e8418, false, _e8401), false, _e8414), false, _e8425), false, _e8431), true, _e8439);
                     }
+                    let _e8450 = phi_14040_;
                     let _e8452 = phi_14041_;
                     let _e8454 = phi_14042_;
-                    let _e8456 = phi_14043_;
-                    let _e8459 = select(_e8454.member, _e8452.member, _e8456);
-                    let _e8462 = select(_e8454.member_1, _e8452.member_1, _e8456);
-                    let _e8468 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e8462 > _e5095)), (_e8459 == 1u))));
-                    switch bitcast<i32>(_e8459) {
+                    let _e8457 = select(_e8452.member, _e8450.member, _e8454);
+                    let _e8460 = select(_e8452.member_1, _e8450.member_1, _e8454);
+                    let _e8466 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e8460 > _e5093)), (_e8457 == 1u))));
+                    switch bitcast<i32>(_e8457) {
                         case 0: {
-                            phi_14087_ = type_35(0u, _e8468, array<u32, 2>(0u, 0u), false);
+                            phi_14086_ = type_31(0u, _e8466, array<u32, 2>(0u, 0u), false);
                             break;
                         }
                         case 1: {
-                            let _e8472 = function_4(_e8462);
-                            phi_14087_ = type_35(0u, _e8468, _e8472, true);
+                            let _e8470 = function_4(_e8460);
+                            phi_14086_ = type_31(0u, _e8466, _e8470, true);
                             break;
                         }
                         case 2: {
-                            let _e8470 = function_4(_e8462);
-                            phi_14087_ = type_35(1u, _e8468, _e8470, true);
+                            let _e8468 = function_4(_e8460);
+                            phi_14086_ = type_31(1u, _e8466, _e8468, true);
                             break;
                         }
                         default: {
-                            phi_14087_ = type_35();
+                            phi_14086_ = type_31();
                             break;
                         }
                     }
-                    let _e8476 = phi_14087_;
-                    let _e8480 = params.member.member.member_12;
-                    let _e8481 = bitcast<u32>(_e8480);
-                    if (_e8476.member_2[0] == select((_e8481 << bitcast<u32>(29i)), 0u, ((_e8481 & 2147483647u) < 8388608u))) {
-                        let _e8491 = params.member.member.member_12;
-                        let _e8492 = bitcast<u32>(_e8491);
-                        let _e8493 = (_e8492 & 2147483647u);
-                        phi_14127_ = (_e8476.member_2[1] == select(((_e8492 ^ _e8493) | ((_e8493 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e8493 < 8388608u)));
+                    let _e8474 = phi_14086_;
+                    let _e8478 = params.member.member.member_12;
+                    let _e8479 = bitcast<u32>(_e8478);
+                    if (_e8474.member_2[0] == select((_e8479 << bitcast<u32>(29i)), 0u, ((_e8479 & 2147483647u) < 8388608u))) {
+                        let _e8489 = params.member.member.member_12;
+                        let _e8490 = bitcast<u32>(_e8489);
+                        let _e8491 = (_e8490 & 2147483647u);
+                        phi_14126_ = (_e8474.member_2[1] == select(((_e8490 ^ _e8491) | ((_e8491 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e8491 < 8388608u)));
                     } else {
-                        phi_14127_ = false;
+                        phi_14126_ = false;
                     }
-                    let _e8503 = phi_14127_;
-                    let _e8505 = params.member.member.member_1;
-                    if ((_e8505 & 128u) != 0u) {
-                        phi_14143_ = true;
+                    let _e8501 = phi_14126_;
+                    let _e8503 = params.member.member.member_1;
+                    if ((_e8503 & 128u) != 0u) {
+                        phi_14142_ = true;
                     } else {
-                        let _e8509 = params.member.member.member_1;
-                        phi_14143_ = select(false, _e8503, ((_e8509 & 64u) != 0u));
+                        let _e8507 = params.member.member.member_1;
+                        phi_14142_ = select(false, _e8501, ((_e8507 & 64u) != 0u));
                     }
-                    let _e8514 = phi_14143_;
-                    phi_14162_ = type_35(select(1u, _e8476.member, select(true, select(true, false, _e8514), _e8476.member_3)), _e8476.member_1, _e8476.member_2, _e8476.member_3);
+                    let _e8512 = phi_14142_;
+                    phi_14161_ = type_31(select(1u, _e8474.member, select(true, select(true, false, _e8512), _e8474.member_3)), _e8474.member_1, _e8474.member_2, _e8474.member_3);
                 } else {
-                    phi_14162_ = _e5089;
+                    phi_14161_ = _e5087;
                 }
-                let _e8525 = phi_14162_;
-                let _e8529 = select(false, (_e8525.member == 0u), _e8525.member_3);
-                if _e8529 {
-                    let _e8538 = (_e8525.member_2[1] >> bitcast<u32>(20i));
-                    if (_e8538 <= 896u) {
-                        phi_14194_ = 0u;
-                    } else {
-                        phi_14194_ = ((((_e8538 - 896u) << bitcast<u32>(23i)) | ((_e8525.member_2[1] & 1048575u) << bitcast<u32>(3i))) | (_e8525.member_2[0] >> bitcast<u32>(29i)));
-                    }
-                    let _e8553 = phi_14194_;
-                    let _e8555 = atomicMin((&earliest.member[0u]), _e8553);
-                }
-                phi_14198_ = type_18(_e237, 0u, _e247, _e250, _e8525.member_2, _e8525.member_1);
-                phi_14199_ = _e8529;
-                phi_14200_ = (_e8525.member != 0u);
+                let _e8523 = phi_14161_;
+                phi_14162_ = _e8523;
+                phi_14163_ = type_9(_e244, _e247);
             } else {
-                phi_14198_ = type_18(_e237, 0u, 0u, 0u, array<u32, 2>(0u, 0u), 0u);
-                phi_14199_ = false;
-                phi_14200_ = false;
+                phi_14162_ = type_31(0u, 0u, array<u32, 2>(0u, 0u), false);
+                phi_14163_ = type_9(0u, 0u);
             }
-            let _e8557 = phi_14198_;
-            let _e8559 = phi_14199_;
-            let _e8561 = phi_14200_;
-            let _e8564 = params.member.member.member_1;
-            if ((_e8564 & 16u) != 0u) {
-                if (_e159 == 0u) {
+            let _e8525 = phi_14162_;
+            let _e8527 = phi_14163_;
+            let _e8532 = (_e8525.member != 0u);
+            let _e8535 = select(false, !(_e8532), _e8525.member_3);
+            if _e8535 {
+                let _e8539 = (_e8525.member_2[1] >> bitcast<u32>(20i));
+                if (_e8539 <= 896u) {
+                    phi_14194_ = 0u;
+                } else {
+                    phi_14194_ = ((((_e8539 - 896u) << bitcast<u32>(23i)) | ((_e8525.member_2[1] & 1048575u) << bitcast<u32>(3i))) | (_e8525.member_2[0] >> bitcast<u32>(29i)));
+                }
+                let _e8554 = phi_14194_;
+                let _e8556 = atomicMin((&earliest.member[0u]), _e8554);
+            }
+            let _e8559 = params.member.member.member_1;
+            if ((_e8559 & 16u) != 0u) {
+                if (_e160 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e8559 {
-                    let _e8570 = atomicAdd((&counters[0u]), 1u);
-                    phi_14219_ = _e8570;
+                if _e8535 {
+                    let _e8565 = atomicAdd((&counters[0u]), 1u);
+                    phi_14216_ = _e8565;
                 } else {
-                    phi_14219_ = 0u;
+                    phi_14216_ = 0u;
                 }
-                let _e8572 = phi_14219_;
+                let _e8567 = phi_14216_;
                 workgroupBarrier();
-                if (_e159 == 0u) {
-                    let _e8575 = atomicLoad((&counters[0u]));
-                    if (_e8575 > 0u) {
-                        let _e8578 = atomicAdd((&contacts.member[0u]), _e8575);
-                        atomicStore((&counters[1u]), _e8578);
+                if (_e160 == 0u) {
+                    let _e8570 = atomicLoad((&counters[0u]));
+                    if (_e8570 > 0u) {
+                        let _e8573 = atomicAdd((&contacts.member[0u]), _e8570);
+                        atomicStore((&counters[1u]), _e8573);
                     }
                 }
                 workgroupBarrier();
-                let _e8581 = atomicLoad((&counters[1u]));
-                let _e8582 = (_e8581 + _e8572);
-                if _e8559 {
-                    let _e8585 = params.member.member_1.member_3;
-                    if (_e8582 < _e8585) {
-                        let _e8587 = (7u * _e8582);
-                        atomicStore((&contacts.member[(4u + _e8587)]), _e8557.member);
-                        atomicStore((&contacts.member[(_e8587 + 5u)]), _e8557.member_1);
-                        atomicStore((&contacts.member[(_e8587 + 6u)]), _e8557.member_2);
-                        atomicStore((&contacts.member[(_e8587 + 7u)]), _e8557.member_3);
-                        atomicStore((&contacts.member[(_e8587 + 8u)]), _e8557.member_4[0]);
-                        atomicStore((&contacts.member[(_e8587 + 9u)]), _e8557.member_4[1]);
-                        atomicStore((&contacts.member[(_e8587 + 10u)]), _e8557.member_5);
+                let _e8576 = atomicLoad((&counters[1u]));
+                let _e8577 = (_e8576 + _e8567);
+                if _e8535 {
+                    let _e8580 = params.member.member_1.member_3;
+                    let _e8582 = params.member.member_2.member.member;
+                    if (_e8577 < _e8580) {
+                        let _e8584 = (7u * _e8577);
+                        atomicStore((&contacts.member[(4u + _e8584)]), _e8582);
+                        atomicStore((&contacts.member[(_e8584 + 5u)]), _e8525.member);
+                        atomicStore((&contacts.member[(_e8584 + 6u)]), _e8527.member);
+                        atomicStore((&contacts.member[(_e8584 + 7u)]), _e8527.member_1);
+                        atomicStore((&contacts.member[(_e8584 + 8u)]), _e8525.member_2[0]);
+                        atomicStore((&contacts.member[(_e8584 + 9u)]), _e8525.member_2[1]);
+                        atomicStore((&contacts.member[(_e8584 + 10u)]), _e8525.member_1);
                     }
                 }
             }
             workgroupBarrier();
-            if (_e159 == 0u) {
+            if (_e160 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e8561 {
-                let _e8614 = atomicAdd((&counters[0u]), 1u);
-                phi_14286_ = _e8614;
+            if _e8532 {
+                let _e8608 = atomicAdd((&counters[0u]), 1u);
+                phi_14282_ = _e8608;
             } else {
-                phi_14286_ = 0u;
+                phi_14282_ = 0u;
             }
-            let _e8616 = phi_14286_;
+            let _e8610 = phi_14282_;
             workgroupBarrier();
-            if (_e159 == 0u) {
-                let _e8619 = atomicLoad((&counters[0u]));
-                if (_e8619 > 0u) {
-                    let _e8622 = atomicAdd((&undecided.member[0u]), _e8619);
-                    atomicStore((&counters[1u]), _e8622);
+            if (_e160 == 0u) {
+                let _e8613 = atomicLoad((&counters[0u]));
+                if (_e8613 > 0u) {
+                    let _e8616 = atomicAdd((&undecided.member[0u]), _e8613);
+                    atomicStore((&counters[1u]), _e8616);
                 }
             }
             workgroupBarrier();
-            let _e8625 = atomicLoad((&counters[1u]));
-            let _e8626 = (_e8625 + _e8616);
-            if _e8561 {
-                let _e8632 = params.member.member_2.member.member_1;
-                if (_e8626 < _e8632) {
-                    let _e8634 = (2u * _e8626);
-                    atomicStore((&undecided.member[(4u + _e8634)]), _e8557.member_2);
-                    atomicStore((&undecided.member[(_e8634 + 5u)]), _e8557.member_3);
+            let _e8619 = atomicLoad((&counters[1u]));
+            let _e8620 = (_e8619 + _e8610);
+            if _e8532 {
+                let _e8622 = params.member.member_2.member.member_1;
+                if (_e8620 < _e8622) {
+                    let _e8624 = (2u * _e8620);
+                    atomicStore((&undecided.member[(4u + _e8624)]), _e8527.member);
+                    atomicStore((&undecided.member[(_e8624 + 5u)]), _e8527.member_1);
                 }
             }
         }
         continue;
         continuing {
-            phi_965_ = type_9(select(_e213.member, (_e213.member + 1u), _e216), select(_e213.member_1, _e213.member_1, _e216));
-            break if !(_e229);
+            phi_966_ = type_9(select(_e215.member, (_e215.member + 1u), _e218), select(_e215.member_1, _e215.member_1, _e218));
+            break if !(_e231);
         }
     }
     return;

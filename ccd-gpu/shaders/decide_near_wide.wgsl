@@ -55,86 +55,77 @@ struct type_19 {
     member_1: i32,
 }
 
-struct type_20 {
-    member: u32,
-    member_1: u32,
-    member_2: u32,
-    member_3: u32,
-    member_4: array<u32, 2>,
-    member_5: u32,
-}
-
-struct type_23 {
+struct type_22 {
     member: u32,
     member_1: array<u32, 4>,
 }
 
-struct type_24 {
+struct type_23 {
     member: vec4<f32>,
     member_1: vec4<f32>,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_25 {
+    member: array<type_23>,
 }
 
-struct type_30 {
+struct type_29 {
     member: array<array<f64, 3>>,
 }
 
-struct type_31 {
+struct type_30 {
     member: array<array<f64, 3>, 4>,
     member_1: array<array<f64, 3>, 4>,
 }
 
-struct type_33 {
+struct type_32 {
     member: array<array<f64, 3>, 2>,
     member_1: array<array<f64, 3>, 2>,
     member_2: array<array<f64, 3>, 2>,
     member_3: f64,
 }
 
-struct type_35 {
+struct type_34 {
     member: u32,
     member_1: u32,
     member_2: array<u32, 2>,
     member_3: bool,
 }
 
-struct type_36 {
+struct type_35 {
     member: array<f64, 4>,
     member_1: array<f64, 4>,
     member_2: array<f64, 4>,
 }
 
-struct type_37 {
-    member: type_33,
+struct type_36 {
+    member: type_32,
     member_1: f64,
 }
 
-struct type_38 {
+struct type_37 {
     member: u32,
     member_1: f64,
 }
 
-struct type_39 {
-    member: type_38,
+struct type_38 {
+    member: type_37,
     member_1: u32,
 }
 
-struct type_41 {
+struct type_40 {
     member: array<array<array<f64, 3>, 4>, 2>,
     member_1: f64,
     member_2: f64,
 }
 
-struct type_42 {
+struct type_41 {
     member: f64,
     member_1: f64,
     member_2: u32,
 }
 
-struct type_46 {
+struct type_45 {
     member: array<atomic<u32>>,
 }
 
@@ -144,20 +135,20 @@ var<storage> params: type_11;
 var<storage> input: type_13;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
-var<storage> positions: type_30;
+var<storage> positions: type_29;
 @group(0) @binding(1) 
-var<storage> paths: type_26;
+var<storage> paths: type_25;
+@group(0) @binding(6) 
+var<storage, read_write> earliest: type_45;
 @group(0) @binding(3) 
 var<storage> elements: type_13;
 @group(0) @binding(5) 
-var<storage, read_write> contacts: type_46;
-@group(0) @binding(6) 
-var<storage, read_write> earliest: type_46;
+var<storage, read_write> contacts: type_45;
 
 fn function_(param: array<f32, 3>) -> array<f64, 3> {
-    var phi_232_: f64;
-    var phi_275_: f64;
-    var phi_318_: f64;
+    var phi_231_: f64;
+    var phi_274_: f64;
+    var phi_317_: f64;
 
     let _e10 = bitcast<u32>(param[0]);
     let _e11 = (_e10 & 2147483647u);
@@ -165,33 +156,33 @@ fn function_(param: array<f32, 3>) -> array<f64, 3> {
         let _e20 = bitcast<u32>(param[0]);
         let _e21 = (_e20 & 2147483647u);
         let _e22 = (_e21 < 8388608u);
-        phi_232_ = bitcast<f64>(((u64(select(((_e20 ^ _e21) | ((_e21 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e22)) * 4294967296lu) + u64(select((_e20 << bitcast<u32>(29i)), 0u, _e22))));
+        phi_231_ = bitcast<f64>(((u64(select(((_e20 ^ _e21) | ((_e21 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e22)) * 4294967296lu) + u64(select((_e20 << bitcast<u32>(29i)), 0u, _e22))));
     } else {
-        phi_232_ = select(-((f64(_e11) * 1.401298464324817e-45lf)), (f64(_e11) * 1.401298464324817e-45lf), (_e10 == _e11));
+        phi_231_ = select(-((f64(_e11) * 1.401298464324817e-45lf)), (f64(_e11) * 1.401298464324817e-45lf), (_e10 == _e11));
     }
-    let _e38 = phi_232_;
+    let _e38 = phi_231_;
     let _e40 = bitcast<u32>(param[1]);
     let _e41 = (_e40 & 2147483647u);
     if (_e41 >= 8388608u) {
         let _e50 = bitcast<u32>(param[1]);
         let _e51 = (_e50 & 2147483647u);
         let _e52 = (_e51 < 8388608u);
-        phi_275_ = bitcast<f64>(((u64(select(((_e50 ^ _e51) | ((_e51 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e52)) * 4294967296lu) + u64(select((_e50 << bitcast<u32>(29i)), 0u, _e52))));
+        phi_274_ = bitcast<f64>(((u64(select(((_e50 ^ _e51) | ((_e51 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e52)) * 4294967296lu) + u64(select((_e50 << bitcast<u32>(29i)), 0u, _e52))));
     } else {
-        phi_275_ = select(-((f64(_e41) * 1.401298464324817e-45lf)), (f64(_e41) * 1.401298464324817e-45lf), (_e40 == _e41));
+        phi_274_ = select(-((f64(_e41) * 1.401298464324817e-45lf)), (f64(_e41) * 1.401298464324817e-45lf), (_e40 == _e41));
     }
-    let _e68 = phi_275_;
+    let _e68 = phi_274_;
     let _e70 = bitcast<u32>(param[2]);
     let _e71 = (_e70 & 2147483647u);
     if (_e71 >= 8388608u) {
         let _e80 = bitcast<u32>(param[2]);
         let _e81 = (_e80 & 2147483647u);
         let _e82 = (_e81 < 8388608u);
-        phi_318_ = bitcast<f64>(((u64(select(((_e80 ^ _e81) | ((_e81 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e82)) * 4294967296lu) + u64(select((_e80 << bitcast<u32>(29i)), 0u, _e82))));
+        phi_317_ = bitcast<f64>(((u64(select(((_e80 ^ _e81) | ((_e81 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e82)) * 4294967296lu) + u64(select((_e80 << bitcast<u32>(29i)), 0u, _e82))));
     } else {
-        phi_318_ = select(-((f64(_e71) * 1.401298464324817e-45lf)), (f64(_e71) * 1.401298464324817e-45lf), (_e70 == _e71));
+        phi_317_ = select(-((f64(_e71) * 1.401298464324817e-45lf)), (f64(_e71) * 1.401298464324817e-45lf), (_e70 == _e71));
     }
-    let _e98 = phi_318_;
+    let _e98 = phi_317_;
     return array<f64, 3>(_e38, _e68, _e98);
 }
 
@@ -201,7 +192,7 @@ fn function_1(param_1: array<f64, 3>, param_2: array<f64, 3>) -> array<f64, 3> {
 }
 
 fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: u32) -> array<f64, 3> {
-    var phi_839_: array<array<f64, 3>, 4>;
+    var phi_838_: array<array<f64, 3>, 4>;
 
     let _e9 = (param_3[0] - param_4[0]);
     let _e12 = (param_3[1] - param_4[1]);
@@ -218,7 +209,7 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
         let _e275 = (param_3[2] - param_5[2]);
         let _e295 = ((((_e269 * param_4[0]) + (_e272 * param_4[1])) + (_e275 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
         let _e303 = select(f64(0f), select(f64(1f), _e295, (_e295 < f64(1f))), (_e295 > f64(0f)));
-        phi_839_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e171)), (param_3[1] - (param_4[1] * _e171)), (param_3[2] - (param_4[2] * _e171))), array<f64, 3>((param_3[0] - (param_5[0] * _e215)), (param_3[1] - (param_5[1] * _e215)), (param_3[2] - (param_5[2] * _e215))), array<f64, 3>((_e9 - (param_5[0] * _e256)), (_e12 - (param_5[1] * _e256)), (_e15 - (param_5[2] * _e256))), array<f64, 3>((_e269 - (param_4[0] * _e303)), (_e272 - (param_4[1] * _e303)), (_e275 - (param_4[2] * _e303))));
+        phi_838_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e171)), (param_3[1] - (param_4[1] * _e171)), (param_3[2] - (param_4[2] * _e171))), array<f64, 3>((param_3[0] - (param_5[0] * _e215)), (param_3[1] - (param_5[1] * _e215)), (param_3[2] - (param_5[2] * _e215))), array<f64, 3>((_e9 - (param_5[0] * _e256)), (_e12 - (param_5[1] * _e256)), (_e15 - (param_5[2] * _e256))), array<f64, 3>((_e269 - (param_4[0] * _e303)), (_e272 - (param_4[1] * _e303)), (_e275 - (param_4[2] * _e303))));
     } else {
         let _e19 = (param_5[0] - param_4[0]);
         let _e22 = (param_5[1] - param_4[1]);
@@ -230,9 +221,9 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
         let _e82 = select(f64(0f), select(f64(1f), _e74, (_e74 < f64(1f))), (_e74 > f64(0f)));
         let _e118 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         let _e126 = select(f64(0f), select(f64(1f), _e118, (_e118 < f64(1f))), (_e118 > f64(0f)));
-        phi_839_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e82)), (param_3[1] - (param_4[1] * _e82)), (param_3[2] - (param_4[2] * _e82))), array<f64, 3>((param_3[0] - (param_5[0] * _e126)), (param_3[1] - (param_5[1] * _e126)), (param_3[2] - (param_5[2] * _e126))), _e51, _e51);
+        phi_838_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e82)), (param_3[1] - (param_4[1] * _e82)), (param_3[2] - (param_4[2] * _e82))), array<f64, 3>((param_3[0] - (param_5[0] * _e126)), (param_3[1] - (param_5[1] * _e126)), (param_3[2] - (param_5[2] * _e126))), _e51, _e51);
     }
-    let _e316 = phi_839_;
+    let _e316 = phi_838_;
     let _e319 = function_1(_e316[0], _e316[1]);
     let _e321 = function_1(_e319, _e316[2]);
     let _e323 = function_1(_e321, _e316[3]);
@@ -240,12 +231,12 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
 }
 
 fn function_3(param_7: array<f64, 3>, param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: u32) -> array<f64, 3> {
-    var phi_438_: bool;
-    var phi_472_: array<f64, 3>;
-    var phi_473_: bool;
-    var phi_474_: array<f64, 3>;
-    var phi_475_: bool;
-    var phi_480_: array<f64, 3>;
+    var phi_437_: bool;
+    var phi_471_: array<f64, 3>;
+    var phi_472_: bool;
+    var phi_473_: array<f64, 3>;
+    var phi_474_: bool;
+    var phi_479_: array<f64, 3>;
 
     let _e23 = (((param_8[0] * param_8[0]) + (param_8[1] * param_8[1])) + (param_8[2] * param_8[2]));
     let _e34 = (((param_8[0] * param_9[0]) + (param_8[1] * param_9[1])) + (param_8[2] * param_9[2]));
@@ -261,38 +252,38 @@ fn function_3(param_7: array<f64, 3>, param_8: array<f64, 3>, param_9: array<f64
         let _e91 = (_e76 >= _e71);
         let _e92 = (_e80 >= _e71);
         let _e93 = (_e76 <= _e72);
-        phi_438_ = select(select(bool(), select(bool(), select(bool(), (_e80 <= _e72), _e93), _e92), _e91), false, select(true, select(true, select(true, false, _e93), _e92), _e91));
+        phi_437_ = select(select(bool(), select(bool(), select(bool(), (_e80 <= _e72), _e93), _e92), _e91), false, select(true, select(true, select(true, false, _e93), _e92), _e91));
     } else {
         let _e82 = (_e76 >= _e71);
         let _e83 = (_e80 >= _e71);
-        phi_438_ = select(select(bool(), select(bool(), ((_e76 + _e80) <= _e72), _e83), _e82), false, select(true, select(true, false, _e83), _e82));
+        phi_437_ = select(select(bool(), select(bool(), ((_e76 + _e80) <= _e72), _e83), _e82), false, select(true, select(true, false, _e83), _e82));
     }
-    let _e103 = phi_438_;
+    let _e103 = phi_437_;
     if (_e70 > ((_e23 * _e45) * (1.1102230246251565e-16lf * f64(64f)))) {
         if _e103 {
-            phi_472_ = array<f64, 3>((param_7[0] - ((param_8[0] * _e76) + (param_9[0] * _e80))), (param_7[1] - ((param_8[1] * _e76) + (param_9[1] * _e80))), (param_7[2] - ((param_8[2] * _e76) + (param_9[2] * _e80))));
-            phi_473_ = false;
+            phi_471_ = array<f64, 3>((param_7[0] - ((param_8[0] * _e76) + (param_9[0] * _e80))), (param_7[1] - ((param_8[1] * _e76) + (param_9[1] * _e80))), (param_7[2] - ((param_8[2] * _e76) + (param_9[2] * _e80))));
+            phi_472_ = false;
         } else {
-            phi_472_ = array<f64, 3>();
-            phi_473_ = true;
+            phi_471_ = array<f64, 3>();
+            phi_472_ = true;
         }
-        let _e132 = phi_472_;
-        let _e134 = phi_473_;
-        phi_474_ = _e132;
-        phi_475_ = _e134;
+        let _e132 = phi_471_;
+        let _e134 = phi_472_;
+        phi_473_ = _e132;
+        phi_474_ = _e134;
     } else {
-        phi_474_ = array<f64, 3>();
-        phi_475_ = true;
+        phi_473_ = array<f64, 3>();
+        phi_474_ = true;
     }
-    let _e136 = phi_474_;
-    let _e138 = phi_475_;
+    let _e136 = phi_473_;
+    let _e138 = phi_474_;
     if _e138 {
         let _e139 = function_2(param_7, param_8, param_9, param_10);
-        phi_480_ = _e139;
+        phi_479_ = _e139;
     } else {
-        phi_480_ = _e136;
+        phi_479_ = _e136;
     }
-    let _e141 = phi_480_;
+    let _e141 = phi_479_;
     return _e141;
 }
 
@@ -303,191 +294,191 @@ fn function_4(param_11: f64) -> array<u32, 2> {
 
 fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<f32, 3>;
-    var local_1: type_41;
-    var local_2: type_36;
-    var local_3: type_36;
-    var local_4: type_36;
-    var local_5: type_33;
-    var phi_940_: u32;
-    var phi_985_: u32;
-    var phi_988_: type_9;
-    var phi_1150_: type_23;
-    var phi_1346_: type_31;
-    var phi_1507_: type_33;
-    var phi_1781_: bool;
-    var phi_1877_: type_37;
-    var phi_1878_: bool;
-    var phi_1879_: type_37;
-    var phi_1880_: bool;
-    var phi_1881_: type_37;
-    var phi_1882_: bool;
-    var phi_1887_: type_37;
-    var phi_2057_: type_18;
-    var phi_2060_: f64;
-    var phi_2058_: type_18;
-    var phi_2101_: type_19;
-    var phi_2061_: f64;
+    var local_1: type_40;
+    var local_2: type_35;
+    var local_3: type_35;
+    var local_4: type_35;
+    var local_5: type_32;
+    var phi_939_: u32;
+    var phi_987_: u32;
+    var phi_990_: type_9;
+    var phi_1145_: type_22;
+    var phi_1341_: type_30;
+    var phi_1502_: type_32;
+    var phi_1776_: bool;
+    var phi_1872_: type_36;
+    var phi_1873_: bool;
+    var phi_1874_: type_36;
+    var phi_1875_: bool;
+    var phi_1876_: type_36;
+    var phi_1877_: bool;
+    var phi_1882_: type_36;
+    var phi_2052_: type_18;
+    var phi_2055_: f64;
+    var phi_2053_: type_18;
+    var phi_2096_: type_19;
+    var phi_2056_: f64;
     var local_6: f64;
-    var phi_2114_: f64;
-    var phi_3041_: type_39;
-    var phi_3042_: bool;
-    var phi_3043_: type_39;
-    var phi_3044_: bool;
-    var phi_3050_: type_18;
-    var phi_3053_: f64;
-    var phi_3055_: u32;
-    var phi_3057_: f64;
-    var phi_3051_: type_18;
-    var phi_3098_: type_19;
-    var phi_3541_: type_9;
-    var phi_3544_: f64;
-    var phi_3546_: f64;
-    var phi_3548_: f64;
-    var phi_3550_: f64;
-    var phi_3552_: bool;
-    var phi_3554_: u32;
-    var phi_3706_: array<f64, 3>;
-    var phi_3774_: type_18;
-    var phi_3777_: f64;
-    var phi_3775_: type_18;
-    var phi_3818_: type_19;
-    var phi_3778_: f64;
+    var phi_2109_: f64;
+    var phi_3036_: type_38;
+    var phi_3037_: bool;
+    var phi_3038_: type_38;
+    var phi_3039_: bool;
+    var phi_3045_: type_18;
+    var phi_3048_: f64;
+    var phi_3050_: u32;
+    var phi_3052_: f64;
+    var phi_3046_: type_18;
+    var phi_3093_: type_19;
+    var phi_3536_: type_9;
+    var phi_3539_: f64;
+    var phi_3541_: f64;
+    var phi_3543_: f64;
+    var phi_3545_: f64;
+    var phi_3547_: bool;
+    var phi_3549_: u32;
+    var phi_3701_: array<f64, 3>;
+    var phi_3769_: type_18;
+    var phi_3772_: f64;
+    var phi_3770_: type_18;
+    var phi_3813_: type_19;
+    var phi_3773_: f64;
     var local_7: f64;
-    var phi_3831_: f64;
-    var phi_3957_: type_36;
-    var phi_3958_: bool;
-    var phi_3959_: type_36;
-    var phi_3960_: bool;
-    var phi_3970_: type_36;
+    var phi_3826_: f64;
+    var phi_3952_: type_35;
+    var phi_3953_: bool;
+    var phi_3954_: type_35;
+    var phi_3955_: bool;
+    var phi_3965_: type_35;
+    var phi_4137_: bool;
+    var phi_4138_: bool;
+    var phi_4139_: bool;
+    var phi_4140_: bool;
+    var phi_4141_: bool;
     var phi_4142_: bool;
-    var phi_4143_: bool;
-    var phi_4144_: bool;
-    var phi_4145_: bool;
-    var phi_4146_: bool;
-    var phi_4147_: bool;
+    var phi_4444_: bool;
+    var phi_4445_: bool;
+    var phi_4446_: bool;
+    var phi_4447_: bool;
+    var phi_4448_: bool;
     var phi_4449_: bool;
-    var phi_4450_: bool;
-    var phi_4451_: bool;
-    var phi_4452_: bool;
-    var phi_4453_: bool;
-    var phi_4454_: bool;
-    var phi_4462_: bool;
-    var phi_4572_: f64;
+    var phi_4457_: bool;
+    var phi_4567_: f64;
+    var phi_4568_: bool;
+    var phi_4569_: f64;
+    var phi_4570_: bool;
+    var phi_4571_: f64;
+    var phi_4572_: bool;
     var phi_4573_: bool;
-    var phi_4574_: f64;
-    var phi_4575_: bool;
-    var phi_4576_: f64;
-    var phi_4577_: bool;
-    var phi_4578_: bool;
-    var phi_4644_: f64;
+    var phi_4639_: f64;
+    var phi_4640_: bool;
+    var phi_4641_: f64;
+    var phi_4642_: bool;
+    var phi_4643_: f64;
+    var phi_4644_: bool;
     var phi_4645_: bool;
-    var phi_4646_: f64;
-    var phi_4647_: bool;
-    var phi_4648_: f64;
-    var phi_4649_: bool;
-    var phi_4650_: bool;
-    var phi_4721_: f64;
+    var phi_4716_: f64;
+    var phi_4717_: bool;
+    var phi_4718_: f64;
+    var phi_4719_: bool;
+    var phi_4720_: f64;
+    var phi_4721_: bool;
     var phi_4722_: bool;
-    var phi_4723_: f64;
-    var phi_4724_: bool;
-    var phi_4725_: f64;
-    var phi_4726_: bool;
-    var phi_4727_: bool;
-    var phi_4793_: f64;
+    var phi_4788_: f64;
+    var phi_4789_: bool;
+    var phi_4790_: f64;
+    var phi_4791_: bool;
+    var phi_4792_: f64;
+    var phi_4793_: bool;
     var phi_4794_: bool;
-    var phi_4795_: f64;
-    var phi_4796_: bool;
-    var phi_4797_: f64;
-    var phi_4798_: bool;
-    var phi_4799_: bool;
-    var phi_4976_: type_18;
-    var phi_4979_: f64;
-    var phi_4977_: type_18;
-    var phi_5020_: type_19;
-    var phi_4980_: f64;
+    var phi_4971_: type_18;
+    var phi_4974_: f64;
+    var phi_4972_: type_18;
+    var phi_5015_: type_19;
+    var phi_4975_: f64;
     var local_8: f64;
-    var phi_5033_: f64;
-    var phi_5310_: bool;
-    var phi_5311_: bool;
-    var phi_5338_: f64;
-    var phi_5339_: f64;
-    var phi_5340_: bool;
+    var phi_5028_: f64;
+    var phi_5305_: bool;
+    var phi_5306_: bool;
+    var phi_5333_: f64;
+    var phi_5334_: f64;
+    var phi_5335_: bool;
+    var phi_5336_: f64;
+    var phi_5337_: f64;
+    var phi_5338_: bool;
+    var phi_5339_: bool;
+    var phi_5340_: f64;
     var phi_5341_: f64;
     var phi_5342_: f64;
-    var phi_5343_: bool;
+    var phi_5343_: f64;
     var phi_5344_: bool;
-    var phi_5345_: f64;
-    var phi_5346_: f64;
-    var phi_5347_: f64;
+    var phi_5345_: bool;
+    var phi_5346_: bool;
+    var phi_5347_: bool;
     var phi_5348_: f64;
-    var phi_5349_: bool;
-    var phi_5350_: bool;
-    var phi_5351_: bool;
+    var phi_5349_: f64;
+    var phi_5350_: f64;
+    var phi_5351_: f64;
     var phi_5352_: bool;
-    var phi_5353_: f64;
-    var phi_5354_: f64;
-    var phi_5355_: f64;
-    var phi_5356_: f64;
-    var phi_5357_: bool;
-    var phi_5358_: bool;
-    var phi_5359_: bool;
-    var phi_5360_: bool;
+    var phi_5353_: bool;
+    var phi_5354_: bool;
+    var phi_5355_: bool;
+    var phi_5356_: bool;
+    var phi_5357_: f64;
+    var phi_5358_: f64;
+    var phi_5359_: f64;
+    var phi_5360_: f64;
     var phi_5361_: bool;
-    var phi_5362_: f64;
-    var phi_5363_: f64;
-    var phi_5364_: f64;
-    var phi_5365_: f64;
-    var phi_5366_: bool;
-    var phi_5367_: bool;
-    var phi_5368_: bool;
-    var phi_5369_: bool;
-    var phi_5370_: bool;
-    var phi_5708_: f64;
+    var phi_5362_: bool;
+    var phi_5363_: bool;
+    var phi_5364_: bool;
+    var phi_5365_: bool;
+    var phi_5703_: f64;
+    var phi_5705_: u32;
+    var phi_5706_: f64;
+    var phi_5707_: bool;
+    var phi_5708_: bool;
+    var phi_5709_: bool;
     var phi_5710_: u32;
     var phi_5711_: f64;
-    var phi_5712_: bool;
-    var phi_5713_: bool;
-    var phi_5714_: bool;
-    var phi_5715_: u32;
-    var phi_5716_: f64;
-    var phi_5717_: f64;
-    var phi_5718_: f64;
-    var phi_5719_: f64;
+    var phi_5712_: f64;
+    var phi_5713_: f64;
+    var phi_5714_: f64;
+    var phi_5715_: bool;
+    var phi_5716_: u32;
+    var phi_5717_: bool;
+    var phi_5718_: bool;
+    var phi_5719_: bool;
     var phi_5720_: bool;
-    var phi_5721_: u32;
+    var phi_5721_: bool;
     var phi_5722_: bool;
-    var phi_5723_: bool;
-    var phi_5724_: bool;
-    var phi_5725_: bool;
-    var phi_5726_: bool;
-    var phi_5727_: bool;
-    var phi_5755_: f64;
-    var phi_5756_: f64;
-    var phi_5757_: f64;
-    var phi_5758_: f64;
+    var phi_5750_: f64;
+    var phi_5751_: f64;
+    var phi_5752_: f64;
+    var phi_5753_: f64;
+    var phi_5754_: bool;
+    var phi_5755_: u32;
+    var phi_5756_: bool;
+    var phi_5757_: bool;
+    var phi_5758_: bool;
     var phi_5759_: bool;
-    var phi_5760_: u32;
+    var phi_5760_: bool;
     var phi_5761_: bool;
-    var phi_5762_: bool;
-    var phi_5763_: bool;
+    var phi_3540_: f64;
+    var phi_3542_: f64;
+    var phi_3544_: f64;
+    var phi_3546_: f64;
+    var phi_3548_: bool;
+    var phi_3550_: u32;
+    var phi_5762_: f64;
+    var phi_5763_: f64;
     var phi_5764_: bool;
     var phi_5765_: bool;
     var phi_5766_: bool;
-    var phi_3545_: f64;
-    var phi_3547_: f64;
-    var phi_3549_: f64;
-    var phi_3551_: f64;
-    var phi_3553_: bool;
-    var phi_3555_: u32;
-    var phi_5767_: f64;
-    var phi_5768_: f64;
+    var phi_5767_: bool;
+    var phi_5768_: bool;
     var phi_5769_: bool;
     var phi_5770_: bool;
-    var phi_5771_: bool;
-    var phi_5772_: bool;
-    var phi_5773_: bool;
-    var phi_5774_: bool;
-    var phi_5775_: bool;
     var local_9: bool;
     var local_10: bool;
     var local_11: bool;
@@ -503,135 +494,135 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_21: f64;
     var local_22: f64;
     var local_23: f64;
-    var phi_5842_: f64;
-    var phi_5843_: bool;
-    var phi_6468_: type_18;
-    var phi_6471_: f64;
-    var phi_6469_: type_18;
-    var phi_6512_: type_19;
-    var phi_6472_: f64;
+    var phi_5837_: f64;
+    var phi_5838_: bool;
+    var phi_6463_: type_18;
+    var phi_6466_: f64;
+    var phi_6464_: type_18;
+    var phi_6507_: type_19;
+    var phi_6467_: f64;
     var local_24: f64;
-    var phi_6525_: f64;
-    var phi_6763_: type_18;
-    var phi_6766_: f64;
-    var phi_6764_: type_18;
-    var phi_6807_: type_19;
-    var phi_6767_: f64;
+    var phi_6520_: f64;
+    var phi_6758_: type_18;
+    var phi_6761_: f64;
+    var phi_6759_: type_18;
+    var phi_6802_: type_19;
+    var phi_6762_: f64;
     var local_25: f64;
-    var phi_6820_: f64;
-    var phi_6852_: type_18;
-    var phi_6855_: f64;
-    var phi_6853_: type_18;
-    var phi_6896_: type_19;
-    var phi_6856_: f64;
+    var phi_6815_: f64;
+    var phi_6847_: type_18;
+    var phi_6850_: f64;
+    var phi_6848_: type_18;
+    var phi_6891_: type_19;
+    var phi_6851_: f64;
     var local_26: f64;
-    var phi_6909_: f64;
-    var phi_7227_: type_9;
-    var phi_7230_: f64;
-    var phi_7231_: f64;
+    var phi_6904_: f64;
+    var phi_7222_: type_9;
+    var phi_7225_: f64;
+    var phi_7226_: f64;
     var local_27: f64;
     var local_28: f64;
-    var phi_7332_: type_18;
-    var phi_7335_: f64;
-    var phi_7333_: type_18;
-    var phi_7376_: type_19;
-    var phi_7336_: f64;
+    var phi_7327_: type_18;
+    var phi_7330_: f64;
+    var phi_7328_: type_18;
+    var phi_7371_: type_19;
+    var phi_7331_: f64;
     var local_29: f64;
-    var phi_7389_: f64;
-    var phi_7396_: type_9;
-    var phi_7399_: f64;
-    var phi_7401_: bool;
-    var phi_7403_: bool;
-    var phi_7639_: f64;
-    var phi_7640_: f64;
-    var phi_7400_: f64;
-    var phi_7402_: bool;
-    var phi_7404_: bool;
+    var phi_7384_: f64;
+    var phi_7391_: type_9;
+    var phi_7394_: f64;
+    var phi_7396_: bool;
+    var phi_7398_: bool;
+    var phi_7634_: f64;
+    var phi_7635_: f64;
+    var phi_7395_: f64;
+    var phi_7397_: bool;
+    var phi_7399_: bool;
     var local_30: f64;
     var local_31: f64;
     var local_32: bool;
     var local_33: bool;
     var local_34: bool;
     var local_35: bool;
-    var phi_7658_: type_42;
-    var phi_7659_: bool;
+    var phi_7653_: type_41;
+    var phi_7654_: bool;
     var local_36: bool;
-    var phi_7681_: type_9;
-    var phi_7684_: f64;
-    var phi_7686_: f64;
-    var phi_7796_: f64;
-    var phi_7797_: f64;
-    var phi_7798_: f64;
-    var phi_7799_: f64;
-    var phi_7685_: f64;
-    var phi_7687_: f64;
+    var phi_7676_: type_9;
+    var phi_7679_: f64;
+    var phi_7681_: f64;
+    var phi_7791_: f64;
+    var phi_7792_: f64;
+    var phi_7793_: f64;
+    var phi_7794_: f64;
+    var phi_7680_: f64;
+    var phi_7682_: f64;
     var local_37: f64;
     var local_38: f64;
     var local_39: f64;
+    var phi_7957_: bool;
+    var phi_7958_: bool;
+    var phi_7959_: bool;
+    var phi_7960_: bool;
+    var phi_7961_: bool;
     var phi_7962_: bool;
-    var phi_7963_: bool;
-    var phi_7964_: bool;
-    var phi_7965_: bool;
-    var phi_7966_: bool;
-    var phi_7967_: bool;
-    var phi_7976_: bool;
-    var phi_7977_: bool;
-    var phi_7986_: type_42;
-    var phi_7987_: type_42;
-    var phi_7988_: bool;
-    var phi_7989_: type_42;
-    var phi_7990_: type_42;
-    var phi_7991_: bool;
-    var phi_7997_: type_42;
-    var phi_7998_: type_42;
-    var phi_7999_: bool;
-    var phi_8003_: type_42;
-    var phi_8004_: type_42;
+    var phi_7971_: bool;
+    var phi_7972_: bool;
+    var phi_7981_: type_41;
+    var phi_7982_: type_41;
+    var phi_7983_: bool;
+    var phi_7984_: type_41;
+    var phi_7985_: type_41;
+    var phi_7986_: bool;
+    var phi_7992_: type_41;
+    var phi_7993_: type_41;
+    var phi_7994_: bool;
+    var phi_7998_: type_41;
+    var phi_7999_: type_41;
+    var phi_8000_: bool;
+    var phi_8001_: bool;
+    var phi_8002_: type_41;
+    var phi_8003_: type_41;
+    var phi_8004_: bool;
     var phi_8005_: bool;
-    var phi_8006_: bool;
-    var phi_8007_: type_42;
-    var phi_8008_: type_42;
-    var phi_8009_: bool;
-    var phi_8010_: bool;
+    var phi_8040_: f64;
+    var phi_8041_: f64;
+    var phi_8042_: bool;
+    var phi_8043_: bool;
+    var phi_8044_: bool;
     var phi_8045_: f64;
-    var phi_8046_: f64;
-    var phi_8047_: bool;
-    var phi_8048_: bool;
-    var phi_8049_: bool;
-    var phi_8050_: f64;
-    var phi_8051_: u32;
-    var phi_8052_: f64;
-    var phi_8053_: type_42;
-    var phi_8054_: u32;
+    var phi_8046_: u32;
+    var phi_8047_: f64;
+    var phi_8048_: type_41;
+    var phi_8049_: u32;
+    var phi_8050_: u32;
+    var phi_8051_: bool;
+    var phi_8052_: bool;
+    var phi_8053_: bool;
+    var phi_8054_: f64;
     var phi_8055_: u32;
-    var phi_8056_: bool;
-    var phi_8057_: bool;
-    var phi_8058_: bool;
-    var phi_8059_: f64;
-    var phi_8060_: u32;
-    var phi_8061_: f64;
-    var phi_8062_: type_42;
-    var phi_8063_: u32;
-    var phi_8064_: u32;
-    var phi_8065_: bool;
-    var phi_8066_: bool;
-    var phi_8067_: bool;
-    var phi_8068_: bool;
-    var phi_8069_: bool;
-    var phi_8070_: f64;
-    var phi_3054_: f64;
-    var phi_3056_: u32;
-    var phi_3058_: f64;
-    var phi_8071_: type_42;
-    var phi_8072_: u32;
-    var phi_8073_: f64;
-    var phi_8074_: u32;
+    var phi_8056_: f64;
+    var phi_8057_: type_41;
+    var phi_8058_: u32;
+    var phi_8059_: u32;
+    var phi_8060_: bool;
+    var phi_8061_: bool;
+    var phi_8062_: bool;
+    var phi_8063_: bool;
+    var phi_8064_: bool;
+    var phi_8065_: f64;
+    var phi_3049_: f64;
+    var phi_3051_: u32;
+    var phi_3053_: f64;
+    var phi_8066_: type_41;
+    var phi_8067_: u32;
+    var phi_8068_: f64;
+    var phi_8069_: u32;
+    var phi_8070_: bool;
+    var phi_8071_: bool;
+    var phi_8072_: bool;
+    var phi_8073_: bool;
+    var phi_8074_: bool;
     var phi_8075_: bool;
-    var phi_8076_: bool;
-    var phi_8077_: bool;
-    var phi_8078_: bool;
-    var phi_8079_: bool;
-    var phi_8080_: bool;
     var local_40: bool;
     var local_41: bool;
     var local_42: bool;
@@ -640,49 +631,49 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_45: bool;
     var local_46: bool;
     var local_47: bool;
-    var local_48: type_42;
-    var local_49: type_42;
+    var local_48: type_41;
+    var local_49: type_41;
     var local_50: u32;
-    var local_51: type_42;
-    var phi_8109_: type_39;
-    var phi_8110_: type_39;
-    var phi_8111_: bool;
-    var phi_8112_: bool;
-    var phi_8113_: bool;
-    var phi_8114_: bool;
+    var local_51: type_41;
+    var phi_8104_: type_38;
+    var phi_8105_: type_38;
+    var phi_8106_: bool;
+    var phi_8107_: bool;
+    var phi_8108_: bool;
+    var phi_8109_: bool;
     var local_52: u32;
     var local_53: u32;
     var local_54: f64;
     var local_55: f64;
     var local_56: f64;
     var local_57: u32;
-    var phi_8148_: type_9;
-    var phi_8324_: type_18;
-    var phi_8327_: f64;
-    var phi_8325_: type_18;
-    var phi_8368_: type_19;
-    var phi_8328_: f64;
+    var phi_8143_: type_9;
+    var phi_8319_: type_18;
+    var phi_8322_: f64;
+    var phi_8320_: type_18;
+    var phi_8363_: type_19;
+    var phi_8323_: f64;
     var local_58: f64;
-    var phi_8381_: f64;
-    var phi_8658_: bool;
-    var phi_8659_: bool;
+    var phi_8376_: f64;
+    var phi_8653_: bool;
+    var phi_8654_: bool;
     var local_59: bool;
-    var phi_8671_: type_39;
-    var phi_8672_: bool;
-    var phi_8684_: type_39;
-    var phi_8685_: type_39;
-    var phi_8686_: bool;
-    var phi_8687_: bool;
-    var phi_8694_: type_39;
-    var phi_8695_: bool;
-    var phi_8699_: type_39;
-    var phi_8700_: type_39;
-    var phi_8701_: bool;
-    var phi_8705_: type_39;
-    var phi_8723_: type_35;
-    var phi_8758_: u32;
-    var phi_8762_: type_20;
-    var phi_8763_: bool;
+    var phi_8666_: type_38;
+    var phi_8667_: bool;
+    var phi_8679_: type_38;
+    var phi_8680_: type_38;
+    var phi_8681_: bool;
+    var phi_8682_: bool;
+    var phi_8689_: type_38;
+    var phi_8690_: bool;
+    var phi_8694_: type_38;
+    var phi_8695_: type_38;
+    var phi_8696_: bool;
+    var phi_8700_: type_38;
+    var phi_8718_: type_34;
+    var phi_8719_: type_34;
+    var phi_8720_: type_9;
+    var phi_8760_: u32;
     var phi_8774_: u32;
     var phi_8834_: bool;
     var phi_8835_: bool;
@@ -695,2382 +686,2384 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e99 = id_2;
-    let _e100 = n_2;
-    let _e101 = lane_2;
-    let _e113 = ((_e99.y * _e100.x) + _e99.x);
-    let _e116 = (_e100.x * _e100.y);
-    let _e119 = params.member.member_1.member_2;
-    let _e121 = input.member[0u];
-    let _e123 = select(_e121, _e119, (_e119 < _e121));
-    let _e125 = params.member.member_1.member_1;
-    if (_e123 > _e125) {
-        let _e128 = params.member.member_1.member_1;
-        phi_940_ = (_e123 - _e128);
+    let _e101 = id_2;
+    let _e102 = n_2;
+    let _e103 = lane_2;
+    let _e115 = ((_e101.y * _e102.x) + _e101.x);
+    let _e118 = (_e102.x * _e102.y);
+    let _e121 = params.member.member_1.member_2;
+    let _e123 = input.member[0u];
+    let _e125 = select(_e123, _e121, (_e121 < _e123));
+    let _e127 = params.member.member_1.member_1;
+    if (_e125 > _e127) {
+        let _e130 = params.member.member_1.member_1;
+        phi_939_ = (_e125 - _e130);
     } else {
-        phi_940_ = 0u;
+        phi_939_ = 0u;
     }
-    let _e131 = phi_940_;
-    let _e133 = params.member.member_1.member;
-    let _e135 = select(_e131, _e133, (_e133 < _e131));
-    let _e136 = (_e135 / 64u);
-    let _e140 = select(_e136, (_e136 + 1u), ((_e135 % 64u) > 0u));
-    if (_e140 > _e113) {
-        let _e142 = (_e140 - _e113);
-        if (_e116 == 0u) {
+    let _e133 = phi_939_;
+    let _e135 = params.member.member_1.member;
+    let _e137 = select(_e133, _e135, (_e135 < _e133));
+    let _e140 = params.member.member_2.member;
+    let _e141 = (_e137 / 64u);
+    let _e145 = select(_e141, (_e141 + 1u), ((_e137 % 64u) > 0u));
+    if (_e145 > _e115) {
+        let _e147 = (_e145 - _e115);
+        if (_e118 == 0u) {
             return;
         }
-        let _e144 = (_e142 / _e116);
-        if (_e116 == 0u) {
+        let _e149 = (_e147 / _e118);
+        if (_e118 == 0u) {
             return;
         }
-        phi_985_ = select(_e144, (_e144 + 1u), ((_e142 % _e116) > 0u));
+        phi_987_ = select(_e149, (_e149 + 1u), ((_e147 % _e118) > 0u));
     } else {
-        phi_985_ = 0u;
+        phi_987_ = 0u;
     }
-    let _e151 = phi_985_;
-    phi_988_ = type_9(0u, _e151);
+    let _e156 = phi_987_;
+    phi_990_ = type_9(0u, _e156);
     loop {
-        let _e154 = phi_988_;
-        let _e157 = (_e154.member < _e154.member_1);
-        let _e170 = (bitcast<i32>(select(0u, 1u, _e157)) != 0i);
-        if _e170 {
-            let _e174 = (((_e113 + (select(type_9().member_1, _e154.member, _e157) * _e116)) * 64u) + _e101);
-            let _e177 = params.member.member_2.member;
-            let _e180 = params.member.member.member_1;
-            let _e182 = ((_e180 & 16u) != 0u);
-            if (_e174 < _e135) {
-                let _e187 = params.member.member_1.member_1;
-                let _e189 = (2u * (_e187 + _e174));
-                let _e192 = input.member[(4u + _e189)];
-                let _e195 = input.member[(_e189 + 5u)];
-                if (_e177 == 0u) {
-                    let _e212 = (3u * _e195);
-                    let _e214 = elements.member[_e212];
-                    let _e217 = elements.member[(_e212 + 1u)];
-                    let _e220 = elements.member[(_e212 + 2u)];
-                    phi_1150_ = type_23(0u, array<u32, 4>(_e192, _e214, _e217, _e220));
+        let _e159 = phi_990_;
+        let _e162 = (_e159.member < _e159.member_1);
+        let _e175 = (bitcast<i32>(select(0u, 1u, _e162)) != 0i);
+        if _e175 {
+            let _e179 = (((_e115 + (select(type_9().member_1, _e159.member, _e162) * _e118)) * 64u) + _e103);
+            if (_e179 < _e137) {
+                let _e183 = params.member.member_1.member_1;
+                let _e185 = (2u * (_e183 + _e179));
+                let _e188 = input.member[(4u + _e185)];
+                let _e191 = input.member[(_e185 + 5u)];
+                if (_e140 == 0u) {
+                    let _e209 = (3u * _e191);
+                    let _e211 = elements.member[_e209];
+                    let _e214 = elements.member[(_e209 + 1u)];
+                    let _e217 = elements.member[(_e209 + 2u)];
+                    phi_1145_ = type_22(0u, array<u32, 4>(_e188, _e211, _e214, _e217));
                 } else {
-                    let _e198 = (2u * _e192);
-                    let _e199 = (2u * _e195);
-                    let _e201 = elements.member[_e198];
-                    let _e203 = elements.member[_e199];
-                    let _e206 = elements.member[(_e198 + 1u)];
-                    let _e209 = elements.member[(_e199 + 1u)];
-                    phi_1150_ = type_23(1u, array<u32, 4>(_e201, _e206, _e203, _e209));
+                    let _e195 = (2u * _e188);
+                    let _e196 = (2u * _e191);
+                    let _e198 = elements.member[_e195];
+                    let _e200 = elements.member[_e196];
+                    let _e203 = elements.member[(_e195 + 1u)];
+                    let _e206 = elements.member[(_e196 + 1u)];
+                    phi_1145_ = type_22(1u, array<u32, 4>(_e198, _e203, _e200, _e206));
                 }
-                let _e224 = phi_1150_;
-                let _e228 = params.member.member.member_1;
-                if ((_e228 & 8u) != 0u) {
-                    let _e272 = paths.member[_e224.member_1[0]];
-                    let _e287 = paths.member[_e224.member_1[1]];
-                    let _e302 = paths.member[_e224.member_1[2]];
-                    let _e317 = paths.member[_e224.member_1[3]];
-                    let _e338 = function_(array<f32, 3>(_e272.member.x, _e272.member.y, _e272.member.z));
-                    let _e339 = function_(array<f32, 3>(_e287.member.x, _e287.member.y, _e287.member.z));
-                    let _e340 = function_(array<f32, 3>(_e302.member.x, _e302.member.y, _e302.member.z));
-                    let _e341 = function_(array<f32, 3>(_e317.member.x, _e317.member.y, _e317.member.z));
-                    let _e343 = function_(array<f32, 3>(_e272.member_1.x, _e272.member_1.y, _e272.member_1.z));
-                    let _e344 = function_(array<f32, 3>(_e287.member_1.x, _e287.member_1.y, _e287.member_1.z));
-                    let _e345 = function_(array<f32, 3>(_e302.member_1.x, _e302.member_1.y, _e302.member_1.z));
-                    let _e346 = function_(array<f32, 3>(_e317.member_1.x, _e317.member_1.y, _e317.member_1.z));
-                    phi_1346_ = type_31(array<array<f64, 3>, 4>(_e338, _e339, _e340, _e341), array<array<f64, 3>, 4>(_e343, _e344, _e345, _e346));
+                let _e221 = phi_1145_;
+                let _e225 = params.member.member.member_1;
+                if ((_e225 & 8u) != 0u) {
+                    let _e269 = paths.member[_e221.member_1[0]];
+                    let _e284 = paths.member[_e221.member_1[1]];
+                    let _e299 = paths.member[_e221.member_1[2]];
+                    let _e314 = paths.member[_e221.member_1[3]];
+                    let _e335 = function_(array<f32, 3>(_e269.member.x, _e269.member.y, _e269.member.z));
+                    let _e336 = function_(array<f32, 3>(_e284.member.x, _e284.member.y, _e284.member.z));
+                    let _e337 = function_(array<f32, 3>(_e299.member.x, _e299.member.y, _e299.member.z));
+                    let _e338 = function_(array<f32, 3>(_e314.member.x, _e314.member.y, _e314.member.z));
+                    let _e340 = function_(array<f32, 3>(_e269.member_1.x, _e269.member_1.y, _e269.member_1.z));
+                    let _e341 = function_(array<f32, 3>(_e284.member_1.x, _e284.member_1.y, _e284.member_1.z));
+                    let _e342 = function_(array<f32, 3>(_e299.member_1.x, _e299.member_1.y, _e299.member_1.z));
+                    let _e343 = function_(array<f32, 3>(_e314.member_1.x, _e314.member_1.y, _e314.member_1.z));
+                    phi_1341_ = type_30(array<array<f64, 3>, 4>(_e335, _e336, _e337, _e338), array<array<f64, 3>, 4>(_e340, _e341, _e342, _e343));
                 } else {
-                    let _e233 = positions.member[_e224.member_1[0]];
-                    let _e236 = params.member.member.member[0u];
-                    let _e239 = positions.member[(_e236 + _e224.member_1[0])];
-                    let _e242 = positions.member[_e224.member_1[1]];
-                    let _e245 = params.member.member.member[0u];
-                    let _e248 = positions.member[(_e245 + _e224.member_1[1])];
-                    let _e251 = positions.member[_e224.member_1[2]];
-                    let _e254 = params.member.member.member[0u];
-                    let _e257 = positions.member[(_e254 + _e224.member_1[2])];
-                    let _e260 = positions.member[_e224.member_1[3]];
-                    let _e263 = params.member.member.member[0u];
-                    let _e266 = positions.member[(_e263 + _e224.member_1[3])];
-                    phi_1346_ = type_31(array<array<f64, 3>, 4>(_e233, _e242, _e251, _e260), array<array<f64, 3>, 4>(_e239, _e248, _e257, _e266));
+                    let _e230 = positions.member[_e221.member_1[0]];
+                    let _e233 = params.member.member.member[0u];
+                    let _e236 = positions.member[(_e233 + _e221.member_1[0])];
+                    let _e239 = positions.member[_e221.member_1[1]];
+                    let _e242 = params.member.member.member[0u];
+                    let _e245 = positions.member[(_e242 + _e221.member_1[1])];
+                    let _e248 = positions.member[_e221.member_1[2]];
+                    let _e251 = params.member.member.member[0u];
+                    let _e254 = positions.member[(_e251 + _e221.member_1[2])];
+                    let _e257 = positions.member[_e221.member_1[3]];
+                    let _e260 = params.member.member.member[0u];
+                    let _e263 = positions.member[(_e260 + _e221.member_1[3])];
+                    phi_1341_ = type_30(array<array<f64, 3>, 4>(_e230, _e239, _e248, _e257), array<array<f64, 3>, 4>(_e236, _e245, _e254, _e263));
                 }
-                let _e350 = phi_1346_;
-                if (_e224.member != 0u) {
-                    phi_1507_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e350.member[2][0] - _e350.member[0][0]), (_e350.member[2][1] - _e350.member[0][1]), (_e350.member[2][2] - _e350.member[0][2])), array<f64, 3>((_e350.member_1[2][0] - _e350.member_1[0][0]), (_e350.member_1[2][1] - _e350.member_1[0][1]), (_e350.member_1[2][2] - _e350.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e350.member[1][0] - _e350.member[0][0]), (_e350.member[1][1] - _e350.member[0][1]), (_e350.member[1][2] - _e350.member[0][2])), array<f64, 3>((_e350.member_1[1][0] - _e350.member_1[0][0]), (_e350.member_1[1][1] - _e350.member_1[0][1]), (_e350.member_1[1][2] - _e350.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e350.member[2][0] - _e350.member[3][0]), (_e350.member[2][1] - _e350.member[3][1]), (_e350.member[2][2] - _e350.member[3][2])), array<f64, 3>((_e350.member_1[2][0] - _e350.member_1[3][0]), (_e350.member_1[2][1] - _e350.member_1[3][1]), (_e350.member_1[2][2] - _e350.member_1[3][2]))), (0.0lf + 0.0lf));
+                let _e347 = phi_1341_;
+                if (_e221.member != 0u) {
+                    phi_1502_ = type_32(array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[2][0] - _e347.member[0][0]), (_e347.member[2][1] - _e347.member[0][1]), (_e347.member[2][2] - _e347.member[0][2])), array<f64, 3>((_e347.member_1[2][0] - _e347.member_1[0][0]), (_e347.member_1[2][1] - _e347.member_1[0][1]), (_e347.member_1[2][2] - _e347.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[1][0] - _e347.member[0][0]), (_e347.member[1][1] - _e347.member[0][1]), (_e347.member[1][2] - _e347.member[0][2])), array<f64, 3>((_e347.member_1[1][0] - _e347.member_1[0][0]), (_e347.member_1[1][1] - _e347.member_1[0][1]), (_e347.member_1[1][2] - _e347.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[2][0] - _e347.member[3][0]), (_e347.member[2][1] - _e347.member[3][1]), (_e347.member[2][2] - _e347.member[3][2])), array<f64, 3>((_e347.member_1[2][0] - _e347.member_1[3][0]), (_e347.member_1[2][1] - _e347.member_1[3][1]), (_e347.member_1[2][2] - _e347.member_1[3][2]))), (0.0lf + 0.0lf));
                 } else {
-                    phi_1507_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e350.member[0][0] - _e350.member[1][0]), (_e350.member[0][1] - _e350.member[1][1]), (_e350.member[0][2] - _e350.member[1][2])), array<f64, 3>((_e350.member_1[0][0] - _e350.member_1[1][0]), (_e350.member_1[0][1] - _e350.member_1[1][1]), (_e350.member_1[0][2] - _e350.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e350.member[2][0] - _e350.member[1][0]), (_e350.member[2][1] - _e350.member[1][1]), (_e350.member[2][2] - _e350.member[1][2])), array<f64, 3>((_e350.member_1[2][0] - _e350.member_1[1][0]), (_e350.member_1[2][1] - _e350.member_1[1][1]), (_e350.member_1[2][2] - _e350.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e350.member[3][0] - _e350.member[1][0]), (_e350.member[3][1] - _e350.member[1][1]), (_e350.member[3][2] - _e350.member[1][2])), array<f64, 3>((_e350.member_1[3][0] - _e350.member_1[1][0]), (_e350.member_1[3][1] - _e350.member_1[1][1]), (_e350.member_1[3][2] - _e350.member_1[1][2]))), (0.0lf + 0.0lf));
+                    phi_1502_ = type_32(array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[0][0] - _e347.member[1][0]), (_e347.member[0][1] - _e347.member[1][1]), (_e347.member[0][2] - _e347.member[1][2])), array<f64, 3>((_e347.member_1[0][0] - _e347.member_1[1][0]), (_e347.member_1[0][1] - _e347.member_1[1][1]), (_e347.member_1[0][2] - _e347.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[2][0] - _e347.member[1][0]), (_e347.member[2][1] - _e347.member[1][1]), (_e347.member[2][2] - _e347.member[1][2])), array<f64, 3>((_e347.member_1[2][0] - _e347.member_1[1][0]), (_e347.member_1[2][1] - _e347.member_1[1][1]), (_e347.member_1[2][2] - _e347.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e347.member[3][0] - _e347.member[1][0]), (_e347.member[3][1] - _e347.member[1][1]), (_e347.member[3][2] - _e347.member[1][2])), array<f64, 3>((_e347.member_1[3][0] - _e347.member_1[1][0]), (_e347.member_1[3][1] - _e347.member_1[1][1]), (_e347.member_1[3][2] - _e347.member_1[1][2]))), (0.0lf + 0.0lf));
                 }
-                let _e509 = phi_1507_;
-                let _e511 = params.member.member.member_7;
-                let _e518 = bitcast<f64>(((u64(_e511[1]) * 4294967296lu) + u64(_e511[0])));
-                let _e520 = params.member.member.member_14;
-                let _e527 = bitcast<f64>(((u64(_e520[1]) * 4294967296lu) + u64(_e520[0])));
-                let _e529 = params.member.member.member_15;
-                let _e536 = bitcast<f64>(((u64(_e529[1]) * 4294967296lu) + u64(_e529[0])));
-                let _e538 = params.member.member.member_16;
-                let _e545 = bitcast<f64>(((u64(_e538[1]) * 4294967296lu) + u64(_e538[0])));
-                let _e547 = params.member.member.member_1;
-                let _e555 = select(_e509.member[0][0], -(_e509.member[0][0]), (_e509.member[0][0] < 0.0lf));
-                let _e559 = select(_e509.member[0][1], -(_e509.member[0][1]), (_e509.member[0][1] < 0.0lf));
-                let _e561 = select(_e559, _e555, (_e555 > _e559));
-                let _e565 = select(_e509.member[0][2], -(_e509.member[0][2]), (_e509.member[0][2] < 0.0lf));
-                let _e567 = select(_e565, _e561, (_e561 > _e565));
-                let _e573 = select(_e509.member[1][0], -(_e509.member[1][0]), (_e509.member[1][0] < 0.0lf));
-                let _e577 = select(_e509.member[1][1], -(_e509.member[1][1]), (_e509.member[1][1] < 0.0lf));
-                let _e579 = select(_e577, _e573, (_e573 > _e577));
-                let _e583 = select(_e509.member[1][2], -(_e509.member[1][2]), (_e509.member[1][2] < 0.0lf));
-                let _e585 = select(_e583, _e579, (_e579 > _e583));
-                let _e589 = (select(_e585, _e567, (_e567 > _e585)) + _e509.member_3);
-                let _e595 = select(_e509.member_1[0][0], -(_e509.member_1[0][0]), (_e509.member_1[0][0] < 0.0lf));
-                let _e599 = select(_e509.member_1[0][1], -(_e509.member_1[0][1]), (_e509.member_1[0][1] < 0.0lf));
-                let _e601 = select(_e599, _e595, (_e595 > _e599));
-                let _e605 = select(_e509.member_1[0][2], -(_e509.member_1[0][2]), (_e509.member_1[0][2] < 0.0lf));
-                let _e607 = select(_e605, _e601, (_e601 > _e605));
-                let _e613 = select(_e509.member_1[1][0], -(_e509.member_1[1][0]), (_e509.member_1[1][0] < 0.0lf));
-                let _e617 = select(_e509.member_1[1][1], -(_e509.member_1[1][1]), (_e509.member_1[1][1] < 0.0lf));
-                let _e619 = select(_e617, _e613, (_e613 > _e617));
-                let _e623 = select(_e509.member_1[1][2], -(_e509.member_1[1][2]), (_e509.member_1[1][2] < 0.0lf));
-                let _e625 = select(_e623, _e619, (_e619 > _e623));
-                let _e629 = (select(_e625, _e607, (_e607 > _e625)) + _e509.member_3);
-                let _e635 = select(_e509.member_2[0][0], -(_e509.member_2[0][0]), (_e509.member_2[0][0] < 0.0lf));
-                let _e639 = select(_e509.member_2[0][1], -(_e509.member_2[0][1]), (_e509.member_2[0][1] < 0.0lf));
-                let _e641 = select(_e639, _e635, (_e635 > _e639));
-                let _e645 = select(_e509.member_2[0][2], -(_e509.member_2[0][2]), (_e509.member_2[0][2] < 0.0lf));
-                let _e647 = select(_e645, _e641, (_e641 > _e645));
-                let _e653 = select(_e509.member_2[1][0], -(_e509.member_2[1][0]), (_e509.member_2[1][0] < 0.0lf));
-                let _e657 = select(_e509.member_2[1][1], -(_e509.member_2[1][1]), (_e509.member_2[1][1] < 0.0lf));
-                let _e659 = select(_e657, _e653, (_e653 > _e657));
-                let _e663 = select(_e509.member_2[1][2], -(_e509.member_2[1][2]), (_e509.member_2[1][2] < 0.0lf));
-                let _e665 = select(_e663, _e659, (_e659 > _e663));
-                let _e669 = (select(_e665, _e647, (_e647 > _e665)) + _e509.member_3);
-                let _e671 = select(_e629, _e589, (_e589 > _e629));
-                let _e673 = select(_e669, _e671, (_e671 > _e669));
-                if (_e673 <= f64(65536f)) {
-                    phi_1781_ = (_e673 >= f64((1f / 65536f)));
+                let _e506 = phi_1502_;
+                let _e508 = params.member.member.member_7;
+                let _e515 = bitcast<f64>(((u64(_e508[1]) * 4294967296lu) + u64(_e508[0])));
+                let _e517 = params.member.member.member_14;
+                let _e524 = bitcast<f64>(((u64(_e517[1]) * 4294967296lu) + u64(_e517[0])));
+                let _e526 = params.member.member.member_15;
+                let _e533 = bitcast<f64>(((u64(_e526[1]) * 4294967296lu) + u64(_e526[0])));
+                let _e535 = params.member.member.member_16;
+                let _e542 = bitcast<f64>(((u64(_e535[1]) * 4294967296lu) + u64(_e535[0])));
+                let _e544 = params.member.member.member_1;
+                let _e552 = select(_e506.member[0][0], -(_e506.member[0][0]), (_e506.member[0][0] < 0.0lf));
+                let _e556 = select(_e506.member[0][1], -(_e506.member[0][1]), (_e506.member[0][1] < 0.0lf));
+                let _e558 = select(_e556, _e552, (_e552 > _e556));
+                let _e562 = select(_e506.member[0][2], -(_e506.member[0][2]), (_e506.member[0][2] < 0.0lf));
+                let _e564 = select(_e562, _e558, (_e558 > _e562));
+                let _e570 = select(_e506.member[1][0], -(_e506.member[1][0]), (_e506.member[1][0] < 0.0lf));
+                let _e574 = select(_e506.member[1][1], -(_e506.member[1][1]), (_e506.member[1][1] < 0.0lf));
+                let _e576 = select(_e574, _e570, (_e570 > _e574));
+                let _e580 = select(_e506.member[1][2], -(_e506.member[1][2]), (_e506.member[1][2] < 0.0lf));
+                let _e582 = select(_e580, _e576, (_e576 > _e580));
+                let _e586 = (select(_e582, _e564, (_e564 > _e582)) + _e506.member_3);
+                let _e592 = select(_e506.member_1[0][0], -(_e506.member_1[0][0]), (_e506.member_1[0][0] < 0.0lf));
+                let _e596 = select(_e506.member_1[0][1], -(_e506.member_1[0][1]), (_e506.member_1[0][1] < 0.0lf));
+                let _e598 = select(_e596, _e592, (_e592 > _e596));
+                let _e602 = select(_e506.member_1[0][2], -(_e506.member_1[0][2]), (_e506.member_1[0][2] < 0.0lf));
+                let _e604 = select(_e602, _e598, (_e598 > _e602));
+                let _e610 = select(_e506.member_1[1][0], -(_e506.member_1[1][0]), (_e506.member_1[1][0] < 0.0lf));
+                let _e614 = select(_e506.member_1[1][1], -(_e506.member_1[1][1]), (_e506.member_1[1][1] < 0.0lf));
+                let _e616 = select(_e614, _e610, (_e610 > _e614));
+                let _e620 = select(_e506.member_1[1][2], -(_e506.member_1[1][2]), (_e506.member_1[1][2] < 0.0lf));
+                let _e622 = select(_e620, _e616, (_e616 > _e620));
+                let _e626 = (select(_e622, _e604, (_e604 > _e622)) + _e506.member_3);
+                let _e632 = select(_e506.member_2[0][0], -(_e506.member_2[0][0]), (_e506.member_2[0][0] < 0.0lf));
+                let _e636 = select(_e506.member_2[0][1], -(_e506.member_2[0][1]), (_e506.member_2[0][1] < 0.0lf));
+                let _e638 = select(_e636, _e632, (_e632 > _e636));
+                let _e642 = select(_e506.member_2[0][2], -(_e506.member_2[0][2]), (_e506.member_2[0][2] < 0.0lf));
+                let _e644 = select(_e642, _e638, (_e638 > _e642));
+                let _e650 = select(_e506.member_2[1][0], -(_e506.member_2[1][0]), (_e506.member_2[1][0] < 0.0lf));
+                let _e654 = select(_e506.member_2[1][1], -(_e506.member_2[1][1]), (_e506.member_2[1][1] < 0.0lf));
+                let _e656 = select(_e654, _e650, (_e650 > _e654));
+                let _e660 = select(_e506.member_2[1][2], -(_e506.member_2[1][2]), (_e506.member_2[1][2] < 0.0lf));
+                let _e662 = select(_e660, _e656, (_e656 > _e660));
+                let _e666 = (select(_e662, _e644, (_e644 > _e662)) + _e506.member_3);
+                let _e668 = select(_e626, _e586, (_e586 > _e626));
+                let _e670 = select(_e666, _e668, (_e668 > _e666));
+                if (_e670 <= f64(65536f)) {
+                    phi_1776_ = (_e670 >= f64((1f / 65536f)));
                 } else {
-                    phi_1781_ = false;
+                    phi_1776_ = false;
                 }
-                let _e680 = phi_1781_;
-                if _e680 {
-                    phi_1881_ = type_37();
-                    phi_1882_ = true;
+                let _e677 = phi_1776_;
+                if _e677 {
+                    phi_1876_ = type_36();
+                    phi_1877_ = true;
                 } else {
-                    if (_e673 >= 2.2250738585072014e-308lf) {
-                        if ((bitcast<u64>(_e673) & 9218868437227405312lu) != 9218868437227405312lu) {
-                            let _e687 = (9214364837600034816lu - (bitcast<u64>(_e673) & 9218868437227405312lu));
-                            let _e690 = bitcast<f64>(select(4503599627370496lu, _e687, (_e687 > 4503599627370496lu)));
-                            let _e691 = (_e518 * _e690);
-                            phi_1877_ = type_37(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e509.member[0][0] * _e690), (_e509.member[0][1] * _e690), (_e509.member[0][2] * _e690)), array<f64, 3>((_e509.member[1][0] * _e690), (_e509.member[1][1] * _e690), (_e509.member[1][2] * _e690))), array<array<f64, 3>, 2>(array<f64, 3>((_e509.member_1[0][0] * _e690), (_e509.member_1[0][1] * _e690), (_e509.member_1[0][2] * _e690)), array<f64, 3>((_e509.member_1[1][0] * _e690), (_e509.member_1[1][1] * _e690), (_e509.member_1[1][2] * _e690))), array<array<f64, 3>, 2>(array<f64, 3>((_e509.member_2[0][0] * _e690), (_e509.member_2[0][1] * _e690), (_e509.member_2[0][2] * _e690)), array<f64, 3>((_e509.member_2[1][0] * _e690), (_e509.member_2[1][1] * _e690), (_e509.member_2[1][2] * _e690))), ((_e509.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e690)), select(_e691, select(2.2250738585072014e-308lf, _e691, (_e691 > 2.2250738585072014e-308lf)), (_e518 > f64(0f))));
-                            phi_1878_ = false;
+                    if (_e670 >= 2.2250738585072014e-308lf) {
+                        if ((bitcast<u64>(_e670) & 9218868437227405312lu) != 9218868437227405312lu) {
+                            let _e684 = (9214364837600034816lu - (bitcast<u64>(_e670) & 9218868437227405312lu));
+                            let _e687 = bitcast<f64>(select(4503599627370496lu, _e684, (_e684 > 4503599627370496lu)));
+                            let _e688 = (_e515 * _e687);
+                            phi_1872_ = type_36(type_32(array<array<f64, 3>, 2>(array<f64, 3>((_e506.member[0][0] * _e687), (_e506.member[0][1] * _e687), (_e506.member[0][2] * _e687)), array<f64, 3>((_e506.member[1][0] * _e687), (_e506.member[1][1] * _e687), (_e506.member[1][2] * _e687))), array<array<f64, 3>, 2>(array<f64, 3>((_e506.member_1[0][0] * _e687), (_e506.member_1[0][1] * _e687), (_e506.member_1[0][2] * _e687)), array<f64, 3>((_e506.member_1[1][0] * _e687), (_e506.member_1[1][1] * _e687), (_e506.member_1[1][2] * _e687))), array<array<f64, 3>, 2>(array<f64, 3>((_e506.member_2[0][0] * _e687), (_e506.member_2[0][1] * _e687), (_e506.member_2[0][2] * _e687)), array<f64, 3>((_e506.member_2[1][0] * _e687), (_e506.member_2[1][1] * _e687), (_e506.member_2[1][2] * _e687))), ((_e506.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e687)), select(_e688, select(2.2250738585072014e-308lf, _e688, (_e688 > 2.2250738585072014e-308lf)), (_e515 > f64(0f))));
+                            phi_1873_ = false;
                         } else {
-                            phi_1877_ = type_37();
-                            phi_1878_ = true;
+                            phi_1872_ = type_36();
+                            phi_1873_ = true;
                         }
-                        let _e762 = phi_1877_;
-                        let _e764 = phi_1878_;
-                        phi_1879_ = _e762;
-                        phi_1880_ = _e764;
+                        let _e759 = phi_1872_;
+                        let _e761 = phi_1873_;
+                        phi_1874_ = _e759;
+                        phi_1875_ = _e761;
                     } else {
-                        phi_1879_ = type_37();
-                        phi_1880_ = true;
+                        phi_1874_ = type_36();
+                        phi_1875_ = true;
                     }
-                    let _e766 = phi_1879_;
-                    let _e768 = phi_1880_;
-                    phi_1881_ = _e766;
-                    phi_1882_ = _e768;
+                    let _e763 = phi_1874_;
+                    let _e765 = phi_1875_;
+                    phi_1876_ = _e763;
+                    phi_1877_ = _e765;
                 }
-                let _e770 = phi_1881_;
+                let _e767 = phi_1876_;
+                let _e769 = phi_1877_;
+                if _e769 {
+                    phi_1882_ = type_36(_e506, _e515);
+                } else {
+                    phi_1882_ = _e767;
+                }
                 let _e772 = phi_1882_;
-                if _e772 {
-                    phi_1887_ = type_37(_e509, _e518);
+                local_5 = type_32(array<array<f64, 3>, 2>(array<f64, 3>(_e772.member.member[0][0], _e772.member.member[0][1], _e772.member.member[0][2]), array<f64, 3>(_e772.member.member[1][0], _e772.member.member[1][1], _e772.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e772.member.member_1[0][0], _e772.member.member_1[0][1], _e772.member.member_1[0][2]), array<f64, 3>(_e772.member.member_1[1][0], _e772.member.member_1[1][1], _e772.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e772.member.member_2[0][0], _e772.member.member_2[0][1], _e772.member.member_2[0][2]), array<f64, 3>(_e772.member.member_2[1][0], _e772.member.member_2[1][1], _e772.member.member_2[1][2])), _e772.member.member_3);
+                let _e815 = local_5.member[0u];
+                let _e821 = local_5.member[1u];
+                let _e837 = local_5.member_1[0u];
+                let _e843 = local_5.member_1[1u];
+                let _e859 = local_5.member_2[0u];
+                let _e865 = local_5.member_2[1u];
+                let _e879 = function_3(array<f64, 3>((_e815[0] + ((_e821[0] - _e815[0]) * _e533)), (_e815[1] + ((_e821[1] - _e815[1]) * _e533)), (_e815[2] + ((_e821[2] - _e815[2]) * _e533))), array<f64, 3>((_e837[0] + ((_e843[0] - _e837[0]) * _e533)), (_e837[1] + ((_e843[1] - _e837[1]) * _e533)), (_e837[2] + ((_e843[2] - _e837[2]) * _e533))), array<f64, 3>((_e859[0] + ((_e865[0] - _e859[0]) * _e533)), (_e859[1] + ((_e865[1] - _e859[1]) * _e533)), (_e859[2] + ((_e865[2] - _e859[2]) * _e533))), _e221.member);
+                let _e890 = (((_e879[0] * _e879[0]) + (_e879[1] * _e879[1])) + (_e879[2] * _e879[2]));
+                if (_e890 <= 2.2250738585072014e-308lf) {
+                    phi_2109_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e890 > 0.0lf));
                 } else {
-                    phi_1887_ = _e770;
-                }
-                let _e775 = phi_1887_;
-                local_5 = type_33(array<array<f64, 3>, 2>(array<f64, 3>(_e775.member.member[0][0], _e775.member.member[0][1], _e775.member.member[0][2]), array<f64, 3>(_e775.member.member[1][0], _e775.member.member[1][1], _e775.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e775.member.member_1[0][0], _e775.member.member_1[0][1], _e775.member.member_1[0][2]), array<f64, 3>(_e775.member.member_1[1][0], _e775.member.member_1[1][1], _e775.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e775.member.member_2[0][0], _e775.member.member_2[0][1], _e775.member.member_2[0][2]), array<f64, 3>(_e775.member.member_2[1][0], _e775.member.member_2[1][1], _e775.member.member_2[1][2])), _e775.member.member_3);
-                let _e818 = local_5.member[0u];
-                let _e824 = local_5.member[1u];
-                let _e840 = local_5.member_1[0u];
-                let _e846 = local_5.member_1[1u];
-                let _e862 = local_5.member_2[0u];
-                let _e868 = local_5.member_2[1u];
-                let _e882 = function_3(array<f64, 3>((_e818[0] + ((_e824[0] - _e818[0]) * _e536)), (_e818[1] + ((_e824[1] - _e818[1]) * _e536)), (_e818[2] + ((_e824[2] - _e818[2]) * _e536))), array<f64, 3>((_e840[0] + ((_e846[0] - _e840[0]) * _e536)), (_e840[1] + ((_e846[1] - _e840[1]) * _e536)), (_e840[2] + ((_e846[2] - _e840[2]) * _e536))), array<f64, 3>((_e862[0] + ((_e868[0] - _e862[0]) * _e536)), (_e862[1] + ((_e868[1] - _e862[1]) * _e536)), (_e862[2] + ((_e868[2] - _e862[2]) * _e536))), _e224.member);
-                let _e893 = (((_e882[0] * _e882[0]) + (_e882[1] * _e882[1])) + (_e882[2] * _e882[2]));
-                if (_e893 <= 2.2250738585072014e-308lf) {
-                    phi_2114_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e893 > 0.0lf));
-                } else {
-                    phi_2057_ = type_18(0i, 5i);
-                    phi_2060_ = bitcast<f64>(((bitcast<u64>(_e893) / 2lu) + 2303426169912950784lu));
+                    phi_2052_ = type_18(0i, 5i);
+                    phi_2055_ = bitcast<f64>(((bitcast<u64>(_e890) / 2lu) + 2303426169912950784lu));
                     loop {
-                        let _e900 = phi_2057_;
-                        let _e902 = phi_2060_;
-                        local_6 = _e902;
-                        if (_e900.member < _e900.member_1) {
-                            let _e909 = (_e900.member + 1i);
-                            phi_2058_ = type_18(select(_e909, type_19().member_1, select(false, true, ((false == (_e909 > _e900.member)) != false))), _e900.member_1);
-                            phi_2101_ = type_19(1u, _e900.member);
+                        let _e897 = phi_2052_;
+                        let _e899 = phi_2055_;
+                        local_6 = _e899;
+                        if (_e897.member < _e897.member_1) {
+                            let _e906 = (_e897.member + 1i);
+                            phi_2053_ = type_18(select(_e906, type_19().member_1, select(false, true, ((false == (_e906 > _e897.member)) != false))), _e897.member_1);
+                            phi_2096_ = type_19(1u, _e897.member);
                         } else {
-                            phi_2058_ = _e900;
-                            phi_2101_ = type_19(0u, type_19().member_1);
+                            phi_2053_ = _e897;
+                            phi_2096_ = type_19(0u, type_19().member_1);
                         }
-                        let _e920 = phi_2058_;
-                        let _e922 = phi_2101_;
-                        let _e925 = (bitcast<i32>(_e922.member) != 0i);
-                        if _e925 {
-                            phi_2061_ = (0.5lf * (_e902 + (_e893 / _e902)));
+                        let _e917 = phi_2053_;
+                        let _e919 = phi_2096_;
+                        let _e922 = (bitcast<i32>(_e919.member) != 0i);
+                        if _e922 {
+                            phi_2056_ = (0.5lf * (_e899 + (_e890 / _e899)));
                         } else {
-                            phi_2061_ = f64();
+                            phi_2056_ = f64();
                         }
-                        let _e930 = phi_2061_;
+                        let _e927 = phi_2056_;
                         continue;
                         continuing {
-                            phi_2057_ = _e920;
-                            phi_2060_ = _e930;
-                            break if !(_e925);
+                            phi_2052_ = _e917;
+                            phi_2055_ = _e927;
+                            break if !(_e922);
                         }
                     }
-                    let _e935 = local_6;
-                    phi_2114_ = (_e935 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                    let _e932 = local_6;
+                    phi_2109_ = (_e932 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                 }
-                let _e941 = phi_2114_;
-                let _e949 = local_5.member[0u];
-                let _e955 = select(_e949[0], -(_e949[0]), (_e949[0] < 0.0lf));
-                let _e958 = select(_e949[1], -(_e949[1]), (_e949[1] < 0.0lf));
-                let _e960 = select(_e958, _e955, (_e955 > _e958));
-                let _e963 = select(_e949[2], -(_e949[2]), (_e949[2] < 0.0lf));
-                let _e965 = select(_e963, _e960, (_e960 > _e963));
-                let _e968 = local_5.member[1u];
-                let _e974 = select(_e968[0], -(_e968[0]), (_e968[0] < 0.0lf));
-                let _e977 = select(_e968[1], -(_e968[1]), (_e968[1] < 0.0lf));
-                let _e979 = select(_e977, _e974, (_e974 > _e977));
-                let _e982 = select(_e968[2], -(_e968[2]), (_e968[2] < 0.0lf));
-                let _e984 = select(_e982, _e979, (_e979 > _e982));
-                let _e988 = local_5.member_3;
-                let _e992 = local_5.member_1[0u];
-                let _e998 = select(_e992[0], -(_e992[0]), (_e992[0] < 0.0lf));
-                let _e1001 = select(_e992[1], -(_e992[1]), (_e992[1] < 0.0lf));
-                let _e1003 = select(_e1001, _e998, (_e998 > _e1001));
-                let _e1006 = select(_e992[2], -(_e992[2]), (_e992[2] < 0.0lf));
-                let _e1008 = select(_e1006, _e1003, (_e1003 > _e1006));
-                let _e1011 = local_5.member_1[1u];
-                let _e1017 = select(_e1011[0], -(_e1011[0]), (_e1011[0] < 0.0lf));
-                let _e1020 = select(_e1011[1], -(_e1011[1]), (_e1011[1] < 0.0lf));
-                let _e1022 = select(_e1020, _e1017, (_e1017 > _e1020));
-                let _e1025 = select(_e1011[2], -(_e1011[2]), (_e1011[2] < 0.0lf));
-                let _e1027 = select(_e1025, _e1022, (_e1022 > _e1025));
-                let _e1031 = local_5.member_3;
-                let _e1035 = local_5.member_2[0u];
-                let _e1041 = select(_e1035[0], -(_e1035[0]), (_e1035[0] < 0.0lf));
-                let _e1044 = select(_e1035[1], -(_e1035[1]), (_e1035[1] < 0.0lf));
-                let _e1046 = select(_e1044, _e1041, (_e1041 > _e1044));
-                let _e1049 = select(_e1035[2], -(_e1035[2]), (_e1035[2] < 0.0lf));
-                let _e1051 = select(_e1049, _e1046, (_e1046 > _e1049));
-                let _e1054 = local_5.member_2[1u];
-                let _e1060 = select(_e1054[0], -(_e1054[0]), (_e1054[0] < 0.0lf));
-                let _e1063 = select(_e1054[1], -(_e1054[1]), (_e1054[1] < 0.0lf));
-                let _e1065 = select(_e1063, _e1060, (_e1060 > _e1063));
-                let _e1068 = select(_e1054[2], -(_e1054[2]), (_e1054[2] < 0.0lf));
-                let _e1070 = select(_e1068, _e1065, (_e1065 > _e1068));
-                let _e1074 = local_5.member_3;
-                let _e1082 = local_5.member_3;
-                let _e1092 = (((_e941 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e984, _e965, (_e965 > _e984)) + _e988) + (select(_e1027, _e1008, (_e1008 > _e1027)) + _e1031)) + (select(_e1070, _e1051, (_e1051 > _e1070)) + _e1074)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1082 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e775.member_1);
-                if _e1092 {
-                    phi_3043_ = type_39();
-                    phi_3044_ = true;
+                let _e938 = phi_2109_;
+                let _e946 = local_5.member[0u];
+                let _e952 = select(_e946[0], -(_e946[0]), (_e946[0] < 0.0lf));
+                let _e955 = select(_e946[1], -(_e946[1]), (_e946[1] < 0.0lf));
+                let _e957 = select(_e955, _e952, (_e952 > _e955));
+                let _e960 = select(_e946[2], -(_e946[2]), (_e946[2] < 0.0lf));
+                let _e962 = select(_e960, _e957, (_e957 > _e960));
+                let _e965 = local_5.member[1u];
+                let _e971 = select(_e965[0], -(_e965[0]), (_e965[0] < 0.0lf));
+                let _e974 = select(_e965[1], -(_e965[1]), (_e965[1] < 0.0lf));
+                let _e976 = select(_e974, _e971, (_e971 > _e974));
+                let _e979 = select(_e965[2], -(_e965[2]), (_e965[2] < 0.0lf));
+                let _e981 = select(_e979, _e976, (_e976 > _e979));
+                let _e985 = local_5.member_3;
+                let _e989 = local_5.member_1[0u];
+                let _e995 = select(_e989[0], -(_e989[0]), (_e989[0] < 0.0lf));
+                let _e998 = select(_e989[1], -(_e989[1]), (_e989[1] < 0.0lf));
+                let _e1000 = select(_e998, _e995, (_e995 > _e998));
+                let _e1003 = select(_e989[2], -(_e989[2]), (_e989[2] < 0.0lf));
+                let _e1005 = select(_e1003, _e1000, (_e1000 > _e1003));
+                let _e1008 = local_5.member_1[1u];
+                let _e1014 = select(_e1008[0], -(_e1008[0]), (_e1008[0] < 0.0lf));
+                let _e1017 = select(_e1008[1], -(_e1008[1]), (_e1008[1] < 0.0lf));
+                let _e1019 = select(_e1017, _e1014, (_e1014 > _e1017));
+                let _e1022 = select(_e1008[2], -(_e1008[2]), (_e1008[2] < 0.0lf));
+                let _e1024 = select(_e1022, _e1019, (_e1019 > _e1022));
+                let _e1028 = local_5.member_3;
+                let _e1032 = local_5.member_2[0u];
+                let _e1038 = select(_e1032[0], -(_e1032[0]), (_e1032[0] < 0.0lf));
+                let _e1041 = select(_e1032[1], -(_e1032[1]), (_e1032[1] < 0.0lf));
+                let _e1043 = select(_e1041, _e1038, (_e1038 > _e1041));
+                let _e1046 = select(_e1032[2], -(_e1032[2]), (_e1032[2] < 0.0lf));
+                let _e1048 = select(_e1046, _e1043, (_e1043 > _e1046));
+                let _e1051 = local_5.member_2[1u];
+                let _e1057 = select(_e1051[0], -(_e1051[0]), (_e1051[0] < 0.0lf));
+                let _e1060 = select(_e1051[1], -(_e1051[1]), (_e1051[1] < 0.0lf));
+                let _e1062 = select(_e1060, _e1057, (_e1057 > _e1060));
+                let _e1065 = select(_e1051[2], -(_e1051[2]), (_e1051[2] < 0.0lf));
+                let _e1067 = select(_e1065, _e1062, (_e1062 > _e1065));
+                let _e1071 = local_5.member_3;
+                let _e1079 = local_5.member_3;
+                let _e1089 = (((_e938 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e981, _e962, (_e962 > _e981)) + _e985) + (select(_e1024, _e1005, (_e1005 > _e1024)) + _e1028)) + (select(_e1067, _e1048, (_e1048 > _e1067)) + _e1071)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1079 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e772.member_1);
+                if _e1089 {
+                    phi_3038_ = type_38();
+                    phi_3039_ = true;
                 } else {
-                    let _e1095 = local_5.member_1[0u];
-                    let _e1101 = local_5.member_2[0u];
-                    let _e1107 = ((_e1095[1] * _e1101[2]) - (_e1095[2] * _e1101[1]));
-                    let _e1110 = ((_e1095[2] * _e1101[0]) - (_e1095[0] * _e1101[2]));
-                    let _e1113 = ((_e1095[0] * _e1101[1]) - (_e1095[1] * _e1101[0]));
-                    let _e1116 = local_5.member_1[1u];
-                    let _e1122 = local_5.member_2[1u];
-                    let _e1128 = ((_e1116[1] * _e1122[2]) - (_e1116[2] * _e1122[1]));
-                    let _e1131 = ((_e1116[2] * _e1122[0]) - (_e1116[0] * _e1122[2]));
-                    let _e1134 = ((_e1116[0] * _e1122[1]) - (_e1116[1] * _e1122[0]));
-                    let _e1137 = local_5.member_1[0u];
-                    let _e1143 = local_5.member_2[1u];
-                    let _e1158 = local_5.member_1[1u];
-                    let _e1164 = local_5.member_2[0u];
-                    let _e1177 = (((_e1137[1] * _e1143[2]) - (_e1137[2] * _e1143[1])) + ((_e1158[1] * _e1164[2]) - (_e1158[2] * _e1164[1])));
-                    let _e1178 = (((_e1137[2] * _e1143[0]) - (_e1137[0] * _e1143[2])) + ((_e1158[2] * _e1164[0]) - (_e1158[0] * _e1164[2])));
-                    let _e1179 = (((_e1137[0] * _e1143[1]) - (_e1137[1] * _e1143[0])) + ((_e1158[0] * _e1164[1]) - (_e1158[1] * _e1164[0])));
-                    let _e1182 = local_5.member[0u];
-                    let _e1193 = local_5.member[1u];
-                    let _e1204 = local_5.member[0u];
-                    let _e1213 = ((((_e1193[0] * _e1107) + (_e1193[1] * _e1110)) + (_e1193[2] * _e1113)) + (((_e1204[0] * _e1177) + (_e1204[1] * _e1178)) + (_e1204[2] * _e1179)));
-                    let _e1216 = local_5.member[0u];
-                    let _e1227 = local_5.member[1u];
-                    let _e1236 = ((((_e1216[0] * _e1128) + (_e1216[1] * _e1131)) + (_e1216[2] * _e1134)) + (((_e1227[0] * _e1177) + (_e1227[1] * _e1178)) + (_e1227[2] * _e1179)));
-                    let _e1239 = local_5.member[1u];
-                    let _e1250 = local_5.member[0u];
-                    let _e1256 = select(_e1250[0], -(_e1250[0]), (_e1250[0] < 0.0lf));
-                    let _e1259 = select(_e1250[1], -(_e1250[1]), (_e1250[1] < 0.0lf));
-                    let _e1261 = select(_e1259, _e1256, (_e1256 > _e1259));
-                    let _e1264 = select(_e1250[2], -(_e1250[2]), (_e1250[2] < 0.0lf));
-                    let _e1266 = select(_e1264, _e1261, (_e1261 > _e1264));
-                    let _e1269 = local_5.member[1u];
-                    let _e1275 = select(_e1269[0], -(_e1269[0]), (_e1269[0] < 0.0lf));
-                    let _e1278 = select(_e1269[1], -(_e1269[1]), (_e1269[1] < 0.0lf));
-                    let _e1280 = select(_e1278, _e1275, (_e1275 > _e1278));
-                    let _e1283 = select(_e1269[2], -(_e1269[2]), (_e1269[2] < 0.0lf));
-                    let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
-                    let _e1289 = local_5.member_3;
-                    let _e1290 = (select(_e1285, _e1266, (_e1266 > _e1285)) + _e1289);
-                    let _e1293 = local_5.member_1[0u];
-                    let _e1299 = select(_e1293[0], -(_e1293[0]), (_e1293[0] < 0.0lf));
-                    let _e1302 = select(_e1293[1], -(_e1293[1]), (_e1293[1] < 0.0lf));
-                    let _e1304 = select(_e1302, _e1299, (_e1299 > _e1302));
-                    let _e1307 = select(_e1293[2], -(_e1293[2]), (_e1293[2] < 0.0lf));
-                    let _e1309 = select(_e1307, _e1304, (_e1304 > _e1307));
-                    let _e1312 = local_5.member_1[1u];
-                    let _e1318 = select(_e1312[0], -(_e1312[0]), (_e1312[0] < 0.0lf));
-                    let _e1321 = select(_e1312[1], -(_e1312[1]), (_e1312[1] < 0.0lf));
-                    let _e1323 = select(_e1321, _e1318, (_e1318 > _e1321));
-                    let _e1326 = select(_e1312[2], -(_e1312[2]), (_e1312[2] < 0.0lf));
-                    let _e1328 = select(_e1326, _e1323, (_e1323 > _e1326));
-                    let _e1332 = local_5.member_3;
-                    let _e1333 = (select(_e1328, _e1309, (_e1309 > _e1328)) + _e1332);
-                    let _e1336 = local_5.member_2[0u];
-                    let _e1342 = select(_e1336[0], -(_e1336[0]), (_e1336[0] < 0.0lf));
-                    let _e1345 = select(_e1336[1], -(_e1336[1]), (_e1336[1] < 0.0lf));
-                    let _e1347 = select(_e1345, _e1342, (_e1342 > _e1345));
-                    let _e1350 = select(_e1336[2], -(_e1336[2]), (_e1336[2] < 0.0lf));
-                    let _e1352 = select(_e1350, _e1347, (_e1347 > _e1350));
-                    let _e1355 = local_5.member_2[1u];
-                    let _e1361 = select(_e1355[0], -(_e1355[0]), (_e1355[0] < 0.0lf));
-                    let _e1364 = select(_e1355[1], -(_e1355[1]), (_e1355[1] < 0.0lf));
-                    let _e1366 = select(_e1364, _e1361, (_e1361 > _e1364));
-                    let _e1369 = select(_e1355[2], -(_e1355[2]), (_e1355[2] < 0.0lf));
-                    let _e1371 = select(_e1369, _e1366, (_e1366 > _e1369));
-                    let _e1375 = local_5.member_3;
-                    let _e1376 = (select(_e1371, _e1352, (_e1352 > _e1371)) + _e1375);
-                    let _e1377 = f64(1f);
-                    let _e1378 = f64(8f);
-                    let _e1380 = ((_e1333 * _e1378) * _e1376);
-                    let _e1388 = local_5.member_3;
-                    let _e1415 = ((select(_e1107, -(_e1107), (_e1107 < 0.0lf)) + select(_e1110, -(_e1110), (_e1110 < 0.0lf))) + select(_e1113, -(_e1113), (_e1113 < 0.0lf)));
-                    let _e1426 = ((select(_e1128, -(_e1128), (_e1128 < 0.0lf)) + select(_e1131, -(_e1131), (_e1131 < 0.0lf))) + select(_e1134, -(_e1134), (_e1134 < 0.0lf)));
-                    let _e1428 = select(_e1426, _e1415, (_e1415 > _e1426));
-                    let _e1440 = (((select(_e1177, -(_e1177), (_e1177 < 0.0lf)) + select(_e1178, -(_e1178), (_e1178 < 0.0lf))) + select(_e1179, -(_e1179), (_e1179 < 0.0lf))) * f64(0.5f));
-                    let _e1448 = local_5.member_3;
-                    let _e1463 = f64(3f);
-                    let _e1464 = ((((_e1182[0] * _e1107) + (_e1182[1] * _e1110)) + (_e1182[2] * _e1113)) * _e1463);
-                    let _e1465 = ((((_e1239[0] * _e1128) + (_e1239[1] * _e1131)) + (_e1239[2] * _e1134)) * _e1463);
-                    let _e1467 = select(_e1465, _e1464, (_e1464 < _e1465));
-                    let _e1469 = select(_e1236, _e1213, (_e1213 < _e1236));
-                    let _e1471 = select(_e1469, _e1467, (_e1467 < _e1469));
-                    let _e1473 = select(_e1465, _e1464, (_e1464 > _e1465));
-                    let _e1475 = select(_e1236, _e1213, (_e1213 > _e1236));
-                    let _e1483 = -(select(_e1475, _e1473, (_e1473 > _e1475)));
-                    if ((select(_e1483, _e1471, (_e1471 > _e1483)) - ((((((_e1290 * _e1378) * _e1380) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e1388 * f64(19f)) * ((_e1290 * (_e1333 + _e1376)) + (_e1333 * _e1376)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1377 + _e1290) * ((_e1377 + _e1333) * (_e1377 + _e1376))))) + ((_e775.member_1 * (((select(_e1440, _e1428, (_e1428 > _e1440)) + (_e1380 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1448 * f64(6f)) * (_e1333 + _e1376))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1377 + _e1333) * (_e1377 + _e1376))))) * f64((3f * 1.0001f))))) > f64(0f)) {
-                        phi_3041_ = type_39(type_38(0u, f64()), 0u);
-                        phi_3042_ = false;
+                    let _e1092 = local_5.member_1[0u];
+                    let _e1098 = local_5.member_2[0u];
+                    let _e1104 = ((_e1092[1] * _e1098[2]) - (_e1092[2] * _e1098[1]));
+                    let _e1107 = ((_e1092[2] * _e1098[0]) - (_e1092[0] * _e1098[2]));
+                    let _e1110 = ((_e1092[0] * _e1098[1]) - (_e1092[1] * _e1098[0]));
+                    let _e1113 = local_5.member_1[1u];
+                    let _e1119 = local_5.member_2[1u];
+                    let _e1125 = ((_e1113[1] * _e1119[2]) - (_e1113[2] * _e1119[1]));
+                    let _e1128 = ((_e1113[2] * _e1119[0]) - (_e1113[0] * _e1119[2]));
+                    let _e1131 = ((_e1113[0] * _e1119[1]) - (_e1113[1] * _e1119[0]));
+                    let _e1134 = local_5.member_1[0u];
+                    let _e1140 = local_5.member_2[1u];
+                    let _e1155 = local_5.member_1[1u];
+                    let _e1161 = local_5.member_2[0u];
+                    let _e1174 = (((_e1134[1] * _e1140[2]) - (_e1134[2] * _e1140[1])) + ((_e1155[1] * _e1161[2]) - (_e1155[2] * _e1161[1])));
+                    let _e1175 = (((_e1134[2] * _e1140[0]) - (_e1134[0] * _e1140[2])) + ((_e1155[2] * _e1161[0]) - (_e1155[0] * _e1161[2])));
+                    let _e1176 = (((_e1134[0] * _e1140[1]) - (_e1134[1] * _e1140[0])) + ((_e1155[0] * _e1161[1]) - (_e1155[1] * _e1161[0])));
+                    let _e1179 = local_5.member[0u];
+                    let _e1190 = local_5.member[1u];
+                    let _e1201 = local_5.member[0u];
+                    let _e1210 = ((((_e1190[0] * _e1104) + (_e1190[1] * _e1107)) + (_e1190[2] * _e1110)) + (((_e1201[0] * _e1174) + (_e1201[1] * _e1175)) + (_e1201[2] * _e1176)));
+                    let _e1213 = local_5.member[0u];
+                    let _e1224 = local_5.member[1u];
+                    let _e1233 = ((((_e1213[0] * _e1125) + (_e1213[1] * _e1128)) + (_e1213[2] * _e1131)) + (((_e1224[0] * _e1174) + (_e1224[1] * _e1175)) + (_e1224[2] * _e1176)));
+                    let _e1236 = local_5.member[1u];
+                    let _e1247 = local_5.member[0u];
+                    let _e1253 = select(_e1247[0], -(_e1247[0]), (_e1247[0] < 0.0lf));
+                    let _e1256 = select(_e1247[1], -(_e1247[1]), (_e1247[1] < 0.0lf));
+                    let _e1258 = select(_e1256, _e1253, (_e1253 > _e1256));
+                    let _e1261 = select(_e1247[2], -(_e1247[2]), (_e1247[2] < 0.0lf));
+                    let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
+                    let _e1266 = local_5.member[1u];
+                    let _e1272 = select(_e1266[0], -(_e1266[0]), (_e1266[0] < 0.0lf));
+                    let _e1275 = select(_e1266[1], -(_e1266[1]), (_e1266[1] < 0.0lf));
+                    let _e1277 = select(_e1275, _e1272, (_e1272 > _e1275));
+                    let _e1280 = select(_e1266[2], -(_e1266[2]), (_e1266[2] < 0.0lf));
+                    let _e1282 = select(_e1280, _e1277, (_e1277 > _e1280));
+                    let _e1286 = local_5.member_3;
+                    let _e1287 = (select(_e1282, _e1263, (_e1263 > _e1282)) + _e1286);
+                    let _e1290 = local_5.member_1[0u];
+                    let _e1296 = select(_e1290[0], -(_e1290[0]), (_e1290[0] < 0.0lf));
+                    let _e1299 = select(_e1290[1], -(_e1290[1]), (_e1290[1] < 0.0lf));
+                    let _e1301 = select(_e1299, _e1296, (_e1296 > _e1299));
+                    let _e1304 = select(_e1290[2], -(_e1290[2]), (_e1290[2] < 0.0lf));
+                    let _e1306 = select(_e1304, _e1301, (_e1301 > _e1304));
+                    let _e1309 = local_5.member_1[1u];
+                    let _e1315 = select(_e1309[0], -(_e1309[0]), (_e1309[0] < 0.0lf));
+                    let _e1318 = select(_e1309[1], -(_e1309[1]), (_e1309[1] < 0.0lf));
+                    let _e1320 = select(_e1318, _e1315, (_e1315 > _e1318));
+                    let _e1323 = select(_e1309[2], -(_e1309[2]), (_e1309[2] < 0.0lf));
+                    let _e1325 = select(_e1323, _e1320, (_e1320 > _e1323));
+                    let _e1329 = local_5.member_3;
+                    let _e1330 = (select(_e1325, _e1306, (_e1306 > _e1325)) + _e1329);
+                    let _e1333 = local_5.member_2[0u];
+                    let _e1339 = select(_e1333[0], -(_e1333[0]), (_e1333[0] < 0.0lf));
+                    let _e1342 = select(_e1333[1], -(_e1333[1]), (_e1333[1] < 0.0lf));
+                    let _e1344 = select(_e1342, _e1339, (_e1339 > _e1342));
+                    let _e1347 = select(_e1333[2], -(_e1333[2]), (_e1333[2] < 0.0lf));
+                    let _e1349 = select(_e1347, _e1344, (_e1344 > _e1347));
+                    let _e1352 = local_5.member_2[1u];
+                    let _e1358 = select(_e1352[0], -(_e1352[0]), (_e1352[0] < 0.0lf));
+                    let _e1361 = select(_e1352[1], -(_e1352[1]), (_e1352[1] < 0.0lf));
+                    let _e1363 = select(_e1361, _e1358, (_e1358 > _e1361));
+                    let _e1366 = select(_e1352[2], -(_e1352[2]), (_e1352[2] < 0.0lf));
+                    let _e1368 = select(_e1366, _e1363, (_e1363 > _e1366));
+                    let _e1372 = local_5.member_3;
+                    let _e1373 = (select(_e1368, _e1349, (_e1349 > _e1368)) + _e1372);
+                    let _e1374 = f64(1f);
+                    let _e1375 = f64(8f);
+                    let _e1377 = ((_e1330 * _e1375) * _e1373);
+                    let _e1385 = local_5.member_3;
+                    let _e1412 = ((select(_e1104, -(_e1104), (_e1104 < 0.0lf)) + select(_e1107, -(_e1107), (_e1107 < 0.0lf))) + select(_e1110, -(_e1110), (_e1110 < 0.0lf)));
+                    let _e1423 = ((select(_e1125, -(_e1125), (_e1125 < 0.0lf)) + select(_e1128, -(_e1128), (_e1128 < 0.0lf))) + select(_e1131, -(_e1131), (_e1131 < 0.0lf)));
+                    let _e1425 = select(_e1423, _e1412, (_e1412 > _e1423));
+                    let _e1437 = (((select(_e1174, -(_e1174), (_e1174 < 0.0lf)) + select(_e1175, -(_e1175), (_e1175 < 0.0lf))) + select(_e1176, -(_e1176), (_e1176 < 0.0lf))) * f64(0.5f));
+                    let _e1445 = local_5.member_3;
+                    let _e1460 = f64(3f);
+                    let _e1461 = ((((_e1179[0] * _e1104) + (_e1179[1] * _e1107)) + (_e1179[2] * _e1110)) * _e1460);
+                    let _e1462 = ((((_e1236[0] * _e1125) + (_e1236[1] * _e1128)) + (_e1236[2] * _e1131)) * _e1460);
+                    let _e1464 = select(_e1462, _e1461, (_e1461 < _e1462));
+                    let _e1466 = select(_e1233, _e1210, (_e1210 < _e1233));
+                    let _e1468 = select(_e1466, _e1464, (_e1464 < _e1466));
+                    let _e1470 = select(_e1462, _e1461, (_e1461 > _e1462));
+                    let _e1472 = select(_e1233, _e1210, (_e1210 > _e1233));
+                    let _e1480 = -(select(_e1472, _e1470, (_e1470 > _e1472)));
+                    if ((select(_e1480, _e1468, (_e1468 > _e1480)) - ((((((_e1287 * _e1375) * _e1377) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e1385 * f64(19f)) * ((_e1287 * (_e1330 + _e1373)) + (_e1330 * _e1373)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1374 + _e1287) * ((_e1374 + _e1330) * (_e1374 + _e1373))))) + ((_e772.member_1 * (((select(_e1437, _e1425, (_e1425 > _e1437)) + (_e1377 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1445 * f64(6f)) * (_e1330 + _e1373))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1374 + _e1330) * (_e1374 + _e1373))))) * f64((3f * 1.0001f))))) > f64(0f)) {
+                        phi_3036_ = type_38(type_37(0u, f64()), 0u);
+                        phi_3037_ = false;
                     } else {
-                        phi_3041_ = type_39();
-                        phi_3042_ = true;
+                        phi_3036_ = type_38();
+                        phi_3037_ = true;
                     }
-                    let _e1492 = phi_3041_;
-                    let _e1494 = phi_3042_;
-                    phi_3043_ = _e1492;
-                    phi_3044_ = _e1494;
+                    let _e1489 = phi_3036_;
+                    let _e1491 = phi_3037_;
+                    phi_3038_ = _e1489;
+                    phi_3039_ = _e1491;
                 }
-                let _e1496 = phi_3043_;
-                let _e1498 = phi_3044_;
-                if _e1498 {
-                    phi_3050_ = type_18(0i, 2i);
-                    phi_3053_ = _e536;
-                    phi_3055_ = 0u;
-                    phi_3057_ = _e536;
+                let _e1493 = phi_3038_;
+                let _e1495 = phi_3039_;
+                if _e1495 {
+                    phi_3045_ = type_18(0i, 2i);
+                    phi_3048_ = _e533;
+                    phi_3050_ = 0u;
+                    phi_3052_ = _e533;
                     loop {
-                        let _e1500 = phi_3050_;
-                        let _e1502 = phi_3053_;
-                        let _e1504 = phi_3055_;
-                        let _e1506 = phi_3057_;
-                        local_53 = _e1504;
-                        local_56 = _e1502;
-                        local_57 = _e1504;
-                        if (_e1500.member < _e1500.member_1) {
-                            let _e1513 = (_e1500.member + 1i);
-                            phi_3051_ = type_18(select(_e1513, type_19().member_1, select(false, true, ((false == (_e1513 > _e1500.member)) != false))), _e1500.member_1);
-                            phi_3098_ = type_19(1u, _e1500.member);
+                        let _e1497 = phi_3045_;
+                        let _e1499 = phi_3048_;
+                        let _e1501 = phi_3050_;
+                        let _e1503 = phi_3052_;
+                        local_53 = _e1501;
+                        local_56 = _e1499;
+                        local_57 = _e1501;
+                        if (_e1497.member < _e1497.member_1) {
+                            let _e1510 = (_e1497.member + 1i);
+                            phi_3046_ = type_18(select(_e1510, type_19().member_1, select(false, true, ((false == (_e1510 > _e1497.member)) != false))), _e1497.member_1);
+                            phi_3093_ = type_19(1u, _e1497.member);
                         } else {
-                            phi_3051_ = _e1500;
-                            phi_3098_ = type_19(0u, type_19().member_1);
+                            phi_3046_ = _e1497;
+                            phi_3093_ = type_19(0u, type_19().member_1);
                         }
-                        let _e1524 = phi_3051_;
-                        let _e1526 = phi_3098_;
-                        if (bitcast<i32>(_e1526.member) != 0i) {
-                            if select(select(true, false, _e1092), true, (_e1526.member_1 > 0i)) {
-                                let _e1536 = local_5.member[0u];
-                                let _e1542 = local_5.member_1[0u];
-                                let _e1548 = local_5.member_2[0u];
-                                let _e1552 = (_e1536[0] - _e1542[0]);
-                                let _e1553 = (_e1536[1] - _e1542[1]);
-                                let _e1554 = (_e1536[2] - _e1542[2]);
-                                let _e1555 = (_e224.member == 0u);
-                                let _e1567 = local_5.member[1u];
-                                let _e1573 = local_5.member_1[1u];
-                                let _e1579 = local_5.member_2[1u];
-                                let _e1583 = (_e1567[0] - _e1573[0]);
-                                let _e1584 = (_e1567[1] - _e1573[1]);
-                                let _e1585 = (_e1567[2] - _e1573[2]);
-                                let _e1586 = (_e224.member == 0u);
-                                let _e1598 = local_5.member[0u];
-                                let _e1604 = select(_e1598[0], -(_e1598[0]), (_e1598[0] < 0.0lf));
-                                let _e1607 = select(_e1598[1], -(_e1598[1]), (_e1598[1] < 0.0lf));
-                                let _e1609 = select(_e1607, _e1604, (_e1604 > _e1607));
-                                let _e1612 = select(_e1598[2], -(_e1598[2]), (_e1598[2] < 0.0lf));
-                                let _e1614 = select(_e1612, _e1609, (_e1609 > _e1612));
-                                let _e1617 = local_5.member[1u];
-                                let _e1623 = select(_e1617[0], -(_e1617[0]), (_e1617[0] < 0.0lf));
-                                let _e1626 = select(_e1617[1], -(_e1617[1]), (_e1617[1] < 0.0lf));
-                                let _e1628 = select(_e1626, _e1623, (_e1623 > _e1626));
-                                let _e1631 = select(_e1617[2], -(_e1617[2]), (_e1617[2] < 0.0lf));
-                                let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
-                                let _e1637 = local_5.member_3;
-                                let _e1641 = local_5.member_1[0u];
-                                let _e1647 = select(_e1641[0], -(_e1641[0]), (_e1641[0] < 0.0lf));
-                                let _e1650 = select(_e1641[1], -(_e1641[1]), (_e1641[1] < 0.0lf));
-                                let _e1652 = select(_e1650, _e1647, (_e1647 > _e1650));
-                                let _e1655 = select(_e1641[2], -(_e1641[2]), (_e1641[2] < 0.0lf));
-                                let _e1657 = select(_e1655, _e1652, (_e1652 > _e1655));
-                                let _e1660 = local_5.member_1[1u];
-                                let _e1666 = select(_e1660[0], -(_e1660[0]), (_e1660[0] < 0.0lf));
-                                let _e1669 = select(_e1660[1], -(_e1660[1]), (_e1660[1] < 0.0lf));
-                                let _e1671 = select(_e1669, _e1666, (_e1666 > _e1669));
-                                let _e1674 = select(_e1660[2], -(_e1660[2]), (_e1660[2] < 0.0lf));
-                                let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
-                                let _e1680 = local_5.member_3;
-                                let _e1684 = local_5.member_2[0u];
-                                let _e1690 = select(_e1684[0], -(_e1684[0]), (_e1684[0] < 0.0lf));
-                                let _e1693 = select(_e1684[1], -(_e1684[1]), (_e1684[1] < 0.0lf));
-                                let _e1695 = select(_e1693, _e1690, (_e1690 > _e1693));
-                                let _e1698 = select(_e1684[2], -(_e1684[2]), (_e1684[2] < 0.0lf));
-                                let _e1700 = select(_e1698, _e1695, (_e1695 > _e1698));
-                                let _e1703 = local_5.member_2[1u];
-                                let _e1709 = select(_e1703[0], -(_e1703[0]), (_e1703[0] < 0.0lf));
-                                let _e1712 = select(_e1703[1], -(_e1703[1]), (_e1703[1] < 0.0lf));
-                                let _e1714 = select(_e1712, _e1709, (_e1709 > _e1712));
-                                let _e1717 = select(_e1703[2], -(_e1703[2]), (_e1703[2] < 0.0lf));
-                                let _e1719 = select(_e1717, _e1714, (_e1714 > _e1717));
-                                let _e1723 = local_5.member_3;
-                                let _e1731 = local_5.member_3;
-                                let _e1739 = (_e527 * f64(0.00390625f));
-                                let _e1740 = f64(0f);
-                                let _e1741 = f64(1f);
-                                local_3 = type_36(array<f64, 4>(_e1740, _e1740, _e1740, _e1740), array<f64, 4>(_e1740, _e1740, _e1740, _e1740), array<f64, 4>(_e1741, _e1741, _e1741, _e1741));
-                                phi_3541_ = type_9(0u, 96u);
-                                phi_3544_ = _e1506;
-                                phi_3546_ = _e1506;
-                                phi_3548_ = (_e545 - _e1506);
-                                phi_3550_ = _e1506;
-                                phi_3552_ = false;
-                                phi_3554_ = 0u;
+                        let _e1521 = phi_3046_;
+                        let _e1523 = phi_3093_;
+                        if (bitcast<i32>(_e1523.member) != 0i) {
+                            if select(select(true, false, _e1089), true, (_e1523.member_1 > 0i)) {
+                                let _e1533 = local_5.member[0u];
+                                let _e1539 = local_5.member_1[0u];
+                                let _e1545 = local_5.member_2[0u];
+                                let _e1549 = (_e1533[0] - _e1539[0]);
+                                let _e1550 = (_e1533[1] - _e1539[1]);
+                                let _e1551 = (_e1533[2] - _e1539[2]);
+                                let _e1552 = (_e221.member == 0u);
+                                let _e1564 = local_5.member[1u];
+                                let _e1570 = local_5.member_1[1u];
+                                let _e1576 = local_5.member_2[1u];
+                                let _e1580 = (_e1564[0] - _e1570[0]);
+                                let _e1581 = (_e1564[1] - _e1570[1]);
+                                let _e1582 = (_e1564[2] - _e1570[2]);
+                                let _e1583 = (_e221.member == 0u);
+                                let _e1595 = local_5.member[0u];
+                                let _e1601 = select(_e1595[0], -(_e1595[0]), (_e1595[0] < 0.0lf));
+                                let _e1604 = select(_e1595[1], -(_e1595[1]), (_e1595[1] < 0.0lf));
+                                let _e1606 = select(_e1604, _e1601, (_e1601 > _e1604));
+                                let _e1609 = select(_e1595[2], -(_e1595[2]), (_e1595[2] < 0.0lf));
+                                let _e1611 = select(_e1609, _e1606, (_e1606 > _e1609));
+                                let _e1614 = local_5.member[1u];
+                                let _e1620 = select(_e1614[0], -(_e1614[0]), (_e1614[0] < 0.0lf));
+                                let _e1623 = select(_e1614[1], -(_e1614[1]), (_e1614[1] < 0.0lf));
+                                let _e1625 = select(_e1623, _e1620, (_e1620 > _e1623));
+                                let _e1628 = select(_e1614[2], -(_e1614[2]), (_e1614[2] < 0.0lf));
+                                let _e1630 = select(_e1628, _e1625, (_e1625 > _e1628));
+                                let _e1634 = local_5.member_3;
+                                let _e1638 = local_5.member_1[0u];
+                                let _e1644 = select(_e1638[0], -(_e1638[0]), (_e1638[0] < 0.0lf));
+                                let _e1647 = select(_e1638[1], -(_e1638[1]), (_e1638[1] < 0.0lf));
+                                let _e1649 = select(_e1647, _e1644, (_e1644 > _e1647));
+                                let _e1652 = select(_e1638[2], -(_e1638[2]), (_e1638[2] < 0.0lf));
+                                let _e1654 = select(_e1652, _e1649, (_e1649 > _e1652));
+                                let _e1657 = local_5.member_1[1u];
+                                let _e1663 = select(_e1657[0], -(_e1657[0]), (_e1657[0] < 0.0lf));
+                                let _e1666 = select(_e1657[1], -(_e1657[1]), (_e1657[1] < 0.0lf));
+                                let _e1668 = select(_e1666, _e1663, (_e1663 > _e1666));
+                                let _e1671 = select(_e1657[2], -(_e1657[2]), (_e1657[2] < 0.0lf));
+                                let _e1673 = select(_e1671, _e1668, (_e1668 > _e1671));
+                                let _e1677 = local_5.member_3;
+                                let _e1681 = local_5.member_2[0u];
+                                let _e1687 = select(_e1681[0], -(_e1681[0]), (_e1681[0] < 0.0lf));
+                                let _e1690 = select(_e1681[1], -(_e1681[1]), (_e1681[1] < 0.0lf));
+                                let _e1692 = select(_e1690, _e1687, (_e1687 > _e1690));
+                                let _e1695 = select(_e1681[2], -(_e1681[2]), (_e1681[2] < 0.0lf));
+                                let _e1697 = select(_e1695, _e1692, (_e1692 > _e1695));
+                                let _e1700 = local_5.member_2[1u];
+                                let _e1706 = select(_e1700[0], -(_e1700[0]), (_e1700[0] < 0.0lf));
+                                let _e1709 = select(_e1700[1], -(_e1700[1]), (_e1700[1] < 0.0lf));
+                                let _e1711 = select(_e1709, _e1706, (_e1706 > _e1709));
+                                let _e1714 = select(_e1700[2], -(_e1700[2]), (_e1700[2] < 0.0lf));
+                                let _e1716 = select(_e1714, _e1711, (_e1711 > _e1714));
+                                let _e1720 = local_5.member_3;
+                                let _e1728 = local_5.member_3;
+                                let _e1736 = (_e524 * f64(0.00390625f));
+                                let _e1737 = f64(0f);
+                                let _e1738 = f64(1f);
+                                local_3 = type_35(array<f64, 4>(_e1737, _e1737, _e1737, _e1737), array<f64, 4>(_e1737, _e1737, _e1737, _e1737), array<f64, 4>(_e1738, _e1738, _e1738, _e1738));
+                                phi_3536_ = type_9(0u, 96u);
+                                phi_3539_ = _e1503;
+                                phi_3541_ = _e1503;
+                                phi_3543_ = (_e542 - _e1503);
+                                phi_3545_ = _e1503;
+                                phi_3547_ = false;
+                                phi_3549_ = 0u;
                                 loop {
-                                    let _e1748 = phi_3541_;
-                                    let _e1750 = phi_3544_;
-                                    let _e1752 = phi_3546_;
-                                    let _e1754 = phi_3548_;
-                                    let _e1756 = phi_3550_;
-                                    let _e1758 = phi_3552_;
-                                    let _e1760 = phi_3554_;
-                                    local_19 = _e1750;
-                                    local_23 = _e1752;
-                                    let _e1763 = (_e1748.member < _e1748.member_1);
-                                    if (bitcast<i32>(select(0u, 1u, _e1763)) != 0i) {
-                                        let _e1777 = local_5.member[0u];
-                                        let _e1783 = local_5.member[1u];
-                                        let _e1799 = local_5.member_1[0u];
-                                        let _e1805 = local_5.member_1[1u];
-                                        let _e1821 = local_5.member_2[0u];
-                                        let _e1827 = local_5.member_2[1u];
-                                        let _e1841 = function_3(array<f64, 3>((_e1777[0] + ((_e1783[0] - _e1777[0]) * _e1750)), (_e1777[1] + ((_e1783[1] - _e1777[1]) * _e1750)), (_e1777[2] + ((_e1783[2] - _e1777[2]) * _e1750))), array<f64, 3>((_e1799[0] + ((_e1805[0] - _e1799[0]) * _e1750)), (_e1799[1] + ((_e1805[1] - _e1799[1]) * _e1750)), (_e1799[2] + ((_e1805[2] - _e1799[2]) * _e1750))), array<f64, 3>((_e1821[0] + ((_e1827[0] - _e1821[0]) * _e1750)), (_e1821[1] + ((_e1827[1] - _e1821[1]) * _e1750)), (_e1821[2] + ((_e1827[2] - _e1821[2]) * _e1750))), _e224.member);
-                                        if (_e1760 == 0u) {
-                                            phi_3706_ = _e1841;
+                                    let _e1745 = phi_3536_;
+                                    let _e1747 = phi_3539_;
+                                    let _e1749 = phi_3541_;
+                                    let _e1751 = phi_3543_;
+                                    let _e1753 = phi_3545_;
+                                    let _e1755 = phi_3547_;
+                                    let _e1757 = phi_3549_;
+                                    local_19 = _e1747;
+                                    local_23 = _e1749;
+                                    let _e1760 = (_e1745.member < _e1745.member_1);
+                                    if (bitcast<i32>(select(0u, 1u, _e1760)) != 0i) {
+                                        let _e1774 = local_5.member[0u];
+                                        let _e1780 = local_5.member[1u];
+                                        let _e1796 = local_5.member_1[0u];
+                                        let _e1802 = local_5.member_1[1u];
+                                        let _e1818 = local_5.member_2[0u];
+                                        let _e1824 = local_5.member_2[1u];
+                                        let _e1838 = function_3(array<f64, 3>((_e1774[0] + ((_e1780[0] - _e1774[0]) * _e1747)), (_e1774[1] + ((_e1780[1] - _e1774[1]) * _e1747)), (_e1774[2] + ((_e1780[2] - _e1774[2]) * _e1747))), array<f64, 3>((_e1796[0] + ((_e1802[0] - _e1796[0]) * _e1747)), (_e1796[1] + ((_e1802[1] - _e1796[1]) * _e1747)), (_e1796[2] + ((_e1802[2] - _e1796[2]) * _e1747))), array<f64, 3>((_e1818[0] + ((_e1824[0] - _e1818[0]) * _e1747)), (_e1818[1] + ((_e1824[1] - _e1818[1]) * _e1747)), (_e1818[2] + ((_e1824[2] - _e1818[2]) * _e1747))), _e221.member);
+                                        if (_e1757 == 0u) {
+                                            phi_3701_ = _e1838;
                                         } else {
-                                            let _e1843 = f64(0f);
-                                            phi_3706_ = array<f64, 3>(select(_e1843, _e1841[0], (_e1760 == 1u)), select(_e1843, _e1841[1], (_e1760 == 2u)), select(_e1843, _e1841[2], (_e1760 == 3u)));
+                                            let _e1840 = f64(0f);
+                                            phi_3701_ = array<f64, 3>(select(_e1840, _e1838[0], (_e1757 == 1u)), select(_e1840, _e1838[1], (_e1757 == 2u)), select(_e1840, _e1838[2], (_e1757 == 3u)));
                                         }
-                                        let _e1855 = phi_3706_;
-                                        let _e1869 = ((select(_e1855[0], -(_e1855[0]), (_e1855[0] < 0.0lf)) + select(_e1855[1], -(_e1855[1]), (_e1855[1] < 0.0lf))) + select(_e1855[2], -(_e1855[2]), (_e1855[2] < 0.0lf)));
-                                        if (_e1869 > f64(0f)) {
-                                            if ((bitcast<u64>(_e1869) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                let _e1876 = (f64(1f) / _e1869);
-                                                let _e1878 = (_e1855[0] * _e1876);
-                                                let _e1880 = (_e1855[1] * _e1876);
-                                                let _e1882 = (_e1855[2] * _e1876);
-                                                let _e1887 = (((_e1878 * _e1878) + (_e1880 * _e1880)) + (_e1882 * _e1882));
-                                                if (_e1887 <= 2.2250738585072014e-308lf) {
-                                                    phi_3831_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1887 > 0.0lf));
+                                        let _e1852 = phi_3701_;
+                                        let _e1866 = ((select(_e1852[0], -(_e1852[0]), (_e1852[0] < 0.0lf)) + select(_e1852[1], -(_e1852[1]), (_e1852[1] < 0.0lf))) + select(_e1852[2], -(_e1852[2]), (_e1852[2] < 0.0lf)));
+                                        if (_e1866 > f64(0f)) {
+                                            if ((bitcast<u64>(_e1866) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                let _e1873 = (f64(1f) / _e1866);
+                                                let _e1875 = (_e1852[0] * _e1873);
+                                                let _e1877 = (_e1852[1] * _e1873);
+                                                let _e1879 = (_e1852[2] * _e1873);
+                                                let _e1884 = (((_e1875 * _e1875) + (_e1877 * _e1877)) + (_e1879 * _e1879));
+                                                if (_e1884 <= 2.2250738585072014e-308lf) {
+                                                    phi_3826_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1884 > 0.0lf));
                                                 } else {
-                                                    phi_3774_ = type_18(0i, 5i);
-                                                    phi_3777_ = bitcast<f64>(((bitcast<u64>(_e1887) / 2lu) + 2303426169912950784lu));
+                                                    phi_3769_ = type_18(0i, 5i);
+                                                    phi_3772_ = bitcast<f64>(((bitcast<u64>(_e1884) / 2lu) + 2303426169912950784lu));
                                                     loop {
-                                                        let _e1894 = phi_3774_;
-                                                        let _e1896 = phi_3777_;
-                                                        local_7 = _e1896;
-                                                        if (_e1894.member < _e1894.member_1) {
-                                                            let _e1903 = (_e1894.member + 1i);
-                                                            phi_3775_ = type_18(select(_e1903, type_19().member_1, select(false, true, ((false == (_e1903 > _e1894.member)) != false))), _e1894.member_1);
-                                                            phi_3818_ = type_19(1u, _e1894.member);
+                                                        let _e1891 = phi_3769_;
+                                                        let _e1893 = phi_3772_;
+                                                        local_7 = _e1893;
+                                                        if (_e1891.member < _e1891.member_1) {
+                                                            let _e1900 = (_e1891.member + 1i);
+                                                            phi_3770_ = type_18(select(_e1900, type_19().member_1, select(false, true, ((false == (_e1900 > _e1891.member)) != false))), _e1891.member_1);
+                                                            phi_3813_ = type_19(1u, _e1891.member);
                                                         } else {
-                                                            phi_3775_ = _e1894;
-                                                            phi_3818_ = type_19(0u, type_19().member_1);
+                                                            phi_3770_ = _e1891;
+                                                            phi_3813_ = type_19(0u, type_19().member_1);
                                                         }
-                                                        let _e1914 = phi_3775_;
-                                                        let _e1916 = phi_3818_;
-                                                        let _e1919 = (bitcast<i32>(_e1916.member) != 0i);
-                                                        if _e1919 {
-                                                            phi_3778_ = (0.5lf * (_e1896 + (_e1887 / _e1896)));
+                                                        let _e1911 = phi_3770_;
+                                                        let _e1913 = phi_3813_;
+                                                        let _e1916 = (bitcast<i32>(_e1913.member) != 0i);
+                                                        if _e1916 {
+                                                            phi_3773_ = (0.5lf * (_e1893 + (_e1884 / _e1893)));
                                                         } else {
-                                                            phi_3778_ = f64();
+                                                            phi_3773_ = f64();
                                                         }
-                                                        let _e1924 = phi_3778_;
+                                                        let _e1921 = phi_3773_;
                                                         continue;
                                                         continuing {
-                                                            phi_3774_ = _e1914;
-                                                            phi_3777_ = _e1924;
-                                                            break if !(_e1919);
+                                                            phi_3769_ = _e1911;
+                                                            phi_3772_ = _e1921;
+                                                            break if !(_e1916);
                                                         }
                                                     }
-                                                    let _e1929 = local_7;
-                                                    phi_3831_ = (_e1929 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                    let _e1926 = local_7;
+                                                    phi_3826_ = (_e1926 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                 }
-                                                let _e1935 = phi_3831_;
-                                                let _e1937 = (1.1102230246251565e-16lf * f64(12f));
-                                                let _e1944 = ((((((((select(_e1633, _e1614, (_e1614 > _e1633)) + _e1637) + (select(_e1676, _e1657, (_e1657 > _e1676)) + _e1680)) + (select(_e1719, _e1700, (_e1700 > _e1719)) + _e1723)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1731 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e775.member_1 * _e1935) * (f64(1f) + _e1937)));
-                                                let _e1949 = (((_e1878 * _e1536[0]) + (_e1880 * _e1536[1])) + (_e1882 * _e1536[2]));
-                                                let _e1954 = (((_e1878 * _e1552) + (_e1880 * _e1553)) + (_e1882 * _e1554));
-                                                let _e1959 = (((_e1878 * (_e1536[0] - _e1548[0])) + (_e1880 * (_e1536[1] - _e1548[1]))) + (_e1882 * (_e1536[2] - _e1548[2])));
-                                                let _e1964 = (((_e1878 * select((_e1552 - _e1548[0]), _e1536[0], _e1555)) + (_e1880 * select((_e1553 - _e1548[1]), _e1536[1], _e1555))) + (_e1882 * select((_e1554 - _e1548[2]), _e1536[2], _e1555)));
-                                                let _e1970 = (((_e1878 * _e1567[0]) + (_e1880 * _e1567[1])) + (_e1882 * _e1567[2]));
-                                                let _e1975 = (((_e1878 * _e1583) + (_e1880 * _e1584)) + (_e1882 * _e1585));
-                                                let _e1980 = (((_e1878 * (_e1567[0] - _e1579[0])) + (_e1880 * (_e1567[1] - _e1579[1]))) + (_e1882 * (_e1567[2] - _e1579[2])));
-                                                let _e1985 = (((_e1878 * select((_e1583 - _e1579[0]), _e1567[0], _e1586)) + (_e1880 * select((_e1584 - _e1579[1]), _e1567[1], _e1586))) + (_e1882 * select((_e1585 - _e1579[2]), _e1567[2], _e1586)));
-                                                phi_3957_ = type_36(array<f64, 4>(_e1949, _e1954, _e1959, _e1964), array<f64, 4>(_e1970, _e1975, _e1980, _e1985), array<f64, 4>((_e1944 + ((select(_e1949, -(_e1949), (_e1949 < 0.0lf)) + select(_e1970, -(_e1970), (_e1970 < 0.0lf))) * _e1937)), (_e1944 + ((select(_e1954, -(_e1954), (_e1954 < 0.0lf)) + select(_e1975, -(_e1975), (_e1975 < 0.0lf))) * _e1937)), (_e1944 + ((select(_e1959, -(_e1959), (_e1959 < 0.0lf)) + select(_e1980, -(_e1980), (_e1980 < 0.0lf))) * _e1937)), (_e1944 + ((select(_e1964, -(_e1964), (_e1964 < 0.0lf)) + select(_e1985, -(_e1985), (_e1985 < 0.0lf))) * _e1937))));
-                                                phi_3958_ = false;
+                                                let _e1932 = phi_3826_;
+                                                let _e1934 = (1.1102230246251565e-16lf * f64(12f));
+                                                let _e1941 = ((((((((select(_e1630, _e1611, (_e1611 > _e1630)) + _e1634) + (select(_e1673, _e1654, (_e1654 > _e1673)) + _e1677)) + (select(_e1716, _e1697, (_e1697 > _e1716)) + _e1720)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1728 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e772.member_1 * _e1932) * (f64(1f) + _e1934)));
+                                                let _e1946 = (((_e1875 * _e1533[0]) + (_e1877 * _e1533[1])) + (_e1879 * _e1533[2]));
+                                                let _e1951 = (((_e1875 * _e1549) + (_e1877 * _e1550)) + (_e1879 * _e1551));
+                                                let _e1956 = (((_e1875 * (_e1533[0] - _e1545[0])) + (_e1877 * (_e1533[1] - _e1545[1]))) + (_e1879 * (_e1533[2] - _e1545[2])));
+                                                let _e1961 = (((_e1875 * select((_e1549 - _e1545[0]), _e1533[0], _e1552)) + (_e1877 * select((_e1550 - _e1545[1]), _e1533[1], _e1552))) + (_e1879 * select((_e1551 - _e1545[2]), _e1533[2], _e1552)));
+                                                let _e1967 = (((_e1875 * _e1564[0]) + (_e1877 * _e1564[1])) + (_e1879 * _e1564[2]));
+                                                let _e1972 = (((_e1875 * _e1580) + (_e1877 * _e1581)) + (_e1879 * _e1582));
+                                                let _e1977 = (((_e1875 * (_e1564[0] - _e1576[0])) + (_e1877 * (_e1564[1] - _e1576[1]))) + (_e1879 * (_e1564[2] - _e1576[2])));
+                                                let _e1982 = (((_e1875 * select((_e1580 - _e1576[0]), _e1564[0], _e1583)) + (_e1877 * select((_e1581 - _e1576[1]), _e1564[1], _e1583))) + (_e1879 * select((_e1582 - _e1576[2]), _e1564[2], _e1583)));
+                                                phi_3952_ = type_35(array<f64, 4>(_e1946, _e1951, _e1956, _e1961), array<f64, 4>(_e1967, _e1972, _e1977, _e1982), array<f64, 4>((_e1941 + ((select(_e1946, -(_e1946), (_e1946 < 0.0lf)) + select(_e1967, -(_e1967), (_e1967 < 0.0lf))) * _e1934)), (_e1941 + ((select(_e1951, -(_e1951), (_e1951 < 0.0lf)) + select(_e1972, -(_e1972), (_e1972 < 0.0lf))) * _e1934)), (_e1941 + ((select(_e1956, -(_e1956), (_e1956 < 0.0lf)) + select(_e1977, -(_e1977), (_e1977 < 0.0lf))) * _e1934)), (_e1941 + ((select(_e1961, -(_e1961), (_e1961 < 0.0lf)) + select(_e1982, -(_e1982), (_e1982 < 0.0lf))) * _e1934))));
+                                                phi_3953_ = false;
                                             } else {
-                                                phi_3957_ = type_36();
-                                                phi_3958_ = true;
+                                                phi_3952_ = type_35();
+                                                phi_3953_ = true;
                                             }
-                                            let _e2026 = phi_3957_;
-                                            let _e2028 = phi_3958_;
-                                            phi_3959_ = _e2026;
-                                            phi_3960_ = _e2028;
+                                            let _e2023 = phi_3952_;
+                                            let _e2025 = phi_3953_;
+                                            phi_3954_ = _e2023;
+                                            phi_3955_ = _e2025;
                                         } else {
-                                            phi_3959_ = type_36();
-                                            phi_3960_ = true;
+                                            phi_3954_ = type_35();
+                                            phi_3955_ = true;
                                         }
-                                        let _e2030 = phi_3959_;
-                                        let _e2032 = phi_3960_;
-                                        if _e2032 {
-                                            let _e2033 = f64(0f);
-                                            let _e2034 = f64(1f);
-                                            phi_3970_ = type_36(array<f64, 4>(_e2033, _e2033, _e2033, _e2033), array<f64, 4>(_e2033, _e2033, _e2033, _e2033), array<f64, 4>(_e2034, _e2034, _e2034, _e2034));
+                                        let _e2027 = phi_3954_;
+                                        let _e2029 = phi_3955_;
+                                        if _e2029 {
+                                            let _e2030 = f64(0f);
+                                            let _e2031 = f64(1f);
+                                            phi_3965_ = type_35(array<f64, 4>(_e2030, _e2030, _e2030, _e2030), array<f64, 4>(_e2030, _e2030, _e2030, _e2030), array<f64, 4>(_e2031, _e2031, _e2031, _e2031));
                                         } else {
-                                            phi_3970_ = _e2030;
+                                            phi_3965_ = _e2027;
                                         }
-                                        let _e2040 = phi_3970_;
-                                        local_4 = type_36(array<f64, 4>(_e2040.member[0], _e2040.member[1], _e2040.member[2], _e2040.member[3]), array<f64, 4>(_e2040.member_1[0], _e2040.member_1[1], _e2040.member_1[2], _e2040.member_1[3]), array<f64, 4>(_e2040.member_2[0], _e2040.member_2[1], _e2040.member_2[2], _e2040.member_2[3]));
-                                        let _e2060 = (_e1750 - _e1756);
-                                        let _e2062 = f64(0f);
-                                        let _e2065 = local_4.member[0u];
-                                        let _e2068 = local_4.member_1[0u];
-                                        let _e2071 = local_4.member[0u];
-                                        let _e2077 = local_4.member_2[0u];
-                                        if (((_e2065 + ((_e2068 - _e2071) * _e1750)) - _e2077) > _e2062) {
-                                            let _e2082 = local_4.member[1u];
-                                            let _e2085 = local_4.member_1[1u];
-                                            let _e2088 = local_4.member[1u];
-                                            let _e2094 = local_4.member_2[1u];
-                                            if (((_e2082 + ((_e2085 - _e2088) * _e1750)) - _e2094) > _e2062) {
-                                                let _e2099 = local_4.member[2u];
-                                                let _e2102 = local_4.member_1[2u];
-                                                let _e2105 = local_4.member[2u];
-                                                let _e2111 = local_4.member_2[2u];
-                                                if (((_e2099 + ((_e2102 - _e2105) * _e1750)) - _e2111) > _e2062) {
-                                                    let _e2116 = local_4.member[3u];
-                                                    let _e2119 = local_4.member_1[3u];
-                                                    let _e2122 = local_4.member[3u];
-                                                    let _e2128 = local_4.member_2[3u];
-                                                    phi_4142_ = (((_e2116 + ((_e2119 - _e2122) * _e1750)) - _e2128) > _e2062);
-                                                    phi_4143_ = false;
+                                        let _e2037 = phi_3965_;
+                                        local_4 = type_35(array<f64, 4>(_e2037.member[0], _e2037.member[1], _e2037.member[2], _e2037.member[3]), array<f64, 4>(_e2037.member_1[0], _e2037.member_1[1], _e2037.member_1[2], _e2037.member_1[3]), array<f64, 4>(_e2037.member_2[0], _e2037.member_2[1], _e2037.member_2[2], _e2037.member_2[3]));
+                                        let _e2057 = (_e1747 - _e1753);
+                                        let _e2059 = f64(0f);
+                                        let _e2062 = local_4.member[0u];
+                                        let _e2065 = local_4.member_1[0u];
+                                        let _e2068 = local_4.member[0u];
+                                        let _e2074 = local_4.member_2[0u];
+                                        if (((_e2062 + ((_e2065 - _e2068) * _e1747)) - _e2074) > _e2059) {
+                                            let _e2079 = local_4.member[1u];
+                                            let _e2082 = local_4.member_1[1u];
+                                            let _e2085 = local_4.member[1u];
+                                            let _e2091 = local_4.member_2[1u];
+                                            if (((_e2079 + ((_e2082 - _e2085) * _e1747)) - _e2091) > _e2059) {
+                                                let _e2096 = local_4.member[2u];
+                                                let _e2099 = local_4.member_1[2u];
+                                                let _e2102 = local_4.member[2u];
+                                                let _e2108 = local_4.member_2[2u];
+                                                if (((_e2096 + ((_e2099 - _e2102) * _e1747)) - _e2108) > _e2059) {
+                                                    let _e2113 = local_4.member[3u];
+                                                    let _e2116 = local_4.member_1[3u];
+                                                    let _e2119 = local_4.member[3u];
+                                                    let _e2125 = local_4.member_2[3u];
+                                                    phi_4137_ = (((_e2113 + ((_e2116 - _e2119) * _e1747)) - _e2125) > _e2059);
+                                                    phi_4138_ = false;
                                                 } else {
-                                                    phi_4142_ = bool();
-                                                    phi_4143_ = true;
+                                                    phi_4137_ = bool();
+                                                    phi_4138_ = true;
                                                 }
-                                                let _e2132 = phi_4142_;
-                                                let _e2134 = phi_4143_;
-                                                phi_4144_ = _e2132;
-                                                phi_4145_ = _e2134;
+                                                let _e2129 = phi_4137_;
+                                                let _e2131 = phi_4138_;
+                                                phi_4139_ = _e2129;
+                                                phi_4140_ = _e2131;
                                             } else {
-                                                phi_4144_ = bool();
-                                                phi_4145_ = true;
+                                                phi_4139_ = bool();
+                                                phi_4140_ = true;
                                             }
-                                            let _e2136 = phi_4144_;
-                                            let _e2138 = phi_4145_;
-                                            phi_4146_ = _e2136;
-                                            phi_4147_ = _e2138;
+                                            let _e2133 = phi_4139_;
+                                            let _e2135 = phi_4140_;
+                                            phi_4141_ = _e2133;
+                                            phi_4142_ = _e2135;
                                         } else {
-                                            phi_4146_ = bool();
-                                            phi_4147_ = true;
+                                            phi_4141_ = bool();
+                                            phi_4142_ = true;
                                         }
-                                        let _e2140 = phi_4146_;
-                                        let _e2142 = phi_4147_;
-                                        if select(_e2140, false, _e2142) {
-                                            if (_e1750 <= _e1752) {
-                                                phi_4462_ = true;
+                                        let _e2137 = phi_4141_;
+                                        let _e2139 = phi_4142_;
+                                        if select(_e2137, false, _e2139) {
+                                            if (_e1747 <= _e1749) {
+                                                phi_4457_ = true;
                                             } else {
-                                                let _e2145 = f64(0f);
-                                                let _e2148 = local_3.member[0u];
-                                                let _e2151 = local_3.member_1[0u];
-                                                let _e2154 = local_3.member[0u];
-                                                let _e2160 = local_3.member_2[0u];
-                                                let _e2164 = local_4.member[0u];
-                                                let _e2167 = local_4.member_1[0u];
-                                                let _e2170 = local_4.member[0u];
-                                                let _e2176 = local_4.member_2[0u];
-                                                if ((((_e2148 + ((_e2151 - _e2154) * _e1750)) - _e2160) + ((_e2164 + ((_e2167 - _e2170) * _e1756)) - _e2176)) > _e2145) {
-                                                    let _e2182 = local_3.member[1u];
-                                                    let _e2185 = local_3.member_1[1u];
-                                                    let _e2188 = local_3.member[1u];
-                                                    let _e2194 = local_3.member_2[1u];
-                                                    let _e2198 = local_4.member[1u];
-                                                    let _e2201 = local_4.member_1[1u];
-                                                    let _e2204 = local_4.member[1u];
-                                                    let _e2210 = local_4.member_2[1u];
-                                                    if ((((_e2182 + ((_e2185 - _e2188) * _e1750)) - _e2194) + ((_e2198 + ((_e2201 - _e2204) * _e1756)) - _e2210)) > _e2145) {
-                                                        let _e2216 = local_3.member[2u];
-                                                        let _e2219 = local_3.member_1[2u];
-                                                        let _e2222 = local_3.member[2u];
-                                                        let _e2228 = local_3.member_2[2u];
-                                                        let _e2232 = local_4.member[2u];
-                                                        let _e2235 = local_4.member_1[2u];
-                                                        let _e2238 = local_4.member[2u];
-                                                        let _e2244 = local_4.member_2[2u];
-                                                        if ((((_e2216 + ((_e2219 - _e2222) * _e1750)) - _e2228) + ((_e2232 + ((_e2235 - _e2238) * _e1756)) - _e2244)) > _e2145) {
-                                                            let _e2250 = local_3.member[3u];
-                                                            let _e2253 = local_3.member_1[3u];
-                                                            let _e2256 = local_3.member[3u];
-                                                            let _e2262 = local_3.member_2[3u];
-                                                            let _e2266 = local_4.member[3u];
-                                                            let _e2269 = local_4.member_1[3u];
-                                                            let _e2272 = local_4.member[3u];
-                                                            let _e2278 = local_4.member_2[3u];
-                                                            phi_4449_ = ((((_e2250 + ((_e2253 - _e2256) * _e1750)) - _e2262) + ((_e2266 + ((_e2269 - _e2272) * _e1756)) - _e2278)) > _e2145);
-                                                            phi_4450_ = false;
+                                                let _e2142 = f64(0f);
+                                                let _e2145 = local_3.member[0u];
+                                                let _e2148 = local_3.member_1[0u];
+                                                let _e2151 = local_3.member[0u];
+                                                let _e2157 = local_3.member_2[0u];
+                                                let _e2161 = local_4.member[0u];
+                                                let _e2164 = local_4.member_1[0u];
+                                                let _e2167 = local_4.member[0u];
+                                                let _e2173 = local_4.member_2[0u];
+                                                if ((((_e2145 + ((_e2148 - _e2151) * _e1747)) - _e2157) + ((_e2161 + ((_e2164 - _e2167) * _e1753)) - _e2173)) > _e2142) {
+                                                    let _e2179 = local_3.member[1u];
+                                                    let _e2182 = local_3.member_1[1u];
+                                                    let _e2185 = local_3.member[1u];
+                                                    let _e2191 = local_3.member_2[1u];
+                                                    let _e2195 = local_4.member[1u];
+                                                    let _e2198 = local_4.member_1[1u];
+                                                    let _e2201 = local_4.member[1u];
+                                                    let _e2207 = local_4.member_2[1u];
+                                                    if ((((_e2179 + ((_e2182 - _e2185) * _e1747)) - _e2191) + ((_e2195 + ((_e2198 - _e2201) * _e1753)) - _e2207)) > _e2142) {
+                                                        let _e2213 = local_3.member[2u];
+                                                        let _e2216 = local_3.member_1[2u];
+                                                        let _e2219 = local_3.member[2u];
+                                                        let _e2225 = local_3.member_2[2u];
+                                                        let _e2229 = local_4.member[2u];
+                                                        let _e2232 = local_4.member_1[2u];
+                                                        let _e2235 = local_4.member[2u];
+                                                        let _e2241 = local_4.member_2[2u];
+                                                        if ((((_e2213 + ((_e2216 - _e2219) * _e1747)) - _e2225) + ((_e2229 + ((_e2232 - _e2235) * _e1753)) - _e2241)) > _e2142) {
+                                                            let _e2247 = local_3.member[3u];
+                                                            let _e2250 = local_3.member_1[3u];
+                                                            let _e2253 = local_3.member[3u];
+                                                            let _e2259 = local_3.member_2[3u];
+                                                            let _e2263 = local_4.member[3u];
+                                                            let _e2266 = local_4.member_1[3u];
+                                                            let _e2269 = local_4.member[3u];
+                                                            let _e2275 = local_4.member_2[3u];
+                                                            phi_4444_ = ((((_e2247 + ((_e2250 - _e2253) * _e1747)) - _e2259) + ((_e2263 + ((_e2266 - _e2269) * _e1753)) - _e2275)) > _e2142);
+                                                            phi_4445_ = false;
                                                         } else {
-                                                            phi_4449_ = bool();
-                                                            phi_4450_ = true;
+                                                            phi_4444_ = bool();
+                                                            phi_4445_ = true;
                                                         }
-                                                        let _e2283 = phi_4449_;
-                                                        let _e2285 = phi_4450_;
-                                                        phi_4451_ = _e2283;
-                                                        phi_4452_ = _e2285;
+                                                        let _e2280 = phi_4444_;
+                                                        let _e2282 = phi_4445_;
+                                                        phi_4446_ = _e2280;
+                                                        phi_4447_ = _e2282;
                                                     } else {
-                                                        phi_4451_ = bool();
-                                                        phi_4452_ = true;
+                                                        phi_4446_ = bool();
+                                                        phi_4447_ = true;
                                                     }
-                                                    let _e2287 = phi_4451_;
-                                                    let _e2289 = phi_4452_;
-                                                    phi_4453_ = _e2287;
-                                                    phi_4454_ = _e2289;
+                                                    let _e2284 = phi_4446_;
+                                                    let _e2286 = phi_4447_;
+                                                    phi_4448_ = _e2284;
+                                                    phi_4449_ = _e2286;
                                                 } else {
-                                                    phi_4453_ = bool();
-                                                    phi_4454_ = true;
+                                                    phi_4448_ = bool();
+                                                    phi_4449_ = true;
                                                 }
-                                                let _e2291 = phi_4453_;
-                                                let _e2293 = phi_4454_;
-                                                phi_4462_ = select(_e2291, false, _e2293);
+                                                let _e2288 = phi_4448_;
+                                                let _e2290 = phi_4449_;
+                                                phi_4457_ = select(_e2288, false, _e2290);
                                             }
-                                            let _e2296 = phi_4462_;
-                                            if _e2296 {
-                                                if select(true, select(true, false, (_e1750 >= _e545)), _e1758) {
-                                                    local_3 = type_36(array<f64, 4>(_e2040.member[0], _e2040.member[1], _e2040.member[2], _e2040.member[3]), array<f64, 4>(_e2040.member_1[0], _e2040.member_1[1], _e2040.member_1[2], _e2040.member_1[3]), array<f64, 4>(_e2040.member_2[0], _e2040.member_2[1], _e2040.member_2[2], _e2040.member_2[3]));
-                                                    let _e2321 = local_3.member[0u];
-                                                    let _e2324 = local_3.member_1[0u];
-                                                    let _e2327 = local_3.member_2[0u];
-                                                    if select(true, select(true, false, (_e2324 > _e2327)), (_e2321 > _e2327)) {
-                                                        let _e2332 = (_e2324 >= _e2321);
-                                                        if _e2332 {
-                                                            phi_4574_ = f64();
-                                                            phi_4575_ = false;
+                                            let _e2293 = phi_4457_;
+                                            if _e2293 {
+                                                if select(true, select(true, false, (_e1747 >= _e542)), _e1755) {
+                                                    local_3 = type_35(array<f64, 4>(_e2037.member[0], _e2037.member[1], _e2037.member[2], _e2037.member[3]), array<f64, 4>(_e2037.member_1[0], _e2037.member_1[1], _e2037.member_1[2], _e2037.member_1[3]), array<f64, 4>(_e2037.member_2[0], _e2037.member_2[1], _e2037.member_2[2], _e2037.member_2[3]));
+                                                    let _e2318 = local_3.member[0u];
+                                                    let _e2321 = local_3.member_1[0u];
+                                                    let _e2324 = local_3.member_2[0u];
+                                                    if select(true, select(true, false, (_e2321 > _e2324)), (_e2318 > _e2324)) {
+                                                        let _e2329 = (_e2321 >= _e2318);
+                                                        if _e2329 {
+                                                            phi_4569_ = f64();
+                                                            phi_4570_ = false;
                                                         } else {
-                                                            if ((_e2321 - _e2324) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4572_ = (((_e2321 - _e2327) / (_e2321 - _e2324)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4573_ = false;
+                                                            if ((_e2318 - _e2321) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4567_ = (((_e2318 - _e2324) / (_e2318 - _e2321)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4568_ = false;
                                                             } else {
-                                                                phi_4572_ = f64();
-                                                                phi_4573_ = true;
+                                                                phi_4567_ = f64();
+                                                                phi_4568_ = true;
                                                             }
-                                                            let _e2346 = phi_4572_;
-                                                            let _e2348 = phi_4573_;
-                                                            phi_4574_ = _e2346;
-                                                            phi_4575_ = _e2348;
+                                                            let _e2343 = phi_4567_;
+                                                            let _e2345 = phi_4568_;
+                                                            phi_4569_ = _e2343;
+                                                            phi_4570_ = _e2345;
                                                         }
-                                                        let _e2350 = phi_4574_;
-                                                        let _e2352 = phi_4575_;
-                                                        phi_4576_ = _e2350;
-                                                        phi_4577_ = _e2332;
-                                                        phi_4578_ = _e2352;
+                                                        let _e2347 = phi_4569_;
+                                                        let _e2349 = phi_4570_;
+                                                        phi_4571_ = _e2347;
+                                                        phi_4572_ = _e2329;
+                                                        phi_4573_ = _e2349;
                                                     } else {
-                                                        phi_4576_ = f64();
-                                                        phi_4577_ = true;
-                                                        phi_4578_ = false;
+                                                        phi_4571_ = f64();
+                                                        phi_4572_ = true;
+                                                        phi_4573_ = false;
                                                     }
-                                                    let _e2354 = phi_4576_;
-                                                    let _e2356 = phi_4577_;
-                                                    let _e2358 = phi_4578_;
-                                                    let _e2362 = select(_e2354, select(_e1750, f64(2f), _e2356), select(_e2358, true, _e2356));
-                                                    let _e2365 = local_3.member[1u];
-                                                    let _e2368 = local_3.member_1[1u];
-                                                    let _e2371 = local_3.member_2[1u];
-                                                    if select(true, select(true, false, (_e2368 > _e2371)), (_e2365 > _e2371)) {
-                                                        let _e2376 = (_e2368 >= _e2365);
-                                                        if _e2376 {
-                                                            phi_4646_ = f64();
-                                                            phi_4647_ = false;
+                                                    let _e2351 = phi_4571_;
+                                                    let _e2353 = phi_4572_;
+                                                    let _e2355 = phi_4573_;
+                                                    let _e2359 = select(_e2351, select(_e1747, f64(2f), _e2353), select(_e2355, true, _e2353));
+                                                    let _e2362 = local_3.member[1u];
+                                                    let _e2365 = local_3.member_1[1u];
+                                                    let _e2368 = local_3.member_2[1u];
+                                                    if select(true, select(true, false, (_e2365 > _e2368)), (_e2362 > _e2368)) {
+                                                        let _e2373 = (_e2365 >= _e2362);
+                                                        if _e2373 {
+                                                            phi_4641_ = f64();
+                                                            phi_4642_ = false;
                                                         } else {
-                                                            if ((_e2365 - _e2368) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4644_ = (((_e2365 - _e2371) / (_e2365 - _e2368)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4645_ = false;
+                                                            if ((_e2362 - _e2365) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4639_ = (((_e2362 - _e2368) / (_e2362 - _e2365)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4640_ = false;
                                                             } else {
-                                                                phi_4644_ = f64();
-                                                                phi_4645_ = true;
+                                                                phi_4639_ = f64();
+                                                                phi_4640_ = true;
                                                             }
-                                                            let _e2390 = phi_4644_;
-                                                            let _e2392 = phi_4645_;
-                                                            phi_4646_ = _e2390;
-                                                            phi_4647_ = _e2392;
+                                                            let _e2387 = phi_4639_;
+                                                            let _e2389 = phi_4640_;
+                                                            phi_4641_ = _e2387;
+                                                            phi_4642_ = _e2389;
                                                         }
-                                                        let _e2394 = phi_4646_;
-                                                        let _e2396 = phi_4647_;
-                                                        phi_4648_ = _e2394;
-                                                        phi_4649_ = _e2376;
-                                                        phi_4650_ = _e2396;
+                                                        let _e2391 = phi_4641_;
+                                                        let _e2393 = phi_4642_;
+                                                        phi_4643_ = _e2391;
+                                                        phi_4644_ = _e2373;
+                                                        phi_4645_ = _e2393;
                                                     } else {
-                                                        phi_4648_ = f64();
-                                                        phi_4649_ = true;
-                                                        phi_4650_ = false;
+                                                        phi_4643_ = f64();
+                                                        phi_4644_ = true;
+                                                        phi_4645_ = false;
                                                     }
-                                                    let _e2398 = phi_4648_;
-                                                    let _e2400 = phi_4649_;
-                                                    let _e2402 = phi_4650_;
-                                                    let _e2406 = select(_e2398, select(_e1750, f64(2f), _e2400), select(_e2402, true, _e2400));
-                                                    let _e2408 = select(_e2406, _e2362, (_e2362 < _e2406));
-                                                    let _e2411 = local_3.member[2u];
-                                                    let _e2414 = local_3.member_1[2u];
-                                                    let _e2417 = local_3.member_2[2u];
-                                                    if select(true, select(true, false, (_e2414 > _e2417)), (_e2411 > _e2417)) {
-                                                        let _e2422 = (_e2414 >= _e2411);
-                                                        if _e2422 {
-                                                            phi_4723_ = f64();
-                                                            phi_4724_ = false;
+                                                    let _e2395 = phi_4643_;
+                                                    let _e2397 = phi_4644_;
+                                                    let _e2399 = phi_4645_;
+                                                    let _e2403 = select(_e2395, select(_e1747, f64(2f), _e2397), select(_e2399, true, _e2397));
+                                                    let _e2405 = select(_e2403, _e2359, (_e2359 < _e2403));
+                                                    let _e2408 = local_3.member[2u];
+                                                    let _e2411 = local_3.member_1[2u];
+                                                    let _e2414 = local_3.member_2[2u];
+                                                    if select(true, select(true, false, (_e2411 > _e2414)), (_e2408 > _e2414)) {
+                                                        let _e2419 = (_e2411 >= _e2408);
+                                                        if _e2419 {
+                                                            phi_4718_ = f64();
+                                                            phi_4719_ = false;
                                                         } else {
-                                                            if ((_e2411 - _e2414) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4721_ = (((_e2411 - _e2417) / (_e2411 - _e2414)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4722_ = false;
+                                                            if ((_e2408 - _e2411) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4716_ = (((_e2408 - _e2414) / (_e2408 - _e2411)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4717_ = false;
                                                             } else {
-                                                                phi_4721_ = f64();
-                                                                phi_4722_ = true;
+                                                                phi_4716_ = f64();
+                                                                phi_4717_ = true;
                                                             }
-                                                            let _e2436 = phi_4721_;
-                                                            let _e2438 = phi_4722_;
-                                                            phi_4723_ = _e2436;
-                                                            phi_4724_ = _e2438;
+                                                            let _e2433 = phi_4716_;
+                                                            let _e2435 = phi_4717_;
+                                                            phi_4718_ = _e2433;
+                                                            phi_4719_ = _e2435;
                                                         }
-                                                        let _e2440 = phi_4723_;
-                                                        let _e2442 = phi_4724_;
-                                                        phi_4725_ = _e2440;
-                                                        phi_4726_ = _e2422;
-                                                        phi_4727_ = _e2442;
+                                                        let _e2437 = phi_4718_;
+                                                        let _e2439 = phi_4719_;
+                                                        phi_4720_ = _e2437;
+                                                        phi_4721_ = _e2419;
+                                                        phi_4722_ = _e2439;
                                                     } else {
-                                                        phi_4725_ = f64();
-                                                        phi_4726_ = true;
-                                                        phi_4727_ = false;
+                                                        phi_4720_ = f64();
+                                                        phi_4721_ = true;
+                                                        phi_4722_ = false;
                                                     }
-                                                    let _e2444 = phi_4725_;
-                                                    let _e2446 = phi_4726_;
-                                                    let _e2448 = phi_4727_;
-                                                    let _e2452 = select(_e2444, select(_e1750, f64(2f), _e2446), select(_e2448, true, _e2446));
-                                                    let _e2455 = local_3.member[3u];
-                                                    let _e2458 = local_3.member_1[3u];
-                                                    let _e2461 = local_3.member_2[3u];
-                                                    if select(true, select(true, false, (_e2458 > _e2461)), (_e2455 > _e2461)) {
-                                                        let _e2466 = (_e2458 >= _e2455);
-                                                        if _e2466 {
-                                                            phi_4795_ = f64();
-                                                            phi_4796_ = false;
+                                                    let _e2441 = phi_4720_;
+                                                    let _e2443 = phi_4721_;
+                                                    let _e2445 = phi_4722_;
+                                                    let _e2449 = select(_e2441, select(_e1747, f64(2f), _e2443), select(_e2445, true, _e2443));
+                                                    let _e2452 = local_3.member[3u];
+                                                    let _e2455 = local_3.member_1[3u];
+                                                    let _e2458 = local_3.member_2[3u];
+                                                    if select(true, select(true, false, (_e2455 > _e2458)), (_e2452 > _e2458)) {
+                                                        let _e2463 = (_e2455 >= _e2452);
+                                                        if _e2463 {
+                                                            phi_4790_ = f64();
+                                                            phi_4791_ = false;
                                                         } else {
-                                                            if ((_e2455 - _e2458) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4793_ = (((_e2455 - _e2461) / (_e2455 - _e2458)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4794_ = false;
+                                                            if ((_e2452 - _e2455) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4788_ = (((_e2452 - _e2458) / (_e2452 - _e2455)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4789_ = false;
                                                             } else {
-                                                                phi_4793_ = f64();
-                                                                phi_4794_ = true;
+                                                                phi_4788_ = f64();
+                                                                phi_4789_ = true;
                                                             }
-                                                            let _e2480 = phi_4793_;
-                                                            let _e2482 = phi_4794_;
-                                                            phi_4795_ = _e2480;
-                                                            phi_4796_ = _e2482;
+                                                            let _e2477 = phi_4788_;
+                                                            let _e2479 = phi_4789_;
+                                                            phi_4790_ = _e2477;
+                                                            phi_4791_ = _e2479;
                                                         }
-                                                        let _e2484 = phi_4795_;
-                                                        let _e2486 = phi_4796_;
-                                                        phi_4797_ = _e2484;
-                                                        phi_4798_ = _e2466;
-                                                        phi_4799_ = _e2486;
+                                                        let _e2481 = phi_4790_;
+                                                        let _e2483 = phi_4791_;
+                                                        phi_4792_ = _e2481;
+                                                        phi_4793_ = _e2463;
+                                                        phi_4794_ = _e2483;
                                                     } else {
-                                                        phi_4797_ = f64();
-                                                        phi_4798_ = true;
-                                                        phi_4799_ = false;
+                                                        phi_4792_ = f64();
+                                                        phi_4793_ = true;
+                                                        phi_4794_ = false;
                                                     }
-                                                    let _e2488 = phi_4797_;
-                                                    let _e2490 = phi_4798_;
-                                                    let _e2492 = phi_4799_;
-                                                    let _e2496 = select(_e2488, select(_e1750, f64(2f), _e2490), select(_e2492, true, _e2490));
-                                                    let _e2498 = select(_e2496, _e2452, (_e2452 < _e2496));
-                                                    let _e2500 = select(_e2498, _e2408, (_e2408 < _e2498));
-                                                    let _e2502 = select(_e1750, _e2500, (_e2500 > _e1750));
-                                                    let _e2503 = (_e2502 > _e545);
-                                                    if _e2503 {
-                                                        phi_5341_ = f64();
-                                                        phi_5342_ = f64();
-                                                        phi_5343_ = false;
-                                                        phi_5344_ = false;
+                                                    let _e2485 = phi_4792_;
+                                                    let _e2487 = phi_4793_;
+                                                    let _e2489 = phi_4794_;
+                                                    let _e2493 = select(_e2485, select(_e1747, f64(2f), _e2487), select(_e2489, true, _e2487));
+                                                    let _e2495 = select(_e2493, _e2449, (_e2449 < _e2493));
+                                                    let _e2497 = select(_e2495, _e2405, (_e2405 < _e2495));
+                                                    let _e2499 = select(_e1747, _e2497, (_e2497 > _e1747));
+                                                    let _e2500 = (_e2499 > _e542);
+                                                    if _e2500 {
+                                                        phi_5336_ = f64();
+                                                        phi_5337_ = f64();
+                                                        phi_5338_ = false;
+                                                        phi_5339_ = false;
                                                     } else {
-                                                        let _e2504 = (_e2502 - _e1750);
-                                                        let _e2505 = (_e2504 <= _e1739);
-                                                        let _e2508 = (_e2502 + (_e527 * f64(0.01f)));
-                                                        let _e2510 = select(_e545, _e2508, (_e2508 < _e545));
-                                                        if _e2505 {
-                                                            if (_e775.member_1 > f64(0f)) {
-                                                                let _e2515 = local_5.member[0u];
-                                                                let _e2521 = local_5.member[1u];
-                                                                let _e2537 = local_5.member_1[0u];
-                                                                let _e2543 = local_5.member_1[1u];
-                                                                let _e2559 = local_5.member_2[0u];
-                                                                let _e2565 = local_5.member_2[1u];
-                                                                let _e2579 = function_3(array<f64, 3>((_e2515[0] + ((_e2521[0] - _e2515[0]) * _e2510)), (_e2515[1] + ((_e2521[1] - _e2515[1]) * _e2510)), (_e2515[2] + ((_e2521[2] - _e2515[2]) * _e2510))), array<f64, 3>((_e2537[0] + ((_e2543[0] - _e2537[0]) * _e2510)), (_e2537[1] + ((_e2543[1] - _e2537[1]) * _e2510)), (_e2537[2] + ((_e2543[2] - _e2537[2]) * _e2510))), array<f64, 3>((_e2559[0] + ((_e2565[0] - _e2559[0]) * _e2510)), (_e2559[1] + ((_e2565[1] - _e2559[1]) * _e2510)), (_e2559[2] + ((_e2565[2] - _e2559[2]) * _e2510))), _e224.member);
-                                                                let _e2590 = (((_e2579[0] * _e2579[0]) + (_e2579[1] * _e2579[1])) + (_e2579[2] * _e2579[2]));
-                                                                if (_e2590 <= 2.2250738585072014e-308lf) {
-                                                                    phi_5033_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2590 > 0.0lf));
+                                                        let _e2501 = (_e2499 - _e1747);
+                                                        let _e2502 = (_e2501 <= _e1736);
+                                                        let _e2505 = (_e2499 + (_e524 * f64(0.01f)));
+                                                        let _e2507 = select(_e542, _e2505, (_e2505 < _e542));
+                                                        if _e2502 {
+                                                            if (_e772.member_1 > f64(0f)) {
+                                                                let _e2512 = local_5.member[0u];
+                                                                let _e2518 = local_5.member[1u];
+                                                                let _e2534 = local_5.member_1[0u];
+                                                                let _e2540 = local_5.member_1[1u];
+                                                                let _e2556 = local_5.member_2[0u];
+                                                                let _e2562 = local_5.member_2[1u];
+                                                                let _e2576 = function_3(array<f64, 3>((_e2512[0] + ((_e2518[0] - _e2512[0]) * _e2507)), (_e2512[1] + ((_e2518[1] - _e2512[1]) * _e2507)), (_e2512[2] + ((_e2518[2] - _e2512[2]) * _e2507))), array<f64, 3>((_e2534[0] + ((_e2540[0] - _e2534[0]) * _e2507)), (_e2534[1] + ((_e2540[1] - _e2534[1]) * _e2507)), (_e2534[2] + ((_e2540[2] - _e2534[2]) * _e2507))), array<f64, 3>((_e2556[0] + ((_e2562[0] - _e2556[0]) * _e2507)), (_e2556[1] + ((_e2562[1] - _e2556[1]) * _e2507)), (_e2556[2] + ((_e2562[2] - _e2556[2]) * _e2507))), _e221.member);
+                                                                let _e2587 = (((_e2576[0] * _e2576[0]) + (_e2576[1] * _e2576[1])) + (_e2576[2] * _e2576[2]));
+                                                                if (_e2587 <= 2.2250738585072014e-308lf) {
+                                                                    phi_5028_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2587 > 0.0lf));
                                                                 } else {
-                                                                    phi_4976_ = type_18(0i, 5i);
-                                                                    phi_4979_ = bitcast<f64>(((bitcast<u64>(_e2590) / 2lu) + 2303426169912950784lu));
+                                                                    phi_4971_ = type_18(0i, 5i);
+                                                                    phi_4974_ = bitcast<f64>(((bitcast<u64>(_e2587) / 2lu) + 2303426169912950784lu));
                                                                     loop {
-                                                                        let _e2597 = phi_4976_;
-                                                                        let _e2599 = phi_4979_;
-                                                                        local_8 = _e2599;
-                                                                        if (_e2597.member < _e2597.member_1) {
-                                                                            let _e2606 = (_e2597.member + 1i);
-                                                                            phi_4977_ = type_18(select(_e2606, type_19().member_1, select(false, true, ((false == (_e2606 > _e2597.member)) != false))), _e2597.member_1);
-                                                                            phi_5020_ = type_19(1u, _e2597.member);
+                                                                        let _e2594 = phi_4971_;
+                                                                        let _e2596 = phi_4974_;
+                                                                        local_8 = _e2596;
+                                                                        if (_e2594.member < _e2594.member_1) {
+                                                                            let _e2603 = (_e2594.member + 1i);
+                                                                            phi_4972_ = type_18(select(_e2603, type_19().member_1, select(false, true, ((false == (_e2603 > _e2594.member)) != false))), _e2594.member_1);
+                                                                            phi_5015_ = type_19(1u, _e2594.member);
                                                                         } else {
-                                                                            phi_4977_ = _e2597;
-                                                                            phi_5020_ = type_19(0u, type_19().member_1);
+                                                                            phi_4972_ = _e2594;
+                                                                            phi_5015_ = type_19(0u, type_19().member_1);
                                                                         }
-                                                                        let _e2617 = phi_4977_;
-                                                                        let _e2619 = phi_5020_;
-                                                                        let _e2622 = (bitcast<i32>(_e2619.member) != 0i);
-                                                                        if _e2622 {
-                                                                            phi_4980_ = (0.5lf * (_e2599 + (_e2590 / _e2599)));
+                                                                        let _e2614 = phi_4972_;
+                                                                        let _e2616 = phi_5015_;
+                                                                        let _e2619 = (bitcast<i32>(_e2616.member) != 0i);
+                                                                        if _e2619 {
+                                                                            phi_4975_ = (0.5lf * (_e2596 + (_e2587 / _e2596)));
                                                                         } else {
-                                                                            phi_4980_ = f64();
+                                                                            phi_4975_ = f64();
                                                                         }
-                                                                        let _e2627 = phi_4980_;
+                                                                        let _e2624 = phi_4975_;
                                                                         continue;
                                                                         continuing {
-                                                                            phi_4976_ = _e2617;
-                                                                            phi_4979_ = _e2627;
-                                                                            break if !(_e2622);
+                                                                            phi_4971_ = _e2614;
+                                                                            phi_4974_ = _e2624;
+                                                                            break if !(_e2619);
                                                                         }
                                                                     }
-                                                                    let _e2632 = local_8;
-                                                                    phi_5033_ = (_e2632 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                    let _e2629 = local_8;
+                                                                    phi_5028_ = (_e2629 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                                 }
-                                                                let _e2638 = phi_5033_;
-                                                                let _e2646 = local_5.member[0u];
-                                                                let _e2652 = select(_e2646[0], -(_e2646[0]), (_e2646[0] < 0.0lf));
-                                                                let _e2655 = select(_e2646[1], -(_e2646[1]), (_e2646[1] < 0.0lf));
-                                                                let _e2657 = select(_e2655, _e2652, (_e2652 > _e2655));
-                                                                let _e2660 = select(_e2646[2], -(_e2646[2]), (_e2646[2] < 0.0lf));
-                                                                let _e2662 = select(_e2660, _e2657, (_e2657 > _e2660));
-                                                                let _e2665 = local_5.member[1u];
-                                                                let _e2671 = select(_e2665[0], -(_e2665[0]), (_e2665[0] < 0.0lf));
-                                                                let _e2674 = select(_e2665[1], -(_e2665[1]), (_e2665[1] < 0.0lf));
-                                                                let _e2676 = select(_e2674, _e2671, (_e2671 > _e2674));
-                                                                let _e2679 = select(_e2665[2], -(_e2665[2]), (_e2665[2] < 0.0lf));
-                                                                let _e2681 = select(_e2679, _e2676, (_e2676 > _e2679));
-                                                                let _e2685 = local_5.member_3;
-                                                                let _e2689 = local_5.member_1[0u];
-                                                                let _e2695 = select(_e2689[0], -(_e2689[0]), (_e2689[0] < 0.0lf));
-                                                                let _e2698 = select(_e2689[1], -(_e2689[1]), (_e2689[1] < 0.0lf));
-                                                                let _e2700 = select(_e2698, _e2695, (_e2695 > _e2698));
-                                                                let _e2703 = select(_e2689[2], -(_e2689[2]), (_e2689[2] < 0.0lf));
-                                                                let _e2705 = select(_e2703, _e2700, (_e2700 > _e2703));
-                                                                let _e2708 = local_5.member_1[1u];
-                                                                let _e2714 = select(_e2708[0], -(_e2708[0]), (_e2708[0] < 0.0lf));
-                                                                let _e2717 = select(_e2708[1], -(_e2708[1]), (_e2708[1] < 0.0lf));
-                                                                let _e2719 = select(_e2717, _e2714, (_e2714 > _e2717));
-                                                                let _e2722 = select(_e2708[2], -(_e2708[2]), (_e2708[2] < 0.0lf));
-                                                                let _e2724 = select(_e2722, _e2719, (_e2719 > _e2722));
-                                                                let _e2728 = local_5.member_3;
-                                                                let _e2732 = local_5.member_2[0u];
-                                                                let _e2738 = select(_e2732[0], -(_e2732[0]), (_e2732[0] < 0.0lf));
-                                                                let _e2741 = select(_e2732[1], -(_e2732[1]), (_e2732[1] < 0.0lf));
-                                                                let _e2743 = select(_e2741, _e2738, (_e2738 > _e2741));
-                                                                let _e2746 = select(_e2732[2], -(_e2732[2]), (_e2732[2] < 0.0lf));
-                                                                let _e2748 = select(_e2746, _e2743, (_e2743 > _e2746));
-                                                                let _e2751 = local_5.member_2[1u];
-                                                                let _e2757 = select(_e2751[0], -(_e2751[0]), (_e2751[0] < 0.0lf));
-                                                                let _e2760 = select(_e2751[1], -(_e2751[1]), (_e2751[1] < 0.0lf));
-                                                                let _e2762 = select(_e2760, _e2757, (_e2757 > _e2760));
-                                                                let _e2765 = select(_e2751[2], -(_e2751[2]), (_e2751[2] < 0.0lf));
-                                                                let _e2767 = select(_e2765, _e2762, (_e2762 > _e2765));
-                                                                let _e2771 = local_5.member_3;
-                                                                let _e2779 = local_5.member_3;
-                                                                phi_5310_ = select(true, false, (((_e2638 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e2681, _e2662, (_e2662 > _e2681)) + _e2685) + (select(_e2724, _e2705, (_e2705 > _e2724)) + _e2728)) + (select(_e2767, _e2748, (_e2748 > _e2767)) + _e2771)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2779 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e775.member_1));
+                                                                let _e2635 = phi_5028_;
+                                                                let _e2643 = local_5.member[0u];
+                                                                let _e2649 = select(_e2643[0], -(_e2643[0]), (_e2643[0] < 0.0lf));
+                                                                let _e2652 = select(_e2643[1], -(_e2643[1]), (_e2643[1] < 0.0lf));
+                                                                let _e2654 = select(_e2652, _e2649, (_e2649 > _e2652));
+                                                                let _e2657 = select(_e2643[2], -(_e2643[2]), (_e2643[2] < 0.0lf));
+                                                                let _e2659 = select(_e2657, _e2654, (_e2654 > _e2657));
+                                                                let _e2662 = local_5.member[1u];
+                                                                let _e2668 = select(_e2662[0], -(_e2662[0]), (_e2662[0] < 0.0lf));
+                                                                let _e2671 = select(_e2662[1], -(_e2662[1]), (_e2662[1] < 0.0lf));
+                                                                let _e2673 = select(_e2671, _e2668, (_e2668 > _e2671));
+                                                                let _e2676 = select(_e2662[2], -(_e2662[2]), (_e2662[2] < 0.0lf));
+                                                                let _e2678 = select(_e2676, _e2673, (_e2673 > _e2676));
+                                                                let _e2682 = local_5.member_3;
+                                                                let _e2686 = local_5.member_1[0u];
+                                                                let _e2692 = select(_e2686[0], -(_e2686[0]), (_e2686[0] < 0.0lf));
+                                                                let _e2695 = select(_e2686[1], -(_e2686[1]), (_e2686[1] < 0.0lf));
+                                                                let _e2697 = select(_e2695, _e2692, (_e2692 > _e2695));
+                                                                let _e2700 = select(_e2686[2], -(_e2686[2]), (_e2686[2] < 0.0lf));
+                                                                let _e2702 = select(_e2700, _e2697, (_e2697 > _e2700));
+                                                                let _e2705 = local_5.member_1[1u];
+                                                                let _e2711 = select(_e2705[0], -(_e2705[0]), (_e2705[0] < 0.0lf));
+                                                                let _e2714 = select(_e2705[1], -(_e2705[1]), (_e2705[1] < 0.0lf));
+                                                                let _e2716 = select(_e2714, _e2711, (_e2711 > _e2714));
+                                                                let _e2719 = select(_e2705[2], -(_e2705[2]), (_e2705[2] < 0.0lf));
+                                                                let _e2721 = select(_e2719, _e2716, (_e2716 > _e2719));
+                                                                let _e2725 = local_5.member_3;
+                                                                let _e2729 = local_5.member_2[0u];
+                                                                let _e2735 = select(_e2729[0], -(_e2729[0]), (_e2729[0] < 0.0lf));
+                                                                let _e2738 = select(_e2729[1], -(_e2729[1]), (_e2729[1] < 0.0lf));
+                                                                let _e2740 = select(_e2738, _e2735, (_e2735 > _e2738));
+                                                                let _e2743 = select(_e2729[2], -(_e2729[2]), (_e2729[2] < 0.0lf));
+                                                                let _e2745 = select(_e2743, _e2740, (_e2740 > _e2743));
+                                                                let _e2748 = local_5.member_2[1u];
+                                                                let _e2754 = select(_e2748[0], -(_e2748[0]), (_e2748[0] < 0.0lf));
+                                                                let _e2757 = select(_e2748[1], -(_e2748[1]), (_e2748[1] < 0.0lf));
+                                                                let _e2759 = select(_e2757, _e2754, (_e2754 > _e2757));
+                                                                let _e2762 = select(_e2748[2], -(_e2748[2]), (_e2748[2] < 0.0lf));
+                                                                let _e2764 = select(_e2762, _e2759, (_e2759 > _e2762));
+                                                                let _e2768 = local_5.member_3;
+                                                                let _e2776 = local_5.member_3;
+                                                                phi_5305_ = select(true, false, (((_e2635 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e2678, _e2659, (_e2659 > _e2678)) + _e2682) + (select(_e2721, _e2702, (_e2702 > _e2721)) + _e2725)) + (select(_e2764, _e2745, (_e2745 > _e2764)) + _e2768)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2776 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e772.member_1));
                                                             } else {
-                                                                phi_5310_ = true;
+                                                                phi_5305_ = true;
                                                             }
-                                                            let _e2792 = phi_5310_;
-                                                            phi_5311_ = _e2792;
+                                                            let _e2789 = phi_5305_;
+                                                            phi_5306_ = _e2789;
                                                         } else {
-                                                            phi_5311_ = true;
+                                                            phi_5306_ = true;
                                                         }
-                                                        let _e2794 = phi_5311_;
-                                                        if _e2794 {
-                                                            if _e1758 {
-                                                                let _e2798 = (_e2504 <= (_e1754 * f64(0.25f)));
-                                                                phi_5338_ = select(select(select(f64(), f64(0f), _e2798), f64(), _e2505), (_e2060 + _e2060), select(select(true, false, _e2798), true, _e2505));
+                                                        let _e2791 = phi_5306_;
+                                                        if _e2791 {
+                                                            if _e1755 {
+                                                                let _e2795 = (_e2501 <= (_e1751 * f64(0.25f)));
+                                                                phi_5333_ = select(select(select(f64(), f64(0f), _e2795), f64(), _e2502), (_e2057 + _e2057), select(select(true, false, _e2795), true, _e2502));
                                                             } else {
-                                                                phi_5338_ = (_e545 - _e1750);
+                                                                phi_5333_ = (_e542 - _e1747);
                                                             }
-                                                            let _e2807 = phi_5338_;
-                                                            phi_5339_ = _e2807;
-                                                            phi_5340_ = false;
+                                                            let _e2804 = phi_5333_;
+                                                            phi_5334_ = _e2804;
+                                                            phi_5335_ = false;
                                                         } else {
-                                                            phi_5339_ = f64();
-                                                            phi_5340_ = true;
+                                                            phi_5334_ = f64();
+                                                            phi_5335_ = true;
                                                         }
-                                                        let _e2809 = phi_5339_;
-                                                        let _e2811 = phi_5340_;
-                                                        phi_5341_ = _e2809;
-                                                        phi_5342_ = _e2504;
-                                                        phi_5343_ = _e2794;
-                                                        phi_5344_ = _e2811;
+                                                        let _e2806 = phi_5334_;
+                                                        let _e2808 = phi_5335_;
+                                                        phi_5336_ = _e2806;
+                                                        phi_5337_ = _e2501;
+                                                        phi_5338_ = _e2791;
+                                                        phi_5339_ = _e2808;
                                                     }
-                                                    let _e2813 = phi_5341_;
-                                                    let _e2815 = phi_5342_;
-                                                    let _e2817 = phi_5343_;
-                                                    let _e2819 = phi_5344_;
-                                                    phi_5345_ = _e2502;
-                                                    phi_5346_ = _e2813;
-                                                    phi_5347_ = _e2815;
-                                                    phi_5348_ = _e2502;
-                                                    phi_5349_ = _e2817;
-                                                    phi_5350_ = _e2503;
-                                                    phi_5351_ = _e2819;
-                                                    phi_5352_ = false;
+                                                    let _e2810 = phi_5336_;
+                                                    let _e2812 = phi_5337_;
+                                                    let _e2814 = phi_5338_;
+                                                    let _e2816 = phi_5339_;
+                                                    phi_5340_ = _e2499;
+                                                    phi_5341_ = _e2810;
+                                                    phi_5342_ = _e2812;
+                                                    phi_5343_ = _e2499;
+                                                    phi_5344_ = _e2814;
+                                                    phi_5345_ = _e2500;
+                                                    phi_5346_ = _e2816;
+                                                    phi_5347_ = false;
                                                 } else {
-                                                    phi_5345_ = f64();
-                                                    phi_5346_ = f64();
-                                                    phi_5347_ = f64();
-                                                    phi_5348_ = f64();
-                                                    phi_5349_ = false;
-                                                    phi_5350_ = false;
-                                                    phi_5351_ = false;
-                                                    phi_5352_ = true;
+                                                    phi_5340_ = f64();
+                                                    phi_5341_ = f64();
+                                                    phi_5342_ = f64();
+                                                    phi_5343_ = f64();
+                                                    phi_5344_ = false;
+                                                    phi_5345_ = false;
+                                                    phi_5346_ = false;
+                                                    phi_5347_ = true;
                                                 }
-                                                let _e2821 = phi_5345_;
-                                                let _e2823 = phi_5346_;
-                                                let _e2825 = phi_5347_;
-                                                let _e2827 = phi_5348_;
-                                                let _e2829 = phi_5349_;
-                                                let _e2831 = phi_5350_;
-                                                let _e2833 = phi_5351_;
-                                                let _e2835 = phi_5352_;
-                                                phi_5353_ = _e2821;
-                                                phi_5354_ = _e2823;
-                                                phi_5355_ = _e2825;
-                                                phi_5356_ = _e2827;
-                                                phi_5357_ = false;
-                                                phi_5358_ = _e2829;
-                                                phi_5359_ = _e2831;
-                                                phi_5360_ = _e2833;
-                                                phi_5361_ = _e2835;
+                                                let _e2818 = phi_5340_;
+                                                let _e2820 = phi_5341_;
+                                                let _e2822 = phi_5342_;
+                                                let _e2824 = phi_5343_;
+                                                let _e2826 = phi_5344_;
+                                                let _e2828 = phi_5345_;
+                                                let _e2830 = phi_5346_;
+                                                let _e2832 = phi_5347_;
+                                                phi_5348_ = _e2818;
+                                                phi_5349_ = _e2820;
+                                                phi_5350_ = _e2822;
+                                                phi_5351_ = _e2824;
+                                                phi_5352_ = false;
+                                                phi_5353_ = _e2826;
+                                                phi_5354_ = _e2828;
+                                                phi_5355_ = _e2830;
+                                                phi_5356_ = _e2832;
                                             } else {
-                                                phi_5353_ = f64();
-                                                phi_5354_ = f64();
-                                                phi_5355_ = f64();
-                                                phi_5356_ = f64();
-                                                phi_5357_ = true;
-                                                phi_5358_ = false;
-                                                phi_5359_ = false;
-                                                phi_5360_ = false;
-                                                phi_5361_ = false;
+                                                phi_5348_ = f64();
+                                                phi_5349_ = f64();
+                                                phi_5350_ = f64();
+                                                phi_5351_ = f64();
+                                                phi_5352_ = true;
+                                                phi_5353_ = false;
+                                                phi_5354_ = false;
+                                                phi_5355_ = false;
+                                                phi_5356_ = false;
                                             }
-                                            let _e2837 = phi_5353_;
-                                            let _e2839 = phi_5354_;
-                                            let _e2841 = phi_5355_;
-                                            let _e2843 = phi_5356_;
-                                            let _e2845 = phi_5357_;
-                                            let _e2847 = phi_5358_;
-                                            let _e2849 = phi_5359_;
-                                            let _e2851 = phi_5360_;
-                                            let _e2853 = phi_5361_;
-                                            phi_5362_ = _e2837;
-                                            phi_5363_ = _e2839;
-                                            phi_5364_ = _e2841;
-                                            phi_5365_ = _e2843;
-                                            phi_5366_ = _e2845;
-                                            phi_5367_ = _e2847;
-                                            phi_5368_ = _e2849;
-                                            phi_5369_ = _e2851;
-                                            phi_5370_ = _e2853;
+                                            let _e2834 = phi_5348_;
+                                            let _e2836 = phi_5349_;
+                                            let _e2838 = phi_5350_;
+                                            let _e2840 = phi_5351_;
+                                            let _e2842 = phi_5352_;
+                                            let _e2844 = phi_5353_;
+                                            let _e2846 = phi_5354_;
+                                            let _e2848 = phi_5355_;
+                                            let _e2850 = phi_5356_;
+                                            phi_5357_ = _e2834;
+                                            phi_5358_ = _e2836;
+                                            phi_5359_ = _e2838;
+                                            phi_5360_ = _e2840;
+                                            phi_5361_ = _e2842;
+                                            phi_5362_ = _e2844;
+                                            phi_5363_ = _e2846;
+                                            phi_5364_ = _e2848;
+                                            phi_5365_ = _e2850;
                                         } else {
-                                            phi_5362_ = f64();
-                                            phi_5363_ = f64();
-                                            phi_5364_ = f64();
-                                            phi_5365_ = f64();
-                                            phi_5366_ = true;
-                                            phi_5367_ = false;
-                                            phi_5368_ = false;
-                                            phi_5369_ = false;
-                                            phi_5370_ = false;
+                                            phi_5357_ = f64();
+                                            phi_5358_ = f64();
+                                            phi_5359_ = f64();
+                                            phi_5360_ = f64();
+                                            phi_5361_ = true;
+                                            phi_5362_ = false;
+                                            phi_5363_ = false;
+                                            phi_5364_ = false;
+                                            phi_5365_ = false;
                                         }
-                                        let _e2855 = phi_5362_;
-                                        let _e2857 = phi_5363_;
-                                        let _e2859 = phi_5364_;
-                                        let _e2861 = phi_5365_;
-                                        let _e2863 = phi_5366_;
-                                        let _e2865 = phi_5367_;
-                                        let _e2867 = phi_5368_;
-                                        let _e2869 = phi_5369_;
-                                        let _e2871 = phi_5370_;
-                                        if _e2863 {
-                                            if (_e1750 <= _e1752) {
-                                                let _e3029 = (_e1760 + 1u);
-                                                let _e3030 = (_e3029 > 3u);
-                                                phi_5710_ = _e3029;
-                                                phi_5711_ = f64();
-                                                phi_5712_ = false;
-                                                phi_5713_ = select(true, false, _e3030);
-                                                phi_5714_ = _e3030;
+                                        let _e2852 = phi_5357_;
+                                        let _e2854 = phi_5358_;
+                                        let _e2856 = phi_5359_;
+                                        let _e2858 = phi_5360_;
+                                        let _e2860 = phi_5361_;
+                                        let _e2862 = phi_5362_;
+                                        let _e2864 = phi_5363_;
+                                        let _e2866 = phi_5364_;
+                                        let _e2868 = phi_5365_;
+                                        if _e2860 {
+                                            if (_e1747 <= _e1749) {
+                                                let _e3026 = (_e1757 + 1u);
+                                                let _e3027 = (_e3026 > 3u);
+                                                phi_5705_ = _e3026;
+                                                phi_5706_ = f64();
+                                                phi_5707_ = false;
+                                                phi_5708_ = select(true, false, _e3027);
+                                                phi_5709_ = _e3027;
                                             } else {
-                                                let _e2875 = local_3.member[0u];
-                                                let _e2878 = local_3.member_1[0u];
-                                                let _e2881 = local_3.member[0u];
-                                                let _e2887 = local_3.member_2[0u];
-                                                let _e2888 = ((_e2875 + ((_e2878 - _e2881) * _e1756)) - _e2887);
-                                                let _e2891 = local_3.member[1u];
-                                                let _e2894 = local_3.member_1[1u];
-                                                let _e2897 = local_3.member[1u];
-                                                let _e2903 = local_3.member_2[1u];
-                                                let _e2904 = ((_e2891 + ((_e2894 - _e2897) * _e1756)) - _e2903);
-                                                let _e2906 = select(_e2904, _e2888, (_e2888 < _e2904));
-                                                let _e2909 = local_3.member[2u];
-                                                let _e2912 = local_3.member_1[2u];
-                                                let _e2915 = local_3.member[2u];
-                                                let _e2921 = local_3.member_2[2u];
-                                                let _e2922 = ((_e2909 + ((_e2912 - _e2915) * _e1756)) - _e2921);
-                                                let _e2925 = local_3.member[3u];
-                                                let _e2928 = local_3.member_1[3u];
-                                                let _e2931 = local_3.member[3u];
-                                                let _e2937 = local_3.member_2[3u];
-                                                let _e2938 = ((_e2925 + ((_e2928 - _e2931) * _e1756)) - _e2937);
-                                                let _e2940 = select(_e2938, _e2922, (_e2922 < _e2938));
-                                                let _e2942 = select(_e2940, _e2906, (_e2906 < _e2940));
-                                                let _e2945 = local_4.member[0u];
-                                                let _e2948 = local_4.member_1[0u];
-                                                let _e2951 = local_4.member[0u];
-                                                let _e2957 = local_4.member_2[0u];
-                                                let _e2958 = ((_e2945 + ((_e2948 - _e2951) * _e1750)) - _e2957);
-                                                let _e2961 = local_4.member[1u];
-                                                let _e2964 = local_4.member_1[1u];
-                                                let _e2967 = local_4.member[1u];
-                                                let _e2973 = local_4.member_2[1u];
-                                                let _e2974 = ((_e2961 + ((_e2964 - _e2967) * _e1750)) - _e2973);
-                                                let _e2976 = select(_e2974, _e2958, (_e2958 < _e2974));
-                                                let _e2979 = local_4.member[2u];
-                                                let _e2982 = local_4.member_1[2u];
-                                                let _e2985 = local_4.member[2u];
-                                                let _e2991 = local_4.member_2[2u];
-                                                let _e2992 = ((_e2979 + ((_e2982 - _e2985) * _e1750)) - _e2991);
-                                                let _e2995 = local_4.member[3u];
-                                                let _e2998 = local_4.member_1[3u];
-                                                let _e3001 = local_4.member[3u];
-                                                let _e3007 = local_4.member_2[3u];
-                                                let _e3008 = ((_e2995 + ((_e2998 - _e3001) * _e1750)) - _e3007);
-                                                let _e3010 = select(_e3008, _e2992, (_e2992 < _e3008));
-                                                let _e3012 = select(_e3010, _e2976, (_e2976 < _e3010));
-                                                let _e3013 = f64(0.0625f);
-                                                let _e3015 = f64(0.9f);
-                                                if (_e3012 > f64(0f)) {
-                                                    phi_5708_ = f64(0.5f);
+                                                let _e2872 = local_3.member[0u];
+                                                let _e2875 = local_3.member_1[0u];
+                                                let _e2878 = local_3.member[0u];
+                                                let _e2884 = local_3.member_2[0u];
+                                                let _e2885 = ((_e2872 + ((_e2875 - _e2878) * _e1753)) - _e2884);
+                                                let _e2888 = local_3.member[1u];
+                                                let _e2891 = local_3.member_1[1u];
+                                                let _e2894 = local_3.member[1u];
+                                                let _e2900 = local_3.member_2[1u];
+                                                let _e2901 = ((_e2888 + ((_e2891 - _e2894) * _e1753)) - _e2900);
+                                                let _e2903 = select(_e2901, _e2885, (_e2885 < _e2901));
+                                                let _e2906 = local_3.member[2u];
+                                                let _e2909 = local_3.member_1[2u];
+                                                let _e2912 = local_3.member[2u];
+                                                let _e2918 = local_3.member_2[2u];
+                                                let _e2919 = ((_e2906 + ((_e2909 - _e2912) * _e1753)) - _e2918);
+                                                let _e2922 = local_3.member[3u];
+                                                let _e2925 = local_3.member_1[3u];
+                                                let _e2928 = local_3.member[3u];
+                                                let _e2934 = local_3.member_2[3u];
+                                                let _e2935 = ((_e2922 + ((_e2925 - _e2928) * _e1753)) - _e2934);
+                                                let _e2937 = select(_e2935, _e2919, (_e2919 < _e2935));
+                                                let _e2939 = select(_e2937, _e2903, (_e2903 < _e2937));
+                                                let _e2942 = local_4.member[0u];
+                                                let _e2945 = local_4.member_1[0u];
+                                                let _e2948 = local_4.member[0u];
+                                                let _e2954 = local_4.member_2[0u];
+                                                let _e2955 = ((_e2942 + ((_e2945 - _e2948) * _e1747)) - _e2954);
+                                                let _e2958 = local_4.member[1u];
+                                                let _e2961 = local_4.member_1[1u];
+                                                let _e2964 = local_4.member[1u];
+                                                let _e2970 = local_4.member_2[1u];
+                                                let _e2971 = ((_e2958 + ((_e2961 - _e2964) * _e1747)) - _e2970);
+                                                let _e2973 = select(_e2971, _e2955, (_e2955 < _e2971));
+                                                let _e2976 = local_4.member[2u];
+                                                let _e2979 = local_4.member_1[2u];
+                                                let _e2982 = local_4.member[2u];
+                                                let _e2988 = local_4.member_2[2u];
+                                                let _e2989 = ((_e2976 + ((_e2979 - _e2982) * _e1747)) - _e2988);
+                                                let _e2992 = local_4.member[3u];
+                                                let _e2995 = local_4.member_1[3u];
+                                                let _e2998 = local_4.member[3u];
+                                                let _e3004 = local_4.member_2[3u];
+                                                let _e3005 = ((_e2992 + ((_e2995 - _e2998) * _e1747)) - _e3004);
+                                                let _e3007 = select(_e3005, _e2989, (_e2989 < _e3005));
+                                                let _e3009 = select(_e3007, _e2973, (_e2973 < _e3007));
+                                                let _e3010 = f64(0.0625f);
+                                                let _e3012 = f64(0.9f);
+                                                if (_e3009 > f64(0f)) {
+                                                    phi_5703_ = f64(0.5f);
                                                 } else {
-                                                    let _e3021 = (f64(0.95f) * (_e2942 / (_e2942 - _e3012)));
-                                                    phi_5708_ = select(_e3013, select(_e3015, _e3021, (_e3021 < _e3015)), (_e3021 > _e3013));
+                                                    let _e3018 = (f64(0.95f) * (_e2939 / (_e2939 - _e3009)));
+                                                    phi_5703_ = select(_e3010, select(_e3012, _e3018, (_e3018 < _e3012)), (_e3018 > _e3010));
                                                 }
-                                                let _e3027 = phi_5708_;
-                                                phi_5710_ = u32();
-                                                phi_5711_ = (_e2060 * _e3027);
-                                                phi_5712_ = true;
-                                                phi_5713_ = false;
-                                                phi_5714_ = false;
+                                                let _e3024 = phi_5703_;
+                                                phi_5705_ = u32();
+                                                phi_5706_ = (_e2057 * _e3024);
+                                                phi_5707_ = true;
+                                                phi_5708_ = false;
+                                                phi_5709_ = false;
                                             }
-                                            let _e3033 = phi_5710_;
-                                            let _e3035 = phi_5711_;
-                                            let _e3037 = phi_5712_;
-                                            let _e3039 = phi_5713_;
-                                            let _e3041 = phi_5714_;
-                                            phi_5715_ = _e3033;
-                                            phi_5716_ = _e1752;
-                                            phi_5717_ = _e3035;
-                                            phi_5718_ = _e1754;
-                                            phi_5719_ = _e1756;
-                                            phi_5720_ = _e1758;
-                                            phi_5721_ = _e1760;
-                                            phi_5722_ = _e3037;
-                                            phi_5723_ = _e3039;
-                                            phi_5724_ = _e3041;
-                                            phi_5725_ = false;
-                                            phi_5726_ = false;
-                                            phi_5727_ = false;
+                                            let _e3030 = phi_5705_;
+                                            let _e3032 = phi_5706_;
+                                            let _e3034 = phi_5707_;
+                                            let _e3036 = phi_5708_;
+                                            let _e3038 = phi_5709_;
+                                            phi_5710_ = _e3030;
+                                            phi_5711_ = _e1749;
+                                            phi_5712_ = _e3032;
+                                            phi_5713_ = _e1751;
+                                            phi_5714_ = _e1753;
+                                            phi_5715_ = _e1755;
+                                            phi_5716_ = _e1757;
+                                            phi_5717_ = _e3034;
+                                            phi_5718_ = _e3036;
+                                            phi_5719_ = _e3038;
+                                            phi_5720_ = false;
+                                            phi_5721_ = false;
+                                            phi_5722_ = false;
                                         } else {
-                                            phi_5715_ = u32();
-                                            phi_5716_ = _e2855;
-                                            phi_5717_ = _e2857;
-                                            phi_5718_ = _e2859;
-                                            phi_5719_ = _e1750;
-                                            phi_5720_ = true;
-                                            phi_5721_ = 0u;
-                                            phi_5722_ = _e2865;
-                                            phi_5723_ = false;
-                                            phi_5724_ = false;
-                                            phi_5725_ = _e2867;
-                                            phi_5726_ = _e2869;
-                                            phi_5727_ = _e2871;
+                                            phi_5710_ = u32();
+                                            phi_5711_ = _e2852;
+                                            phi_5712_ = _e2854;
+                                            phi_5713_ = _e2856;
+                                            phi_5714_ = _e1747;
+                                            phi_5715_ = true;
+                                            phi_5716_ = 0u;
+                                            phi_5717_ = _e2862;
+                                            phi_5718_ = false;
+                                            phi_5719_ = false;
+                                            phi_5720_ = _e2864;
+                                            phi_5721_ = _e2866;
+                                            phi_5722_ = _e2868;
                                         }
-                                        let _e3043 = phi_5715_;
-                                        let _e3045 = phi_5716_;
-                                        let _e3047 = phi_5717_;
-                                        let _e3049 = phi_5718_;
-                                        let _e3051 = phi_5719_;
-                                        let _e3053 = phi_5720_;
-                                        let _e3055 = phi_5721_;
-                                        let _e3057 = phi_5722_;
-                                        let _e3059 = phi_5723_;
-                                        let _e3061 = phi_5724_;
-                                        let _e3063 = phi_5725_;
-                                        let _e3065 = phi_5726_;
-                                        let _e3067 = phi_5727_;
-                                        if _e3057 {
-                                            let _e3068 = (_e3051 + _e3047);
-                                            let _e3070 = select(_e3045, _e3068, (_e3068 > _e3045));
-                                            let _e3072 = select(_e545, _e3070, (_e3070 < _e545));
-                                            let _e3075 = select(((_e3072 - _e3051) > _e1739), true, !(_e1758));
-                                            phi_5755_ = _e3072;
-                                            phi_5756_ = _e3045;
-                                            phi_5757_ = _e3049;
-                                            phi_5758_ = _e3051;
-                                            phi_5759_ = _e3053;
-                                            phi_5760_ = _e3055;
-                                            phi_5761_ = _e3075;
-                                            phi_5762_ = select(true, false, _e3075);
-                                            phi_5763_ = false;
-                                            phi_5764_ = false;
-                                            phi_5765_ = false;
-                                            phi_5766_ = false;
+                                        let _e3040 = phi_5710_;
+                                        let _e3042 = phi_5711_;
+                                        let _e3044 = phi_5712_;
+                                        let _e3046 = phi_5713_;
+                                        let _e3048 = phi_5714_;
+                                        let _e3050 = phi_5715_;
+                                        let _e3052 = phi_5716_;
+                                        let _e3054 = phi_5717_;
+                                        let _e3056 = phi_5718_;
+                                        let _e3058 = phi_5719_;
+                                        let _e3060 = phi_5720_;
+                                        let _e3062 = phi_5721_;
+                                        let _e3064 = phi_5722_;
+                                        if _e3054 {
+                                            let _e3065 = (_e3048 + _e3044);
+                                            let _e3067 = select(_e3042, _e3065, (_e3065 > _e3042));
+                                            let _e3069 = select(_e542, _e3067, (_e3067 < _e542));
+                                            let _e3072 = select(((_e3069 - _e3048) > _e1736), true, !(_e1755));
+                                            phi_5750_ = _e3069;
+                                            phi_5751_ = _e3042;
+                                            phi_5752_ = _e3046;
+                                            phi_5753_ = _e3048;
+                                            phi_5754_ = _e3050;
+                                            phi_5755_ = _e3052;
+                                            phi_5756_ = _e3072;
+                                            phi_5757_ = select(true, false, _e3072);
+                                            phi_5758_ = false;
+                                            phi_5759_ = false;
+                                            phi_5760_ = false;
+                                            phi_5761_ = false;
                                         } else {
-                                            phi_5755_ = _e1750;
-                                            phi_5756_ = _e1752;
-                                            phi_5757_ = _e1754;
-                                            phi_5758_ = _e1756;
-                                            phi_5759_ = _e1758;
-                                            phi_5760_ = _e3043;
-                                            phi_5761_ = _e3059;
-                                            phi_5762_ = false;
-                                            phi_5763_ = _e3061;
-                                            phi_5764_ = _e3063;
-                                            phi_5765_ = _e3065;
-                                            phi_5766_ = _e3067;
+                                            phi_5750_ = _e1747;
+                                            phi_5751_ = _e1749;
+                                            phi_5752_ = _e1751;
+                                            phi_5753_ = _e1753;
+                                            phi_5754_ = _e1755;
+                                            phi_5755_ = _e3040;
+                                            phi_5756_ = _e3056;
+                                            phi_5757_ = false;
+                                            phi_5758_ = _e3058;
+                                            phi_5759_ = _e3060;
+                                            phi_5760_ = _e3062;
+                                            phi_5761_ = _e3064;
                                         }
-                                        let _e3078 = phi_5755_;
-                                        let _e3080 = phi_5756_;
-                                        let _e3082 = phi_5757_;
-                                        let _e3084 = phi_5758_;
-                                        let _e3086 = phi_5759_;
-                                        let _e3088 = phi_5760_;
-                                        let _e3090 = phi_5761_;
-                                        let _e3092 = phi_5762_;
-                                        let _e3094 = phi_5763_;
-                                        let _e3096 = phi_5764_;
-                                        let _e3098 = phi_5765_;
-                                        let _e3100 = phi_5766_;
-                                        phi_3545_ = _e3078;
-                                        phi_3547_ = _e3080;
-                                        phi_3549_ = _e3082;
-                                        phi_3551_ = _e3084;
-                                        phi_3553_ = _e3086;
-                                        phi_3555_ = _e3088;
-                                        phi_5767_ = _e3045;
-                                        phi_5768_ = _e2861;
-                                        phi_5769_ = _e3090;
-                                        phi_5770_ = _e3092;
-                                        phi_5771_ = _e3094;
-                                        phi_5772_ = _e3096;
-                                        phi_5773_ = _e3098;
-                                        phi_5774_ = false;
-                                        phi_5775_ = _e3100;
-                                    } else {
-                                        phi_3545_ = f64();
-                                        phi_3547_ = f64();
-                                        phi_3549_ = f64();
-                                        phi_3551_ = f64();
-                                        phi_3553_ = bool();
-                                        phi_3555_ = u32();
-                                        phi_5767_ = f64();
-                                        phi_5768_ = f64();
+                                        let _e3075 = phi_5750_;
+                                        let _e3077 = phi_5751_;
+                                        let _e3079 = phi_5752_;
+                                        let _e3081 = phi_5753_;
+                                        let _e3083 = phi_5754_;
+                                        let _e3085 = phi_5755_;
+                                        let _e3087 = phi_5756_;
+                                        let _e3089 = phi_5757_;
+                                        let _e3091 = phi_5758_;
+                                        let _e3093 = phi_5759_;
+                                        let _e3095 = phi_5760_;
+                                        let _e3097 = phi_5761_;
+                                        phi_3540_ = _e3075;
+                                        phi_3542_ = _e3077;
+                                        phi_3544_ = _e3079;
+                                        phi_3546_ = _e3081;
+                                        phi_3548_ = _e3083;
+                                        phi_3550_ = _e3085;
+                                        phi_5762_ = _e3042;
+                                        phi_5763_ = _e2858;
+                                        phi_5764_ = _e3087;
+                                        phi_5765_ = _e3089;
+                                        phi_5766_ = _e3091;
+                                        phi_5767_ = _e3093;
+                                        phi_5768_ = _e3095;
                                         phi_5769_ = false;
+                                        phi_5770_ = _e3097;
+                                    } else {
+                                        phi_3540_ = f64();
+                                        phi_3542_ = f64();
+                                        phi_3544_ = f64();
+                                        phi_3546_ = f64();
+                                        phi_3548_ = bool();
+                                        phi_3550_ = u32();
+                                        phi_5762_ = f64();
+                                        phi_5763_ = f64();
+                                        phi_5764_ = false;
+                                        phi_5765_ = false;
+                                        phi_5766_ = false;
+                                        phi_5767_ = false;
+                                        phi_5768_ = false;
+                                        phi_5769_ = true;
                                         phi_5770_ = false;
-                                        phi_5771_ = false;
-                                        phi_5772_ = false;
-                                        phi_5773_ = false;
-                                        phi_5774_ = true;
-                                        phi_5775_ = false;
                                     }
-                                    let _e3102 = phi_3545_;
-                                    let _e3104 = phi_3547_;
-                                    let _e3106 = phi_3549_;
-                                    let _e3108 = phi_3551_;
-                                    let _e3110 = phi_3553_;
-                                    let _e3112 = phi_3555_;
-                                    let _e3114 = phi_5767_;
-                                    let _e3116 = phi_5768_;
-                                    let _e3118 = phi_5769_;
-                                    let _e3120 = phi_5770_;
-                                    let _e3122 = phi_5771_;
-                                    let _e3124 = phi_5772_;
-                                    let _e3126 = phi_5773_;
-                                    let _e3128 = phi_5774_;
-                                    let _e3130 = phi_5775_;
-                                    local_9 = _e3120;
-                                    local_10 = _e3122;
-                                    local_11 = _e3120;
-                                    local_12 = _e3124;
-                                    local_13 = _e3120;
-                                    local_14 = _e3126;
-                                    local_15 = _e3120;
-                                    local_16 = _e3128;
-                                    local_17 = _e3120;
-                                    local_18 = _e3130;
-                                    local_20 = _e3120;
-                                    local_21 = _e3116;
-                                    local_22 = _e3114;
+                                    let _e3099 = phi_3540_;
+                                    let _e3101 = phi_3542_;
+                                    let _e3103 = phi_3544_;
+                                    let _e3105 = phi_3546_;
+                                    let _e3107 = phi_3548_;
+                                    let _e3109 = phi_3550_;
+                                    let _e3111 = phi_5762_;
+                                    let _e3113 = phi_5763_;
+                                    let _e3115 = phi_5764_;
+                                    let _e3117 = phi_5765_;
+                                    let _e3119 = phi_5766_;
+                                    let _e3121 = phi_5767_;
+                                    let _e3123 = phi_5768_;
+                                    let _e3125 = phi_5769_;
+                                    let _e3127 = phi_5770_;
+                                    local_9 = _e3117;
+                                    local_10 = _e3119;
+                                    local_11 = _e3117;
+                                    local_12 = _e3121;
+                                    local_13 = _e3117;
+                                    local_14 = _e3123;
+                                    local_15 = _e3117;
+                                    local_16 = _e3125;
+                                    local_17 = _e3117;
+                                    local_18 = _e3127;
+                                    local_20 = _e3117;
+                                    local_21 = _e3113;
+                                    local_22 = _e3111;
                                     continue;
                                     continuing {
-                                        phi_3541_ = type_9(select(_e1748.member, (_e1748.member + 1u), _e1763), select(_e1748.member_1, _e1748.member_1, _e1763));
-                                        phi_3544_ = _e3102;
-                                        phi_3546_ = _e3104;
-                                        phi_3548_ = _e3106;
-                                        phi_3550_ = _e3108;
-                                        phi_3552_ = _e3110;
-                                        phi_3554_ = _e3112;
-                                        break if !(_e3118);
+                                        phi_3536_ = type_9(select(_e1745.member, (_e1745.member + 1u), _e1760), select(_e1745.member_1, _e1745.member_1, _e1760));
+                                        phi_3539_ = _e3099;
+                                        phi_3541_ = _e3101;
+                                        phi_3543_ = _e3103;
+                                        phi_3545_ = _e3105;
+                                        phi_3547_ = _e3107;
+                                        phi_3549_ = _e3109;
+                                        break if !(_e3115);
                                     }
                                 }
-                                let _e3133 = local_9;
-                                let _e3135 = local_10;
-                                let _e3136 = select(_e3135, false, _e3133);
-                                let _e3138 = local_11;
-                                let _e3140 = local_12;
-                                let _e3143 = local_13;
-                                let _e3145 = local_14;
-                                let _e3148 = local_15;
-                                let _e3150 = local_16;
-                                let _e3153 = local_17;
-                                let _e3155 = local_18;
-                                let _e3161 = local_19;
-                                let _e3163 = select(select(_e3140, false, _e3138), false, _e3136);
-                                let _e3166 = local_20;
-                                let _e3173 = select(select(select(_e3145, false, _e3143), false, _e3136), false, _e3163);
-                                let _e3179 = local_21;
-                                let _e3181 = local_22;
-                                let _e3183 = select(select(select(_e3166, false, _e3136), false, _e3163), true, _e3173);
-                                let _e3188 = local_23;
-                                let _e3190 = select(select(select(select(select(_e3150, false, _e3148), false, _e3136), false, _e3163), false, _e3173), true, _e3183);
-                                let _e3197 = select(select(select(select(select(select(_e3155, false, _e3153), false, _e3136), false, _e3163), false, _e3173), false, _e3183), false, _e3190);
-                                let _e3202 = select(select(select(select(select(_e3136, true, _e3163), false, _e3173), false, _e3183), false, _e3190), true, _e3197);
-                                phi_5842_ = select(select(type_38().member_1, select(_e3188, select(_e3181, _e3179, _e3173), _e3183), _e3190), select(select(select(type_38().member_1, _e3161, _e3136), type_38().member_1, _e3163), type_38().member_1, _e3197), _e3202);
-                                phi_5843_ = (select(select(type_38().member, 1u, _e3190), select(select(select(type_38().member, 1u, _e3136), 0u, _e3163), 0u, _e3197), _e3202) != 0u);
+                                let _e3130 = local_9;
+                                let _e3132 = local_10;
+                                let _e3133 = select(_e3132, false, _e3130);
+                                let _e3135 = local_11;
+                                let _e3137 = local_12;
+                                let _e3140 = local_13;
+                                let _e3142 = local_14;
+                                let _e3145 = local_15;
+                                let _e3147 = local_16;
+                                let _e3150 = local_17;
+                                let _e3152 = local_18;
+                                let _e3158 = local_19;
+                                let _e3160 = select(select(_e3137, false, _e3135), false, _e3133);
+                                let _e3163 = local_20;
+                                let _e3170 = select(select(select(_e3142, false, _e3140), false, _e3133), false, _e3160);
+                                let _e3176 = local_21;
+                                let _e3178 = local_22;
+                                let _e3180 = select(select(select(_e3163, false, _e3133), false, _e3160), true, _e3170);
+                                let _e3185 = local_23;
+                                let _e3187 = select(select(select(select(select(_e3147, false, _e3145), false, _e3133), false, _e3160), false, _e3170), true, _e3180);
+                                let _e3194 = select(select(select(select(select(select(_e3152, false, _e3150), false, _e3133), false, _e3160), false, _e3170), false, _e3180), false, _e3187);
+                                let _e3199 = select(select(select(select(select(_e3133, true, _e3160), false, _e3170), false, _e3180), false, _e3187), true, _e3194);
+                                phi_5837_ = select(select(type_37().member_1, select(_e3185, select(_e3178, _e3176, _e3170), _e3180), _e3187), select(select(select(type_37().member_1, _e3158, _e3133), type_37().member_1, _e3160), type_37().member_1, _e3194), _e3199);
+                                phi_5838_ = (select(select(type_37().member, 1u, _e3187), select(select(select(type_37().member, 1u, _e3133), 0u, _e3160), 0u, _e3194), _e3199) != 0u);
                             } else {
-                                phi_5842_ = _e1502;
-                                phi_5843_ = true;
+                                phi_5837_ = _e1499;
+                                phi_5838_ = true;
                             }
-                            let _e3207 = phi_5842_;
-                            let _e3209 = phi_5843_;
-                            if _e3209 {
-                                let _e3210 = (_e3207 > _e536);
-                                if _e3210 {
-                                    phi_8050_ = f64();
-                                    phi_8051_ = u32();
-                                    phi_8052_ = f64();
-                                    phi_8053_ = type_42();
-                                    phi_8054_ = u32();
-                                    phi_8055_ = u32();
-                                    phi_8056_ = false;
-                                    phi_8057_ = false;
-                                    phi_8058_ = false;
+                            let _e3204 = phi_5837_;
+                            let _e3206 = phi_5838_;
+                            if _e3206 {
+                                let _e3207 = (_e3204 > _e533);
+                                if _e3207 {
+                                    phi_8045_ = f64();
+                                    phi_8046_ = u32();
+                                    phi_8047_ = f64();
+                                    phi_8048_ = type_41();
+                                    phi_8049_ = u32();
+                                    phi_8050_ = u32();
+                                    phi_8051_ = false;
+                                    phi_8052_ = false;
+                                    phi_8053_ = false;
                                 } else {
-                                    let _e3214 = local_5.member[0u];
-                                    let _e3220 = local_5.member[1u];
-                                    let _e3236 = local_5.member_1[0u];
-                                    let _e3242 = local_5.member_1[1u];
-                                    let _e3258 = local_5.member_2[0u];
-                                    let _e3264 = local_5.member_2[1u];
-                                    let _e3278 = function_3(array<f64, 3>((_e3214[0] + ((_e3220[0] - _e3214[0]) * _e1506)), (_e3214[1] + ((_e3220[1] - _e3214[1]) * _e1506)), (_e3214[2] + ((_e3220[2] - _e3214[2]) * _e1506))), array<f64, 3>((_e3236[0] + ((_e3242[0] - _e3236[0]) * _e1506)), (_e3236[1] + ((_e3242[1] - _e3236[1]) * _e1506)), (_e3236[2] + ((_e3242[2] - _e3236[2]) * _e1506))), array<f64, 3>((_e3258[0] + ((_e3264[0] - _e3258[0]) * _e1506)), (_e3258[1] + ((_e3264[1] - _e3258[1]) * _e1506)), (_e3258[2] + ((_e3264[2] - _e3258[2]) * _e1506))), _e224.member);
-                                    let _e3292 = ((select(_e3278[0], -(_e3278[0]), (_e3278[0] < 0.0lf)) + select(_e3278[1], -(_e3278[1]), (_e3278[1] < 0.0lf))) + select(_e3278[2], -(_e3278[2]), (_e3278[2] < 0.0lf)));
-                                    let _e3295 = local_5.member[0u];
-                                    let _e3301 = local_5.member_1[0u];
-                                    let _e3307 = local_5.member_2[0u];
-                                    let _e3311 = (_e3295[0] - _e3301[0]);
-                                    let _e3312 = (_e3295[1] - _e3301[1]);
-                                    let _e3313 = (_e3295[2] - _e3301[2]);
-                                    let _e3314 = (_e224.member == 0u);
-                                    let _e3326 = local_5.member[1u];
-                                    let _e3332 = local_5.member_1[1u];
-                                    let _e3338 = local_5.member_2[1u];
-                                    let _e3342 = (_e3326[0] - _e3332[0]);
-                                    let _e3343 = (_e3326[1] - _e3332[1]);
-                                    let _e3344 = (_e3326[2] - _e3332[2]);
-                                    let _e3345 = (_e224.member == 0u);
-                                    let _e3357 = local_5.member[0u];
-                                    let _e3363 = select(_e3357[0], -(_e3357[0]), (_e3357[0] < 0.0lf));
-                                    let _e3366 = select(_e3357[1], -(_e3357[1]), (_e3357[1] < 0.0lf));
-                                    let _e3368 = select(_e3366, _e3363, (_e3363 > _e3366));
-                                    let _e3371 = select(_e3357[2], -(_e3357[2]), (_e3357[2] < 0.0lf));
-                                    let _e3373 = select(_e3371, _e3368, (_e3368 > _e3371));
-                                    let _e3376 = local_5.member[1u];
-                                    let _e3382 = select(_e3376[0], -(_e3376[0]), (_e3376[0] < 0.0lf));
-                                    let _e3385 = select(_e3376[1], -(_e3376[1]), (_e3376[1] < 0.0lf));
-                                    let _e3387 = select(_e3385, _e3382, (_e3382 > _e3385));
-                                    let _e3390 = select(_e3376[2], -(_e3376[2]), (_e3376[2] < 0.0lf));
-                                    let _e3392 = select(_e3390, _e3387, (_e3387 > _e3390));
-                                    let _e3396 = local_5.member_3;
-                                    let _e3400 = local_5.member_1[0u];
-                                    let _e3406 = select(_e3400[0], -(_e3400[0]), (_e3400[0] < 0.0lf));
-                                    let _e3409 = select(_e3400[1], -(_e3400[1]), (_e3400[1] < 0.0lf));
-                                    let _e3411 = select(_e3409, _e3406, (_e3406 > _e3409));
-                                    let _e3414 = select(_e3400[2], -(_e3400[2]), (_e3400[2] < 0.0lf));
-                                    let _e3416 = select(_e3414, _e3411, (_e3411 > _e3414));
-                                    let _e3419 = local_5.member_1[1u];
-                                    let _e3425 = select(_e3419[0], -(_e3419[0]), (_e3419[0] < 0.0lf));
-                                    let _e3428 = select(_e3419[1], -(_e3419[1]), (_e3419[1] < 0.0lf));
-                                    let _e3430 = select(_e3428, _e3425, (_e3425 > _e3428));
-                                    let _e3433 = select(_e3419[2], -(_e3419[2]), (_e3419[2] < 0.0lf));
-                                    let _e3435 = select(_e3433, _e3430, (_e3430 > _e3433));
-                                    let _e3439 = local_5.member_3;
-                                    let _e3443 = local_5.member_2[0u];
-                                    let _e3449 = select(_e3443[0], -(_e3443[0]), (_e3443[0] < 0.0lf));
-                                    let _e3452 = select(_e3443[1], -(_e3443[1]), (_e3443[1] < 0.0lf));
-                                    let _e3454 = select(_e3452, _e3449, (_e3449 > _e3452));
-                                    let _e3457 = select(_e3443[2], -(_e3443[2]), (_e3443[2] < 0.0lf));
-                                    let _e3459 = select(_e3457, _e3454, (_e3454 > _e3457));
-                                    let _e3462 = local_5.member_2[1u];
-                                    let _e3468 = select(_e3462[0], -(_e3462[0]), (_e3462[0] < 0.0lf));
-                                    let _e3471 = select(_e3462[1], -(_e3462[1]), (_e3462[1] < 0.0lf));
-                                    let _e3473 = select(_e3471, _e3468, (_e3468 > _e3471));
-                                    let _e3476 = select(_e3462[2], -(_e3462[2]), (_e3462[2] < 0.0lf));
-                                    let _e3478 = select(_e3476, _e3473, (_e3473 > _e3476));
-                                    let _e3482 = local_5.member_3;
-                                    let _e3490 = local_5.member_3;
-                                    local_1 = type_41(array<array<array<f64, 3>, 4>, 2>(array<array<f64, 3>, 4>(_e3295, array<f64, 3>(_e3311, _e3312, _e3313), array<f64, 3>((_e3295[0] - _e3307[0]), (_e3295[1] - _e3307[1]), (_e3295[2] - _e3307[2])), array<f64, 3>(select((_e3311 - _e3307[0]), _e3295[0], _e3314), select((_e3312 - _e3307[1]), _e3295[1], _e3314), select((_e3313 - _e3307[2]), _e3295[2], _e3314))), array<array<f64, 3>, 4>(_e3326, array<f64, 3>(_e3342, _e3343, _e3344), array<f64, 3>((_e3326[0] - _e3338[0]), (_e3326[1] - _e3338[1]), (_e3326[2] - _e3338[2])), array<f64, 3>(select((_e3342 - _e3338[0]), _e3326[0], _e3345), select((_e3343 - _e3338[1]), _e3326[1], _e3345), select((_e3344 - _e3338[2]), _e3326[2], _e3345)))), ((((((select(_e3392, _e3373, (_e3373 > _e3392)) + _e3396) + (select(_e3435, _e3416, (_e3416 > _e3435)) + _e3439)) + (select(_e3478, _e3459, (_e3459 > _e3478)) + _e3482)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3490 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))), _e775.member_1);
-                                    let _e3508 = local_1.member_1;
-                                    if (_e3292 > _e3508) {
-                                        if ((bitcast<u64>(_e3292) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                            let _e3514 = (f64(1f) / _e3292);
-                                            let _e3516 = (_e3278[0] * _e3514);
-                                            let _e3518 = (_e3278[1] * _e3514);
-                                            let _e3520 = (_e3278[2] * _e3514);
-                                            let _e3525 = (((_e3516 * _e3516) + (_e3518 * _e3518)) + (_e3520 * _e3520));
-                                            if (_e3525 <= 2.2250738585072014e-308lf) {
-                                                phi_6525_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3525 > 0.0lf));
+                                    let _e3211 = local_5.member[0u];
+                                    let _e3217 = local_5.member[1u];
+                                    let _e3233 = local_5.member_1[0u];
+                                    let _e3239 = local_5.member_1[1u];
+                                    let _e3255 = local_5.member_2[0u];
+                                    let _e3261 = local_5.member_2[1u];
+                                    let _e3275 = function_3(array<f64, 3>((_e3211[0] + ((_e3217[0] - _e3211[0]) * _e1503)), (_e3211[1] + ((_e3217[1] - _e3211[1]) * _e1503)), (_e3211[2] + ((_e3217[2] - _e3211[2]) * _e1503))), array<f64, 3>((_e3233[0] + ((_e3239[0] - _e3233[0]) * _e1503)), (_e3233[1] + ((_e3239[1] - _e3233[1]) * _e1503)), (_e3233[2] + ((_e3239[2] - _e3233[2]) * _e1503))), array<f64, 3>((_e3255[0] + ((_e3261[0] - _e3255[0]) * _e1503)), (_e3255[1] + ((_e3261[1] - _e3255[1]) * _e1503)), (_e3255[2] + ((_e3261[2] - _e3255[2]) * _e1503))), _e221.member);
+                                    let _e3289 = ((select(_e3275[0], -(_e3275[0]), (_e3275[0] < 0.0lf)) + select(_e3275[1], -(_e3275[1]), (_e3275[1] < 0.0lf))) + select(_e3275[2], -(_e3275[2]), (_e3275[2] < 0.0lf)));
+                                    let _e3292 = local_5.member[0u];
+                                    let _e3298 = local_5.member_1[0u];
+                                    let _e3304 = local_5.member_2[0u];
+                                    let _e3308 = (_e3292[0] - _e3298[0]);
+                                    let _e3309 = (_e3292[1] - _e3298[1]);
+                                    let _e3310 = (_e3292[2] - _e3298[2]);
+                                    let _e3311 = (_e221.member == 0u);
+                                    let _e3323 = local_5.member[1u];
+                                    let _e3329 = local_5.member_1[1u];
+                                    let _e3335 = local_5.member_2[1u];
+                                    let _e3339 = (_e3323[0] - _e3329[0]);
+                                    let _e3340 = (_e3323[1] - _e3329[1]);
+                                    let _e3341 = (_e3323[2] - _e3329[2]);
+                                    let _e3342 = (_e221.member == 0u);
+                                    let _e3354 = local_5.member[0u];
+                                    let _e3360 = select(_e3354[0], -(_e3354[0]), (_e3354[0] < 0.0lf));
+                                    let _e3363 = select(_e3354[1], -(_e3354[1]), (_e3354[1] < 0.0lf));
+                                    let _e3365 = select(_e3363, _e3360, (_e3360 > _e3363));
+                                    let _e3368 = select(_e3354[2], -(_e3354[2]), (_e3354[2] < 0.0lf));
+                                    let _e3370 = select(_e3368, _e3365, (_e3365 > _e3368));
+                                    let _e3373 = local_5.member[1u];
+                                    let _e3379 = select(_e3373[0], -(_e3373[0]), (_e3373[0] < 0.0lf));
+                                    let _e3382 = select(_e3373[1], -(_e3373[1]), (_e3373[1] < 0.0lf));
+                                    let _e3384 = select(_e3382, _e3379, (_e3379 > _e3382));
+                                    let _e3387 = select(_e3373[2], -(_e3373[2]), (_e3373[2] < 0.0lf));
+                                    let _e3389 = select(_e3387, _e3384, (_e3384 > _e3387));
+                                    let _e3393 = local_5.member_3;
+                                    let _e3397 = local_5.member_1[0u];
+                                    let _e3403 = select(_e3397[0], -(_e3397[0]), (_e3397[0] < 0.0lf));
+                                    let _e3406 = select(_e3397[1], -(_e3397[1]), (_e3397[1] < 0.0lf));
+                                    let _e3408 = select(_e3406, _e3403, (_e3403 > _e3406));
+                                    let _e3411 = select(_e3397[2], -(_e3397[2]), (_e3397[2] < 0.0lf));
+                                    let _e3413 = select(_e3411, _e3408, (_e3408 > _e3411));
+                                    let _e3416 = local_5.member_1[1u];
+                                    let _e3422 = select(_e3416[0], -(_e3416[0]), (_e3416[0] < 0.0lf));
+                                    let _e3425 = select(_e3416[1], -(_e3416[1]), (_e3416[1] < 0.0lf));
+                                    let _e3427 = select(_e3425, _e3422, (_e3422 > _e3425));
+                                    let _e3430 = select(_e3416[2], -(_e3416[2]), (_e3416[2] < 0.0lf));
+                                    let _e3432 = select(_e3430, _e3427, (_e3427 > _e3430));
+                                    let _e3436 = local_5.member_3;
+                                    let _e3440 = local_5.member_2[0u];
+                                    let _e3446 = select(_e3440[0], -(_e3440[0]), (_e3440[0] < 0.0lf));
+                                    let _e3449 = select(_e3440[1], -(_e3440[1]), (_e3440[1] < 0.0lf));
+                                    let _e3451 = select(_e3449, _e3446, (_e3446 > _e3449));
+                                    let _e3454 = select(_e3440[2], -(_e3440[2]), (_e3440[2] < 0.0lf));
+                                    let _e3456 = select(_e3454, _e3451, (_e3451 > _e3454));
+                                    let _e3459 = local_5.member_2[1u];
+                                    let _e3465 = select(_e3459[0], -(_e3459[0]), (_e3459[0] < 0.0lf));
+                                    let _e3468 = select(_e3459[1], -(_e3459[1]), (_e3459[1] < 0.0lf));
+                                    let _e3470 = select(_e3468, _e3465, (_e3465 > _e3468));
+                                    let _e3473 = select(_e3459[2], -(_e3459[2]), (_e3459[2] < 0.0lf));
+                                    let _e3475 = select(_e3473, _e3470, (_e3470 > _e3473));
+                                    let _e3479 = local_5.member_3;
+                                    let _e3487 = local_5.member_3;
+                                    local_1 = type_40(array<array<array<f64, 3>, 4>, 2>(array<array<f64, 3>, 4>(_e3292, array<f64, 3>(_e3308, _e3309, _e3310), array<f64, 3>((_e3292[0] - _e3304[0]), (_e3292[1] - _e3304[1]), (_e3292[2] - _e3304[2])), array<f64, 3>(select((_e3308 - _e3304[0]), _e3292[0], _e3311), select((_e3309 - _e3304[1]), _e3292[1], _e3311), select((_e3310 - _e3304[2]), _e3292[2], _e3311))), array<array<f64, 3>, 4>(_e3323, array<f64, 3>(_e3339, _e3340, _e3341), array<f64, 3>((_e3323[0] - _e3335[0]), (_e3323[1] - _e3335[1]), (_e3323[2] - _e3335[2])), array<f64, 3>(select((_e3339 - _e3335[0]), _e3323[0], _e3342), select((_e3340 - _e3335[1]), _e3323[1], _e3342), select((_e3341 - _e3335[2]), _e3323[2], _e3342)))), ((((((select(_e3389, _e3370, (_e3370 > _e3389)) + _e3393) + (select(_e3432, _e3413, (_e3413 > _e3432)) + _e3436)) + (select(_e3475, _e3456, (_e3456 > _e3475)) + _e3479)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3487 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))), _e772.member_1);
+                                    let _e3505 = local_1.member_1;
+                                    if (_e3289 > _e3505) {
+                                        if ((bitcast<u64>(_e3289) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                            let _e3511 = (f64(1f) / _e3289);
+                                            let _e3513 = (_e3275[0] * _e3511);
+                                            let _e3515 = (_e3275[1] * _e3511);
+                                            let _e3517 = (_e3275[2] * _e3511);
+                                            let _e3522 = (((_e3513 * _e3513) + (_e3515 * _e3515)) + (_e3517 * _e3517));
+                                            if (_e3522 <= 2.2250738585072014e-308lf) {
+                                                phi_6520_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3522 > 0.0lf));
                                             } else {
-                                                phi_6468_ = type_18(0i, 5i);
-                                                phi_6471_ = bitcast<f64>(((bitcast<u64>(_e3525) / 2lu) + 2303426169912950784lu));
+                                                phi_6463_ = type_18(0i, 5i);
+                                                phi_6466_ = bitcast<f64>(((bitcast<u64>(_e3522) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3532 = phi_6468_;
-                                                    let _e3534 = phi_6471_;
-                                                    local_24 = _e3534;
-                                                    if (_e3532.member < _e3532.member_1) {
-                                                        let _e3541 = (_e3532.member + 1i);
-                                                        phi_6469_ = type_18(select(_e3541, type_19().member_1, select(false, true, ((false == (_e3541 > _e3532.member)) != false))), _e3532.member_1);
-                                                        phi_6512_ = type_19(1u, _e3532.member);
+                                                    let _e3529 = phi_6463_;
+                                                    let _e3531 = phi_6466_;
+                                                    local_24 = _e3531;
+                                                    if (_e3529.member < _e3529.member_1) {
+                                                        let _e3538 = (_e3529.member + 1i);
+                                                        phi_6464_ = type_18(select(_e3538, type_19().member_1, select(false, true, ((false == (_e3538 > _e3529.member)) != false))), _e3529.member_1);
+                                                        phi_6507_ = type_19(1u, _e3529.member);
                                                     } else {
-                                                        phi_6469_ = _e3532;
-                                                        phi_6512_ = type_19(0u, type_19().member_1);
+                                                        phi_6464_ = _e3529;
+                                                        phi_6507_ = type_19(0u, type_19().member_1);
                                                     }
-                                                    let _e3552 = phi_6469_;
-                                                    let _e3554 = phi_6512_;
-                                                    let _e3557 = (bitcast<i32>(_e3554.member) != 0i);
-                                                    if _e3557 {
-                                                        phi_6472_ = (0.5lf * (_e3534 + (_e3525 / _e3534)));
+                                                    let _e3549 = phi_6464_;
+                                                    let _e3551 = phi_6507_;
+                                                    let _e3554 = (bitcast<i32>(_e3551.member) != 0i);
+                                                    if _e3554 {
+                                                        phi_6467_ = (0.5lf * (_e3531 + (_e3522 / _e3531)));
                                                     } else {
-                                                        phi_6472_ = f64();
+                                                        phi_6467_ = f64();
                                                     }
-                                                    let _e3562 = phi_6472_;
+                                                    let _e3559 = phi_6467_;
                                                     continue;
                                                     continuing {
-                                                        phi_6468_ = _e3552;
-                                                        phi_6471_ = _e3562;
-                                                        break if !(_e3557);
+                                                        phi_6463_ = _e3549;
+                                                        phi_6466_ = _e3559;
+                                                        break if !(_e3554);
                                                     }
                                                 }
-                                                let _e3567 = local_24;
-                                                phi_6525_ = (_e3567 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3564 = local_24;
+                                                phi_6520_ = (_e3564 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3573 = phi_6525_;
-                                            let _e3575 = (1.1102230246251565e-16lf * f64(12f));
-                                            let _e3577 = local_1.member_1;
-                                            let _e3581 = local_1.member_2;
-                                            let _e3586 = ((_e3577 * f64(1.01f)) + ((_e3581 * _e3573) * (f64(1f) + _e3575)));
-                                            let _e3590 = local_1.member[0u][0u];
-                                            let _e3598 = (((_e3516 * _e3590[0]) + (_e3518 * _e3590[1])) + (_e3520 * _e3590[2]));
-                                            let _e3602 = local_1.member[0u][1u];
-                                            let _e3610 = (((_e3516 * _e3602[0]) + (_e3518 * _e3602[1])) + (_e3520 * _e3602[2]));
-                                            let _e3614 = local_1.member[0u][2u];
-                                            let _e3622 = (((_e3516 * _e3614[0]) + (_e3518 * _e3614[1])) + (_e3520 * _e3614[2]));
-                                            let _e3626 = local_1.member[0u][3u];
-                                            let _e3634 = (((_e3516 * _e3626[0]) + (_e3518 * _e3626[1])) + (_e3520 * _e3626[2]));
-                                            let _e3638 = local_1.member[1u][0u];
-                                            let _e3646 = (((_e3516 * _e3638[0]) + (_e3518 * _e3638[1])) + (_e3520 * _e3638[2]));
-                                            let _e3650 = local_1.member[1u][1u];
-                                            let _e3658 = (((_e3516 * _e3650[0]) + (_e3518 * _e3650[1])) + (_e3520 * _e3650[2]));
-                                            let _e3662 = local_1.member[1u][2u];
-                                            let _e3670 = (((_e3516 * _e3662[0]) + (_e3518 * _e3662[1])) + (_e3520 * _e3662[2]));
-                                            let _e3674 = local_1.member[1u][3u];
-                                            let _e3682 = (((_e3516 * _e3674[0]) + (_e3518 * _e3674[1])) + (_e3520 * _e3674[2]));
-                                            local_2 = type_36(array<f64, 4>(_e3598, _e3610, _e3622, _e3634), array<f64, 4>(_e3646, _e3658, _e3670, _e3682), array<f64, 4>((_e3586 + ((select(_e3598, -(_e3598), (_e3598 < 0.0lf)) + select(_e3646, -(_e3646), (_e3646 < 0.0lf))) * _e3575)), (_e3586 + ((select(_e3610, -(_e3610), (_e3610 < 0.0lf)) + select(_e3658, -(_e3658), (_e3658 < 0.0lf))) * _e3575)), (_e3586 + ((select(_e3622, -(_e3622), (_e3622 < 0.0lf)) + select(_e3670, -(_e3670), (_e3670 < 0.0lf))) * _e3575)), (_e3586 + ((select(_e3634, -(_e3634), (_e3634 < 0.0lf)) + select(_e3682, -(_e3682), (_e3682 < 0.0lf))) * _e3575))));
-                                            let _e3727 = (((_e3516 * _e3516) + (_e3518 * _e3518)) + (_e3520 * _e3520));
-                                            if (_e3727 <= 2.2250738585072014e-308lf) {
-                                                phi_6820_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3727 > 0.0lf));
+                                            let _e3570 = phi_6520_;
+                                            let _e3572 = (1.1102230246251565e-16lf * f64(12f));
+                                            let _e3574 = local_1.member_1;
+                                            let _e3578 = local_1.member_2;
+                                            let _e3583 = ((_e3574 * f64(1.01f)) + ((_e3578 * _e3570) * (f64(1f) + _e3572)));
+                                            let _e3587 = local_1.member[0u][0u];
+                                            let _e3595 = (((_e3513 * _e3587[0]) + (_e3515 * _e3587[1])) + (_e3517 * _e3587[2]));
+                                            let _e3599 = local_1.member[0u][1u];
+                                            let _e3607 = (((_e3513 * _e3599[0]) + (_e3515 * _e3599[1])) + (_e3517 * _e3599[2]));
+                                            let _e3611 = local_1.member[0u][2u];
+                                            let _e3619 = (((_e3513 * _e3611[0]) + (_e3515 * _e3611[1])) + (_e3517 * _e3611[2]));
+                                            let _e3623 = local_1.member[0u][3u];
+                                            let _e3631 = (((_e3513 * _e3623[0]) + (_e3515 * _e3623[1])) + (_e3517 * _e3623[2]));
+                                            let _e3635 = local_1.member[1u][0u];
+                                            let _e3643 = (((_e3513 * _e3635[0]) + (_e3515 * _e3635[1])) + (_e3517 * _e3635[2]));
+                                            let _e3647 = local_1.member[1u][1u];
+                                            let _e3655 = (((_e3513 * _e3647[0]) + (_e3515 * _e3647[1])) + (_e3517 * _e3647[2]));
+                                            let _e3659 = local_1.member[1u][2u];
+                                            let _e3667 = (((_e3513 * _e3659[0]) + (_e3515 * _e3659[1])) + (_e3517 * _e3659[2]));
+                                            let _e3671 = local_1.member[1u][3u];
+                                            let _e3679 = (((_e3513 * _e3671[0]) + (_e3515 * _e3671[1])) + (_e3517 * _e3671[2]));
+                                            local_2 = type_35(array<f64, 4>(_e3595, _e3607, _e3619, _e3631), array<f64, 4>(_e3643, _e3655, _e3667, _e3679), array<f64, 4>((_e3583 + ((select(_e3595, -(_e3595), (_e3595 < 0.0lf)) + select(_e3643, -(_e3643), (_e3643 < 0.0lf))) * _e3572)), (_e3583 + ((select(_e3607, -(_e3607), (_e3607 < 0.0lf)) + select(_e3655, -(_e3655), (_e3655 < 0.0lf))) * _e3572)), (_e3583 + ((select(_e3619, -(_e3619), (_e3619 < 0.0lf)) + select(_e3667, -(_e3667), (_e3667 < 0.0lf))) * _e3572)), (_e3583 + ((select(_e3631, -(_e3631), (_e3631 < 0.0lf)) + select(_e3679, -(_e3679), (_e3679 < 0.0lf))) * _e3572))));
+                                            let _e3724 = (((_e3513 * _e3513) + (_e3515 * _e3515)) + (_e3517 * _e3517));
+                                            if (_e3724 <= 2.2250738585072014e-308lf) {
+                                                phi_6815_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3724 > 0.0lf));
                                             } else {
-                                                phi_6763_ = type_18(0i, 5i);
-                                                phi_6766_ = bitcast<f64>(((bitcast<u64>(_e3727) / 2lu) + 2303426169912950784lu));
+                                                phi_6758_ = type_18(0i, 5i);
+                                                phi_6761_ = bitcast<f64>(((bitcast<u64>(_e3724) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3734 = phi_6763_;
-                                                    let _e3736 = phi_6766_;
-                                                    local_25 = _e3736;
-                                                    if (_e3734.member < _e3734.member_1) {
-                                                        let _e3743 = (_e3734.member + 1i);
-                                                        phi_6764_ = type_18(select(_e3743, type_19().member_1, select(false, true, ((false == (_e3743 > _e3734.member)) != false))), _e3734.member_1);
-                                                        phi_6807_ = type_19(1u, _e3734.member);
+                                                    let _e3731 = phi_6758_;
+                                                    let _e3733 = phi_6761_;
+                                                    local_25 = _e3733;
+                                                    if (_e3731.member < _e3731.member_1) {
+                                                        let _e3740 = (_e3731.member + 1i);
+                                                        phi_6759_ = type_18(select(_e3740, type_19().member_1, select(false, true, ((false == (_e3740 > _e3731.member)) != false))), _e3731.member_1);
+                                                        phi_6802_ = type_19(1u, _e3731.member);
                                                     } else {
-                                                        phi_6764_ = _e3734;
-                                                        phi_6807_ = type_19(0u, type_19().member_1);
+                                                        phi_6759_ = _e3731;
+                                                        phi_6802_ = type_19(0u, type_19().member_1);
                                                     }
-                                                    let _e3754 = phi_6764_;
-                                                    let _e3756 = phi_6807_;
-                                                    let _e3759 = (bitcast<i32>(_e3756.member) != 0i);
-                                                    if _e3759 {
-                                                        phi_6767_ = (0.5lf * (_e3736 + (_e3727 / _e3736)));
+                                                    let _e3751 = phi_6759_;
+                                                    let _e3753 = phi_6802_;
+                                                    let _e3756 = (bitcast<i32>(_e3753.member) != 0i);
+                                                    if _e3756 {
+                                                        phi_6762_ = (0.5lf * (_e3733 + (_e3724 / _e3733)));
                                                     } else {
-                                                        phi_6767_ = f64();
+                                                        phi_6762_ = f64();
                                                     }
-                                                    let _e3764 = phi_6767_;
+                                                    let _e3761 = phi_6762_;
                                                     continue;
                                                     continuing {
-                                                        phi_6763_ = _e3754;
-                                                        phi_6766_ = _e3764;
-                                                        break if !(_e3759);
+                                                        phi_6758_ = _e3751;
+                                                        phi_6761_ = _e3761;
+                                                        break if !(_e3756);
                                                     }
                                                 }
-                                                let _e3769 = local_25;
-                                                phi_6820_ = (_e3769 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3766 = local_25;
+                                                phi_6815_ = (_e3766 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3775 = phi_6820_;
-                                            let _e3786 = (((_e3278[0] * _e3278[0]) + (_e3278[1] * _e3278[1])) + (_e3278[2] * _e3278[2]));
-                                            if (_e3786 <= 2.2250738585072014e-308lf) {
-                                                phi_6909_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3786 > 0.0lf));
+                                            let _e3772 = phi_6815_;
+                                            let _e3783 = (((_e3275[0] * _e3275[0]) + (_e3275[1] * _e3275[1])) + (_e3275[2] * _e3275[2]));
+                                            if (_e3783 <= 2.2250738585072014e-308lf) {
+                                                phi_6904_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3783 > 0.0lf));
                                             } else {
-                                                phi_6852_ = type_18(0i, 5i);
-                                                phi_6855_ = bitcast<f64>(((bitcast<u64>(_e3786) / 2lu) + 2303426169912950784lu));
+                                                phi_6847_ = type_18(0i, 5i);
+                                                phi_6850_ = bitcast<f64>(((bitcast<u64>(_e3783) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3793 = phi_6852_;
-                                                    let _e3795 = phi_6855_;
-                                                    local_26 = _e3795;
-                                                    if (_e3793.member < _e3793.member_1) {
-                                                        let _e3802 = (_e3793.member + 1i);
-                                                        phi_6853_ = type_18(select(_e3802, type_19().member_1, select(false, true, ((false == (_e3802 > _e3793.member)) != false))), _e3793.member_1);
-                                                        phi_6896_ = type_19(1u, _e3793.member);
+                                                    let _e3790 = phi_6847_;
+                                                    let _e3792 = phi_6850_;
+                                                    local_26 = _e3792;
+                                                    if (_e3790.member < _e3790.member_1) {
+                                                        let _e3799 = (_e3790.member + 1i);
+                                                        phi_6848_ = type_18(select(_e3799, type_19().member_1, select(false, true, ((false == (_e3799 > _e3790.member)) != false))), _e3790.member_1);
+                                                        phi_6891_ = type_19(1u, _e3790.member);
                                                     } else {
-                                                        phi_6853_ = _e3793;
-                                                        phi_6896_ = type_19(0u, type_19().member_1);
+                                                        phi_6848_ = _e3790;
+                                                        phi_6891_ = type_19(0u, type_19().member_1);
                                                     }
-                                                    let _e3813 = phi_6853_;
-                                                    let _e3815 = phi_6896_;
-                                                    let _e3818 = (bitcast<i32>(_e3815.member) != 0i);
-                                                    if _e3818 {
-                                                        phi_6856_ = (0.5lf * (_e3795 + (_e3786 / _e3795)));
+                                                    let _e3810 = phi_6848_;
+                                                    let _e3812 = phi_6891_;
+                                                    let _e3815 = (bitcast<i32>(_e3812.member) != 0i);
+                                                    if _e3815 {
+                                                        phi_6851_ = (0.5lf * (_e3792 + (_e3783 / _e3792)));
                                                     } else {
-                                                        phi_6856_ = f64();
+                                                        phi_6851_ = f64();
                                                     }
-                                                    let _e3823 = phi_6856_;
+                                                    let _e3820 = phi_6851_;
                                                     continue;
                                                     continuing {
-                                                        phi_6852_ = _e3813;
-                                                        phi_6855_ = _e3823;
-                                                        break if !(_e3818);
+                                                        phi_6847_ = _e3810;
+                                                        phi_6850_ = _e3820;
+                                                        break if !(_e3815);
                                                     }
                                                 }
-                                                let _e3828 = local_26;
-                                                phi_6909_ = (_e3828 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3825 = local_26;
+                                                phi_6904_ = (_e3825 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3834 = phi_6909_;
-                                            let _e3842 = local_5.member[0u];
-                                            let _e3848 = select(_e3842[0], -(_e3842[0]), (_e3842[0] < 0.0lf));
-                                            let _e3851 = select(_e3842[1], -(_e3842[1]), (_e3842[1] < 0.0lf));
-                                            let _e3853 = select(_e3851, _e3848, (_e3848 > _e3851));
-                                            let _e3856 = select(_e3842[2], -(_e3842[2]), (_e3842[2] < 0.0lf));
-                                            let _e3858 = select(_e3856, _e3853, (_e3853 > _e3856));
-                                            let _e3861 = local_5.member[1u];
-                                            let _e3867 = select(_e3861[0], -(_e3861[0]), (_e3861[0] < 0.0lf));
-                                            let _e3870 = select(_e3861[1], -(_e3861[1]), (_e3861[1] < 0.0lf));
-                                            let _e3872 = select(_e3870, _e3867, (_e3867 > _e3870));
-                                            let _e3875 = select(_e3861[2], -(_e3861[2]), (_e3861[2] < 0.0lf));
-                                            let _e3877 = select(_e3875, _e3872, (_e3872 > _e3875));
-                                            let _e3881 = local_5.member_3;
-                                            let _e3885 = local_5.member_1[0u];
-                                            let _e3891 = select(_e3885[0], -(_e3885[0]), (_e3885[0] < 0.0lf));
-                                            let _e3894 = select(_e3885[1], -(_e3885[1]), (_e3885[1] < 0.0lf));
-                                            let _e3896 = select(_e3894, _e3891, (_e3891 > _e3894));
-                                            let _e3899 = select(_e3885[2], -(_e3885[2]), (_e3885[2] < 0.0lf));
-                                            let _e3901 = select(_e3899, _e3896, (_e3896 > _e3899));
-                                            let _e3904 = local_5.member_1[1u];
-                                            let _e3910 = select(_e3904[0], -(_e3904[0]), (_e3904[0] < 0.0lf));
-                                            let _e3913 = select(_e3904[1], -(_e3904[1]), (_e3904[1] < 0.0lf));
-                                            let _e3915 = select(_e3913, _e3910, (_e3910 > _e3913));
-                                            let _e3918 = select(_e3904[2], -(_e3904[2]), (_e3904[2] < 0.0lf));
-                                            let _e3920 = select(_e3918, _e3915, (_e3915 > _e3918));
-                                            let _e3924 = local_5.member_3;
-                                            let _e3928 = local_5.member_2[0u];
-                                            let _e3934 = select(_e3928[0], -(_e3928[0]), (_e3928[0] < 0.0lf));
-                                            let _e3937 = select(_e3928[1], -(_e3928[1]), (_e3928[1] < 0.0lf));
-                                            let _e3939 = select(_e3937, _e3934, (_e3934 > _e3937));
-                                            let _e3942 = select(_e3928[2], -(_e3928[2]), (_e3928[2] < 0.0lf));
-                                            let _e3944 = select(_e3942, _e3939, (_e3939 > _e3942));
-                                            let _e3947 = local_5.member_2[1u];
-                                            let _e3953 = select(_e3947[0], -(_e3947[0]), (_e3947[0] < 0.0lf));
-                                            let _e3956 = select(_e3947[1], -(_e3947[1]), (_e3947[1] < 0.0lf));
-                                            let _e3958 = select(_e3956, _e3953, (_e3953 > _e3956));
-                                            let _e3961 = select(_e3947[2], -(_e3947[2]), (_e3947[2] < 0.0lf));
-                                            let _e3963 = select(_e3961, _e3958, (_e3958 > _e3961));
-                                            let _e3967 = local_5.member_3;
-                                            let _e3975 = local_5.member_3;
-                                            let _e3990 = ((((_e3834 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e3877, _e3858, (_e3858 > _e3877)) + _e3881) + (select(_e3920, _e3901, (_e3901 > _e3920)) + _e3924)) + (select(_e3963, _e3944, (_e3944 > _e3963)) + _e3967)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3975 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) * _e3775) * (f64(1f) + (1.1102230246251565e-16lf * f64(64f))));
-                                            let _e3993 = local_2.member[0u];
-                                            let _e3996 = local_2.member_1[0u];
-                                            phi_7227_ = type_9(1u, 4u);
-                                            phi_7230_ = ((_e3993 + ((_e3996 - _e3993) * _e1506)) - ((_e3508 * f64(1.01f)) + ((select(_e3993, -(_e3993), (_e3993 < 0.0lf)) + select(_e3996, -(_e3996), (_e3996 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
+                                            let _e3831 = phi_6904_;
+                                            let _e3839 = local_5.member[0u];
+                                            let _e3845 = select(_e3839[0], -(_e3839[0]), (_e3839[0] < 0.0lf));
+                                            let _e3848 = select(_e3839[1], -(_e3839[1]), (_e3839[1] < 0.0lf));
+                                            let _e3850 = select(_e3848, _e3845, (_e3845 > _e3848));
+                                            let _e3853 = select(_e3839[2], -(_e3839[2]), (_e3839[2] < 0.0lf));
+                                            let _e3855 = select(_e3853, _e3850, (_e3850 > _e3853));
+                                            let _e3858 = local_5.member[1u];
+                                            let _e3864 = select(_e3858[0], -(_e3858[0]), (_e3858[0] < 0.0lf));
+                                            let _e3867 = select(_e3858[1], -(_e3858[1]), (_e3858[1] < 0.0lf));
+                                            let _e3869 = select(_e3867, _e3864, (_e3864 > _e3867));
+                                            let _e3872 = select(_e3858[2], -(_e3858[2]), (_e3858[2] < 0.0lf));
+                                            let _e3874 = select(_e3872, _e3869, (_e3869 > _e3872));
+                                            let _e3878 = local_5.member_3;
+                                            let _e3882 = local_5.member_1[0u];
+                                            let _e3888 = select(_e3882[0], -(_e3882[0]), (_e3882[0] < 0.0lf));
+                                            let _e3891 = select(_e3882[1], -(_e3882[1]), (_e3882[1] < 0.0lf));
+                                            let _e3893 = select(_e3891, _e3888, (_e3888 > _e3891));
+                                            let _e3896 = select(_e3882[2], -(_e3882[2]), (_e3882[2] < 0.0lf));
+                                            let _e3898 = select(_e3896, _e3893, (_e3893 > _e3896));
+                                            let _e3901 = local_5.member_1[1u];
+                                            let _e3907 = select(_e3901[0], -(_e3901[0]), (_e3901[0] < 0.0lf));
+                                            let _e3910 = select(_e3901[1], -(_e3901[1]), (_e3901[1] < 0.0lf));
+                                            let _e3912 = select(_e3910, _e3907, (_e3907 > _e3910));
+                                            let _e3915 = select(_e3901[2], -(_e3901[2]), (_e3901[2] < 0.0lf));
+                                            let _e3917 = select(_e3915, _e3912, (_e3912 > _e3915));
+                                            let _e3921 = local_5.member_3;
+                                            let _e3925 = local_5.member_2[0u];
+                                            let _e3931 = select(_e3925[0], -(_e3925[0]), (_e3925[0] < 0.0lf));
+                                            let _e3934 = select(_e3925[1], -(_e3925[1]), (_e3925[1] < 0.0lf));
+                                            let _e3936 = select(_e3934, _e3931, (_e3931 > _e3934));
+                                            let _e3939 = select(_e3925[2], -(_e3925[2]), (_e3925[2] < 0.0lf));
+                                            let _e3941 = select(_e3939, _e3936, (_e3936 > _e3939));
+                                            let _e3944 = local_5.member_2[1u];
+                                            let _e3950 = select(_e3944[0], -(_e3944[0]), (_e3944[0] < 0.0lf));
+                                            let _e3953 = select(_e3944[1], -(_e3944[1]), (_e3944[1] < 0.0lf));
+                                            let _e3955 = select(_e3953, _e3950, (_e3950 > _e3953));
+                                            let _e3958 = select(_e3944[2], -(_e3944[2]), (_e3944[2] < 0.0lf));
+                                            let _e3960 = select(_e3958, _e3955, (_e3955 > _e3958));
+                                            let _e3964 = local_5.member_3;
+                                            let _e3972 = local_5.member_3;
+                                            let _e3987 = ((((_e3831 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e3874, _e3855, (_e3855 > _e3874)) + _e3878) + (select(_e3917, _e3898, (_e3898 > _e3917)) + _e3921)) + (select(_e3960, _e3941, (_e3941 > _e3960)) + _e3964)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3972 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) * _e3772) * (f64(1f) + (1.1102230246251565e-16lf * f64(64f))));
+                                            let _e3990 = local_2.member[0u];
+                                            let _e3993 = local_2.member_1[0u];
+                                            phi_7222_ = type_9(1u, 4u);
+                                            phi_7225_ = ((_e3990 + ((_e3993 - _e3990) * _e1503)) - ((_e3505 * f64(1.01f)) + ((select(_e3990, -(_e3990), (_e3990 < 0.0lf)) + select(_e3993, -(_e3993), (_e3993 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
                                             loop {
-                                                let _e4015 = phi_7227_;
-                                                let _e4017 = phi_7230_;
-                                                local_27 = _e4017;
-                                                local_28 = _e4017;
-                                                let _e4020 = (_e4015.member < _e4015.member_1);
-                                                let _e4031 = select(type_9().member_1, _e4015.member, _e4020);
-                                                let _e4033 = (bitcast<i32>(select(0u, 1u, _e4020)) != 0i);
-                                                if _e4033 {
-                                                    let _e4036 = local_2.member[_e4031];
-                                                    let _e4039 = local_2.member_1[_e4031];
-                                                    let _e4056 = ((_e4036 + ((_e4039 - _e4036) * _e1506)) - ((_e3508 * f64(1.01f)) + ((select(_e4036, -(_e4036), (_e4036 < 0.0lf)) + select(_e4039, -(_e4039), (_e4039 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
-                                                    phi_7231_ = select(_e4056, _e4017, (_e4017 < _e4056));
+                                                let _e4012 = phi_7222_;
+                                                let _e4014 = phi_7225_;
+                                                local_27 = _e4014;
+                                                local_28 = _e4014;
+                                                let _e4017 = (_e4012.member < _e4012.member_1);
+                                                let _e4028 = select(type_9().member_1, _e4012.member, _e4017);
+                                                let _e4030 = (bitcast<i32>(select(0u, 1u, _e4017)) != 0i);
+                                                if _e4030 {
+                                                    let _e4033 = local_2.member[_e4028];
+                                                    let _e4036 = local_2.member_1[_e4028];
+                                                    let _e4053 = ((_e4033 + ((_e4036 - _e4033) * _e1503)) - ((_e3505 * f64(1.01f)) + ((select(_e4033, -(_e4033), (_e4033 < 0.0lf)) + select(_e4036, -(_e4036), (_e4036 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
+                                                    phi_7226_ = select(_e4053, _e4014, (_e4014 < _e4053));
                                                 } else {
-                                                    phi_7231_ = f64();
+                                                    phi_7226_ = f64();
                                                 }
-                                                let _e4060 = phi_7231_;
+                                                let _e4057 = phi_7226_;
                                                 continue;
                                                 continuing {
-                                                    phi_7227_ = type_9(select(_e4015.member, (_e4015.member + 1u), _e4020), select(_e4015.member_1, _e4015.member_1, _e4020));
-                                                    phi_7230_ = _e4060;
-                                                    break if !(_e4033);
+                                                    phi_7222_ = type_9(select(_e4012.member, (_e4012.member + 1u), _e4017), select(_e4012.member_1, _e4012.member_1, _e4017));
+                                                    phi_7225_ = _e4057;
+                                                    break if !(_e4030);
                                                 }
                                             }
-                                            let _e4063 = local_27;
-                                            if (_e4063 > f64(0f)) {
-                                                let _e4068 = local_28;
-                                                let _e4072 = (((_e3990 - _e4068) / _e3990) * f64(2.02f));
-                                                if (_e4072 <= 2.2250738585072014e-308lf) {
-                                                    phi_7389_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4072 > 0.0lf));
+                                            let _e4060 = local_27;
+                                            if (_e4060 > f64(0f)) {
+                                                let _e4065 = local_28;
+                                                let _e4069 = (((_e3987 - _e4065) / _e3987) * f64(2.02f));
+                                                if (_e4069 <= 2.2250738585072014e-308lf) {
+                                                    phi_7384_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4069 > 0.0lf));
                                                 } else {
-                                                    phi_7332_ = type_18(0i, 5i);
-                                                    phi_7335_ = bitcast<f64>(((bitcast<u64>(_e4072) / 2lu) + 2303426169912950784lu));
+                                                    phi_7327_ = type_18(0i, 5i);
+                                                    phi_7330_ = bitcast<f64>(((bitcast<u64>(_e4069) / 2lu) + 2303426169912950784lu));
                                                     loop {
-                                                        let _e4079 = phi_7332_;
-                                                        let _e4081 = phi_7335_;
-                                                        local_29 = _e4081;
-                                                        if (_e4079.member < _e4079.member_1) {
-                                                            let _e4088 = (_e4079.member + 1i);
-                                                            phi_7333_ = type_18(select(_e4088, type_19().member_1, select(false, true, ((false == (_e4088 > _e4079.member)) != false))), _e4079.member_1);
-                                                            phi_7376_ = type_19(1u, _e4079.member);
+                                                        let _e4076 = phi_7327_;
+                                                        let _e4078 = phi_7330_;
+                                                        local_29 = _e4078;
+                                                        if (_e4076.member < _e4076.member_1) {
+                                                            let _e4085 = (_e4076.member + 1i);
+                                                            phi_7328_ = type_18(select(_e4085, type_19().member_1, select(false, true, ((false == (_e4085 > _e4076.member)) != false))), _e4076.member_1);
+                                                            phi_7371_ = type_19(1u, _e4076.member);
                                                         } else {
-                                                            phi_7333_ = _e4079;
-                                                            phi_7376_ = type_19(0u, type_19().member_1);
+                                                            phi_7328_ = _e4076;
+                                                            phi_7371_ = type_19(0u, type_19().member_1);
                                                         }
-                                                        let _e4099 = phi_7333_;
-                                                        let _e4101 = phi_7376_;
-                                                        let _e4104 = (bitcast<i32>(_e4101.member) != 0i);
-                                                        if _e4104 {
-                                                            phi_7336_ = (0.5lf * (_e4081 + (_e4072 / _e4081)));
+                                                        let _e4096 = phi_7328_;
+                                                        let _e4098 = phi_7371_;
+                                                        let _e4101 = (bitcast<i32>(_e4098.member) != 0i);
+                                                        if _e4101 {
+                                                            phi_7331_ = (0.5lf * (_e4078 + (_e4069 / _e4078)));
                                                         } else {
-                                                            phi_7336_ = f64();
+                                                            phi_7331_ = f64();
                                                         }
-                                                        let _e4109 = phi_7336_;
+                                                        let _e4106 = phi_7331_;
                                                         continue;
                                                         continuing {
-                                                            phi_7332_ = _e4099;
-                                                            phi_7335_ = _e4109;
-                                                            break if !(_e4104);
+                                                            phi_7327_ = _e4096;
+                                                            phi_7330_ = _e4106;
+                                                            break if !(_e4101);
                                                         }
                                                     }
-                                                    let _e4114 = local_29;
-                                                    phi_7389_ = (_e4114 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                    let _e4111 = local_29;
+                                                    phi_7384_ = (_e4111 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                 }
-                                                let _e4120 = phi_7389_;
-                                                let _e4123 = ((_e4120 * _e3775) * f64(1.01f));
-                                                phi_7396_ = type_9(0u, 4u);
-                                                phi_7399_ = f64(2f);
-                                                phi_7401_ = true;
-                                                phi_7403_ = true;
+                                                let _e4117 = phi_7384_;
+                                                let _e4120 = ((_e4117 * _e3772) * f64(1.01f));
+                                                phi_7391_ = type_9(0u, 4u);
+                                                phi_7394_ = f64(2f);
+                                                phi_7396_ = true;
+                                                phi_7398_ = true;
                                                 loop {
-                                                    let _e4126 = phi_7396_;
-                                                    let _e4128 = phi_7399_;
-                                                    let _e4130 = phi_7401_;
-                                                    let _e4132 = phi_7403_;
-                                                    local_30 = _e4128;
-                                                    local_31 = _e4128;
-                                                    local_32 = _e4130;
-                                                    local_33 = _e4132;
-                                                    local_34 = _e4132;
-                                                    local_35 = _e4132;
-                                                    local_60 = _e4132;
-                                                    local_36 = _e4132;
-                                                    let _e4135 = (_e4126.member < _e4126.member_1);
-                                                    let _e4146 = select(type_9().member_1, _e4126.member, _e4135);
-                                                    let _e4148 = (bitcast<i32>(select(0u, 1u, _e4135)) != 0i);
-                                                    if _e4148 {
-                                                        let _e4152 = local_1.member[0u][_e4146];
-                                                        let _e4159 = local_1.member[1u][_e4146];
-                                                        let _e4173 = ((select(_e4152[0], -(_e4152[0]), (_e4152[0] < 0.0lf)) + select(_e4152[1], -(_e4152[1]), (_e4152[1] < 0.0lf))) + select(_e4152[2], -(_e4152[2]), (_e4152[2] < 0.0lf)));
-                                                        let _e4184 = ((select(_e4159[0], -(_e4159[0]), (_e4159[0] < 0.0lf)) + select(_e4159[1], -(_e4159[1]), (_e4159[1] < 0.0lf))) + select(_e4159[2], -(_e4159[2]), (_e4159[2] < 0.0lf)));
-                                                        let _e4192 = (_e4159[0] - _e4152[0]);
-                                                        let _e4193 = (_e4159[1] - _e4152[1]);
-                                                        let _e4194 = (_e4159[2] - _e4152[2]);
-                                                        let _e4213 = local_2.member[_e4146];
-                                                        let _e4216 = local_2.member_1[_e4146];
-                                                        let _e4229 = ((_e3508 * f64(1.01f)) + ((select(_e4213, -(_e4213), (_e4213 < 0.0lf)) + select(_e4216, -(_e4216), (_e4216 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f))));
-                                                        let _e4236 = local_2.member_1[_e4146];
-                                                        let _e4239 = local_2.member[_e4146];
-                                                        let _e4240 = (_e4236 - _e4239);
-                                                        let _e4243 = ((_e4229 + _e4229) + (_e4123 * ((((select(_e4192, -(_e4192), (_e4192 < 0.0lf)) + select(_e4193, -(_e4193), (_e4193 < 0.0lf))) + select(_e4194, -(_e4194), (_e4194 < 0.0lf))) + (_e3508 * f64(6f))) * f64(1.01f))));
-                                                        let _e4246 = ((((_e4213 + ((_e4216 - _e4213) * _e1506)) - _e4229) - (_e4123 * ((select(_e4184, _e4173, (_e4173 > _e4184)) + (_e3508 * f64(3f))) * f64(1.01f)))) - _e3990);
-                                                        let _e4247 = (_e4246 > 2.2250738585072014e-308lf);
-                                                        let _e4248 = (_e4240 > _e4243);
-                                                        if _e4248 {
-                                                            phi_7640_ = _e4128;
+                                                    let _e4123 = phi_7391_;
+                                                    let _e4125 = phi_7394_;
+                                                    let _e4127 = phi_7396_;
+                                                    let _e4129 = phi_7398_;
+                                                    local_30 = _e4125;
+                                                    local_31 = _e4125;
+                                                    local_32 = _e4127;
+                                                    local_33 = _e4129;
+                                                    local_34 = _e4129;
+                                                    local_35 = _e4129;
+                                                    local_60 = _e4129;
+                                                    local_36 = _e4129;
+                                                    let _e4132 = (_e4123.member < _e4123.member_1);
+                                                    let _e4143 = select(type_9().member_1, _e4123.member, _e4132);
+                                                    let _e4145 = (bitcast<i32>(select(0u, 1u, _e4132)) != 0i);
+                                                    if _e4145 {
+                                                        let _e4149 = local_1.member[0u][_e4143];
+                                                        let _e4156 = local_1.member[1u][_e4143];
+                                                        let _e4170 = ((select(_e4149[0], -(_e4149[0]), (_e4149[0] < 0.0lf)) + select(_e4149[1], -(_e4149[1]), (_e4149[1] < 0.0lf))) + select(_e4149[2], -(_e4149[2]), (_e4149[2] < 0.0lf)));
+                                                        let _e4181 = ((select(_e4156[0], -(_e4156[0]), (_e4156[0] < 0.0lf)) + select(_e4156[1], -(_e4156[1]), (_e4156[1] < 0.0lf))) + select(_e4156[2], -(_e4156[2]), (_e4156[2] < 0.0lf)));
+                                                        let _e4189 = (_e4156[0] - _e4149[0]);
+                                                        let _e4190 = (_e4156[1] - _e4149[1]);
+                                                        let _e4191 = (_e4156[2] - _e4149[2]);
+                                                        let _e4210 = local_2.member[_e4143];
+                                                        let _e4213 = local_2.member_1[_e4143];
+                                                        let _e4226 = ((_e3505 * f64(1.01f)) + ((select(_e4210, -(_e4210), (_e4210 < 0.0lf)) + select(_e4213, -(_e4213), (_e4213 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f))));
+                                                        let _e4233 = local_2.member_1[_e4143];
+                                                        let _e4236 = local_2.member[_e4143];
+                                                        let _e4237 = (_e4233 - _e4236);
+                                                        let _e4240 = ((_e4226 + _e4226) + (_e4120 * ((((select(_e4189, -(_e4189), (_e4189 < 0.0lf)) + select(_e4190, -(_e4190), (_e4190 < 0.0lf))) + select(_e4191, -(_e4191), (_e4191 < 0.0lf))) + (_e3505 * f64(6f))) * f64(1.01f))));
+                                                        let _e4243 = ((((_e4210 + ((_e4213 - _e4210) * _e1503)) - _e4226) - (_e4120 * ((select(_e4181, _e4170, (_e4170 > _e4181)) + (_e3505 * f64(3f))) * f64(1.01f)))) - _e3987);
+                                                        let _e4244 = (_e4243 > 2.2250738585072014e-308lf);
+                                                        let _e4245 = (_e4237 > _e4240);
+                                                        if _e4245 {
+                                                            phi_7635_ = _e4125;
                                                         } else {
-                                                            if _e4247 {
-                                                                let _e4255 = (_e4243 - _e4240);
-                                                                let _e4258 = (_e4246 / select(2.2250738585072014e-308lf, _e4255, (_e4255 > 2.2250738585072014e-308lf)));
-                                                                phi_7639_ = select(_e4258, _e4128, (_e4128 < _e4258));
+                                                            if _e4244 {
+                                                                let _e4252 = (_e4240 - _e4237);
+                                                                let _e4255 = (_e4243 / select(2.2250738585072014e-308lf, _e4252, (_e4252 > 2.2250738585072014e-308lf)));
+                                                                phi_7634_ = select(_e4255, _e4125, (_e4125 < _e4255));
                                                             } else {
-                                                                phi_7639_ = _e4128;
+                                                                phi_7634_ = _e4125;
                                                             }
-                                                            let _e4262 = phi_7639_;
-                                                            phi_7640_ = _e4262;
+                                                            let _e4259 = phi_7634_;
+                                                            phi_7635_ = _e4259;
                                                         }
-                                                        let _e4264 = phi_7640_;
-                                                        phi_7400_ = _e4264;
-                                                        phi_7402_ = (_e4130 && select(_e4247, true, (_e4240 < -(_e4243))));
-                                                        phi_7404_ = (_e4132 && select(_e4247, true, _e4248));
+                                                        let _e4261 = phi_7635_;
+                                                        phi_7395_ = _e4261;
+                                                        phi_7397_ = (_e4127 && select(_e4244, true, (_e4237 < -(_e4240))));
+                                                        phi_7399_ = (_e4129 && select(_e4244, true, _e4245));
                                                     } else {
-                                                        phi_7400_ = f64();
-                                                        phi_7402_ = bool();
-                                                        phi_7404_ = bool();
+                                                        phi_7395_ = f64();
+                                                        phi_7397_ = bool();
+                                                        phi_7399_ = bool();
                                                     }
-                                                    let _e4266 = phi_7400_;
-                                                    let _e4268 = phi_7402_;
-                                                    let _e4270 = phi_7404_;
+                                                    let _e4263 = phi_7395_;
+                                                    let _e4265 = phi_7397_;
+                                                    let _e4267 = phi_7399_;
                                                     continue;
                                                     continuing {
-                                                        phi_7396_ = type_9(select(_e4126.member, (_e4126.member + 1u), _e4135), select(_e4126.member_1, _e4126.member_1, _e4135));
-                                                        phi_7399_ = _e4266;
-                                                        phi_7401_ = _e4268;
-                                                        phi_7403_ = _e4270;
-                                                        break if !(_e4148);
+                                                        phi_7391_ = type_9(select(_e4123.member, (_e4123.member + 1u), _e4132), select(_e4123.member_1, _e4123.member_1, _e4132));
+                                                        phi_7394_ = _e4263;
+                                                        phi_7396_ = _e4265;
+                                                        phi_7398_ = _e4267;
+                                                        break if !(_e4145);
                                                     }
                                                 }
-                                                let _e4272 = f64(2f);
-                                                let _e4274 = local_30;
-                                                let _e4277 = local_31;
-                                                let _e4280 = (select(_e4272, _e4277, (_e4274 < _e4272)) * f64(0.999f));
-                                                let _e4282 = local_32;
-                                                if _e4282 {
-                                                    let _e4286 = local_33;
-                                                    let _e4290 = local_34;
-                                                    let _e4294 = local_35;
-                                                    phi_7658_ = type_42(select(_e1506, type_42().member, _e4286), select(f64(2f), type_42().member_1, _e4290), select(1u, type_42().member_2, _e4294));
+                                                let _e4269 = f64(2f);
+                                                let _e4271 = local_30;
+                                                let _e4274 = local_31;
+                                                let _e4277 = (select(_e4269, _e4274, (_e4271 < _e4269)) * f64(0.999f));
+                                                let _e4279 = local_32;
+                                                if _e4279 {
+                                                    let _e4283 = local_33;
+                                                    let _e4287 = local_34;
+                                                    let _e4291 = local_35;
+                                                    phi_7653_ = type_41(select(_e1503, type_41().member, _e4283), select(f64(2f), type_41().member_1, _e4287), select(1u, type_41().member_2, _e4291));
                                                     let _e5403 = local_60;
-                                                    phi_7659_ = _e5403;
+                                                    phi_7654_ = _e5403;
                                                 } else {
-                                                    phi_7658_ = type_42();
-                                                    phi_7659_ = true;
+                                                    phi_7653_ = type_41();
+                                                    phi_7654_ = true;
                                                 }
-                                                let _e4298 = phi_7658_;
-                                                let _e4300 = phi_7659_;
-                                                if _e4300 {
-                                                    let _e4302 = local_36;
-                                                    if _e4302 {
-                                                        let _e4308 = (_e1506 + _e4280);
-                                                        let _e4311 = select(_e1506, select(_e545, _e4308, (_e4308 < _e545)), (_e4280 > (1.1102230246251565e-16lf * f64(4096f))));
-                                                        phi_7681_ = type_9(0u, 4u);
-                                                        phi_7684_ = _e4311;
-                                                        phi_7686_ = _e1506;
+                                                let _e4295 = phi_7653_;
+                                                let _e4297 = phi_7654_;
+                                                if _e4297 {
+                                                    let _e4299 = local_36;
+                                                    if _e4299 {
+                                                        let _e4305 = (_e1503 + _e4277);
+                                                        let _e4308 = select(_e1503, select(_e542, _e4305, (_e4305 < _e542)), (_e4277 > (1.1102230246251565e-16lf * f64(4096f))));
+                                                        phi_7676_ = type_9(0u, 4u);
+                                                        phi_7679_ = _e4308;
+                                                        phi_7681_ = _e1503;
                                                         loop {
-                                                            let _e4313 = phi_7681_;
-                                                            let _e4315 = phi_7684_;
-                                                            let _e4317 = phi_7686_;
-                                                            local_37 = _e4315;
-                                                            local_38 = _e4317;
-                                                            local_39 = _e4317;
-                                                            let _e4320 = (_e4313.member < _e4313.member_1);
-                                                            let _e4331 = select(type_9().member_1, _e4313.member, _e4320);
-                                                            let _e4333 = (bitcast<i32>(select(0u, 1u, _e4320)) != 0i);
-                                                            if _e4333 {
-                                                                let _e4336 = local_2.member[_e4331];
-                                                                let _e4339 = local_2.member_1[_e4331];
-                                                                let _e4342 = local_2.member[_e4331];
-                                                                let _e4348 = local_2.member_2[_e4331];
-                                                                let _e4349 = ((_e4336 + ((_e4339 - _e4342) * _e1506)) - _e4348);
-                                                                let _e4352 = local_2.member_1[_e4331];
-                                                                let _e4355 = local_2.member[_e4331];
-                                                                let _e4356 = (_e4352 - _e4355);
-                                                                if (_e4356 > f64(0f)) {
-                                                                    let _e4372 = (_e1506 - (_e4349 / _e4356));
-                                                                    phi_7798_ = _e4315;
-                                                                    phi_7799_ = select(_e4372, _e4317, (_e4317 > _e4372));
+                                                            let _e4310 = phi_7676_;
+                                                            let _e4312 = phi_7679_;
+                                                            let _e4314 = phi_7681_;
+                                                            local_37 = _e4312;
+                                                            local_38 = _e4314;
+                                                            local_39 = _e4314;
+                                                            let _e4317 = (_e4310.member < _e4310.member_1);
+                                                            let _e4328 = select(type_9().member_1, _e4310.member, _e4317);
+                                                            let _e4330 = (bitcast<i32>(select(0u, 1u, _e4317)) != 0i);
+                                                            if _e4330 {
+                                                                let _e4333 = local_2.member[_e4328];
+                                                                let _e4336 = local_2.member_1[_e4328];
+                                                                let _e4339 = local_2.member[_e4328];
+                                                                let _e4345 = local_2.member_2[_e4328];
+                                                                let _e4346 = ((_e4333 + ((_e4336 - _e4339) * _e1503)) - _e4345);
+                                                                let _e4349 = local_2.member_1[_e4328];
+                                                                let _e4352 = local_2.member[_e4328];
+                                                                let _e4353 = (_e4349 - _e4352);
+                                                                if (_e4353 > f64(0f)) {
+                                                                    let _e4369 = (_e1503 - (_e4346 / _e4353));
+                                                                    phi_7793_ = _e4312;
+                                                                    phi_7794_ = select(_e4369, _e4314, (_e4314 > _e4369));
                                                                 } else {
-                                                                    if (_e4349 > f64(0f)) {
-                                                                        if (_e4356 < f64(0f)) {
-                                                                            let _e4364 = (_e1506 - (_e4349 / _e4356));
-                                                                            phi_7796_ = select(_e4364, _e4315, (_e4315 < _e4364));
+                                                                    if (_e4346 > f64(0f)) {
+                                                                        if (_e4353 < f64(0f)) {
+                                                                            let _e4361 = (_e1503 - (_e4346 / _e4353));
+                                                                            phi_7791_ = select(_e4361, _e4312, (_e4312 < _e4361));
                                                                         } else {
-                                                                            phi_7796_ = _e4315;
+                                                                            phi_7791_ = _e4312;
                                                                         }
-                                                                        let _e4368 = phi_7796_;
-                                                                        phi_7797_ = _e4368;
+                                                                        let _e4365 = phi_7791_;
+                                                                        phi_7792_ = _e4365;
                                                                     } else {
-                                                                        phi_7797_ = _e4315;
+                                                                        phi_7792_ = _e4312;
                                                                     }
-                                                                    let _e4370 = phi_7797_;
-                                                                    phi_7798_ = _e4370;
-                                                                    phi_7799_ = _e4317;
+                                                                    let _e4367 = phi_7792_;
+                                                                    phi_7793_ = _e4367;
+                                                                    phi_7794_ = _e4314;
                                                                 }
-                                                                let _e4376 = phi_7798_;
-                                                                let _e4378 = phi_7799_;
-                                                                phi_7685_ = _e4376;
-                                                                phi_7687_ = _e4378;
+                                                                let _e4373 = phi_7793_;
+                                                                let _e4375 = phi_7794_;
+                                                                phi_7680_ = _e4373;
+                                                                phi_7682_ = _e4375;
                                                             } else {
-                                                                phi_7685_ = f64();
-                                                                phi_7687_ = f64();
+                                                                phi_7680_ = f64();
+                                                                phi_7682_ = f64();
                                                             }
-                                                            let _e4380 = phi_7685_;
-                                                            let _e4382 = phi_7687_;
+                                                            let _e4377 = phi_7680_;
+                                                            let _e4379 = phi_7682_;
                                                             continue;
                                                             continuing {
-                                                                phi_7681_ = type_9(select(_e4313.member, (_e4313.member + 1u), _e4320), select(_e4313.member_1, _e4313.member_1, _e4320));
-                                                                phi_7684_ = _e4380;
-                                                                phi_7686_ = _e4382;
-                                                                break if !(_e4333);
+                                                                phi_7676_ = type_9(select(_e4310.member, (_e4310.member + 1u), _e4317), select(_e4310.member_1, _e4310.member_1, _e4317));
+                                                                phi_7679_ = _e4377;
+                                                                phi_7681_ = _e4379;
+                                                                break if !(_e4330);
                                                             }
                                                         }
-                                                        let _e4385 = local_37;
-                                                        let _e4387 = local_38;
-                                                        let _e4392 = local_39;
-                                                        let _e4393 = (_e4392 + ((_e4385 - _e4387) * f64(0.5f)));
-                                                        if (_e4393 > _e1506) {
-                                                            if (_e4393 <= _e4311) {
-                                                                let _e4396 = f64(0f);
-                                                                let _e4399 = local_2.member[0u];
-                                                                let _e4402 = local_2.member_1[0u];
-                                                                let _e4405 = local_2.member[0u];
-                                                                let _e4411 = local_2.member_2[0u];
-                                                                if (((_e4399 + ((_e4402 - _e4405) * _e4393)) - _e4411) > _e4396) {
-                                                                    let _e4416 = local_2.member[1u];
-                                                                    let _e4419 = local_2.member_1[1u];
-                                                                    let _e4422 = local_2.member[1u];
-                                                                    let _e4428 = local_2.member_2[1u];
-                                                                    if (((_e4416 + ((_e4419 - _e4422) * _e4393)) - _e4428) > _e4396) {
-                                                                        let _e4433 = local_2.member[2u];
-                                                                        let _e4436 = local_2.member_1[2u];
-                                                                        let _e4439 = local_2.member[2u];
-                                                                        let _e4445 = local_2.member_2[2u];
-                                                                        if (((_e4433 + ((_e4436 - _e4439) * _e4393)) - _e4445) > _e4396) {
-                                                                            let _e4450 = local_2.member[3u];
-                                                                            let _e4453 = local_2.member_1[3u];
-                                                                            let _e4456 = local_2.member[3u];
-                                                                            let _e4462 = local_2.member_2[3u];
-                                                                            phi_7962_ = (((_e4450 + ((_e4453 - _e4456) * _e4393)) - _e4462) > _e4396);
-                                                                            phi_7963_ = false;
+                                                        let _e4382 = local_37;
+                                                        let _e4384 = local_38;
+                                                        let _e4389 = local_39;
+                                                        let _e4390 = (_e4389 + ((_e4382 - _e4384) * f64(0.5f)));
+                                                        if (_e4390 > _e1503) {
+                                                            if (_e4390 <= _e4308) {
+                                                                let _e4393 = f64(0f);
+                                                                let _e4396 = local_2.member[0u];
+                                                                let _e4399 = local_2.member_1[0u];
+                                                                let _e4402 = local_2.member[0u];
+                                                                let _e4408 = local_2.member_2[0u];
+                                                                if (((_e4396 + ((_e4399 - _e4402) * _e4390)) - _e4408) > _e4393) {
+                                                                    let _e4413 = local_2.member[1u];
+                                                                    let _e4416 = local_2.member_1[1u];
+                                                                    let _e4419 = local_2.member[1u];
+                                                                    let _e4425 = local_2.member_2[1u];
+                                                                    if (((_e4413 + ((_e4416 - _e4419) * _e4390)) - _e4425) > _e4393) {
+                                                                        let _e4430 = local_2.member[2u];
+                                                                        let _e4433 = local_2.member_1[2u];
+                                                                        let _e4436 = local_2.member[2u];
+                                                                        let _e4442 = local_2.member_2[2u];
+                                                                        if (((_e4430 + ((_e4433 - _e4436) * _e4390)) - _e4442) > _e4393) {
+                                                                            let _e4447 = local_2.member[3u];
+                                                                            let _e4450 = local_2.member_1[3u];
+                                                                            let _e4453 = local_2.member[3u];
+                                                                            let _e4459 = local_2.member_2[3u];
+                                                                            phi_7957_ = (((_e4447 + ((_e4450 - _e4453) * _e4390)) - _e4459) > _e4393);
+                                                                            phi_7958_ = false;
                                                                         } else {
-                                                                            phi_7962_ = bool();
-                                                                            phi_7963_ = true;
+                                                                            phi_7957_ = bool();
+                                                                            phi_7958_ = true;
                                                                         }
-                                                                        let _e4466 = phi_7962_;
-                                                                        let _e4468 = phi_7963_;
-                                                                        phi_7964_ = _e4466;
-                                                                        phi_7965_ = _e4468;
+                                                                        let _e4463 = phi_7957_;
+                                                                        let _e4465 = phi_7958_;
+                                                                        phi_7959_ = _e4463;
+                                                                        phi_7960_ = _e4465;
                                                                     } else {
-                                                                        phi_7964_ = bool();
-                                                                        phi_7965_ = true;
+                                                                        phi_7959_ = bool();
+                                                                        phi_7960_ = true;
                                                                     }
-                                                                    let _e4470 = phi_7964_;
-                                                                    let _e4472 = phi_7965_;
-                                                                    phi_7966_ = _e4470;
-                                                                    phi_7967_ = _e4472;
+                                                                    let _e4467 = phi_7959_;
+                                                                    let _e4469 = phi_7960_;
+                                                                    phi_7961_ = _e4467;
+                                                                    phi_7962_ = _e4469;
                                                                 } else {
-                                                                    phi_7966_ = bool();
-                                                                    phi_7967_ = true;
+                                                                    phi_7961_ = bool();
+                                                                    phi_7962_ = true;
                                                                 }
-                                                                let _e4474 = phi_7966_;
-                                                                let _e4476 = phi_7967_;
-                                                                phi_7976_ = select(true, false, select(_e4474, false, _e4476));
+                                                                let _e4471 = phi_7961_;
+                                                                let _e4473 = phi_7962_;
+                                                                phi_7971_ = select(true, false, select(_e4471, false, _e4473));
                                                             } else {
-                                                                phi_7976_ = true;
+                                                                phi_7971_ = true;
                                                             }
-                                                            let _e4480 = phi_7976_;
-                                                            phi_7977_ = _e4480;
+                                                            let _e4477 = phi_7971_;
+                                                            phi_7972_ = _e4477;
                                                         } else {
-                                                            phi_7977_ = true;
+                                                            phi_7972_ = true;
                                                         }
-                                                        let _e4482 = phi_7977_;
-                                                        phi_7986_ = type_42(_e4311, select(_e4393, f64(2f), _e4482), 2u);
-                                                        phi_7987_ = type_42();
-                                                        phi_7988_ = false;
+                                                        let _e4479 = phi_7972_;
+                                                        phi_7981_ = type_41(_e4308, select(_e4390, f64(2f), _e4479), 2u);
+                                                        phi_7982_ = type_41();
+                                                        phi_7983_ = false;
                                                     } else {
-                                                        phi_7986_ = type_42();
-                                                        phi_7987_ = type_42(_e1506, f64(2f), 0u);
-                                                        phi_7988_ = true;
+                                                        phi_7981_ = type_41();
+                                                        phi_7982_ = type_41(_e1503, f64(2f), 0u);
+                                                        phi_7983_ = true;
                                                     }
-                                                    let _e4487 = phi_7986_;
-                                                    let _e4489 = phi_7987_;
-                                                    let _e4491 = phi_7988_;
-                                                    phi_7989_ = _e4487;
-                                                    phi_7990_ = _e4489;
-                                                    phi_7991_ = _e4491;
+                                                    let _e4484 = phi_7981_;
+                                                    let _e4486 = phi_7982_;
+                                                    let _e4488 = phi_7983_;
+                                                    phi_7984_ = _e4484;
+                                                    phi_7985_ = _e4486;
+                                                    phi_7986_ = _e4488;
                                                 } else {
-                                                    phi_7989_ = type_42();
-                                                    phi_7990_ = _e4298;
-                                                    phi_7991_ = true;
+                                                    phi_7984_ = type_41();
+                                                    phi_7985_ = _e4295;
+                                                    phi_7986_ = true;
                                                 }
-                                                let _e4493 = phi_7989_;
-                                                let _e4495 = phi_7990_;
-                                                let _e4497 = phi_7991_;
-                                                phi_7997_ = _e4495;
-                                                phi_7998_ = _e4493;
-                                                phi_7999_ = _e4497;
+                                                let _e4490 = phi_7984_;
+                                                let _e4492 = phi_7985_;
+                                                let _e4494 = phi_7986_;
+                                                phi_7992_ = _e4492;
+                                                phi_7993_ = _e4490;
+                                                phi_7994_ = _e4494;
                                             } else {
-                                                phi_7997_ = type_42(_e1506, f64(2f), 0u);
-                                                phi_7998_ = type_42();
-                                                phi_7999_ = true;
+                                                phi_7992_ = type_41(_e1503, f64(2f), 0u);
+                                                phi_7993_ = type_41();
+                                                phi_7994_ = true;
                                             }
-                                            let _e4499 = phi_7997_;
-                                            let _e4501 = phi_7998_;
-                                            let _e4503 = phi_7999_;
-                                            phi_8003_ = _e4499;
-                                            phi_8004_ = _e4501;
-                                            phi_8005_ = false;
-                                            phi_8006_ = _e4503;
+                                            let _e4496 = phi_7992_;
+                                            let _e4498 = phi_7993_;
+                                            let _e4500 = phi_7994_;
+                                            phi_7998_ = _e4496;
+                                            phi_7999_ = _e4498;
+                                            phi_8000_ = false;
+                                            phi_8001_ = _e4500;
                                         } else {
-                                            phi_8003_ = type_42();
-                                            phi_8004_ = type_42();
-                                            phi_8005_ = true;
-                                            phi_8006_ = false;
+                                            phi_7998_ = type_41();
+                                            phi_7999_ = type_41();
+                                            phi_8000_ = true;
+                                            phi_8001_ = false;
                                         }
-                                        let _e4505 = phi_8003_;
-                                        let _e4507 = phi_8004_;
-                                        let _e4509 = phi_8005_;
-                                        let _e4511 = phi_8006_;
-                                        phi_8007_ = _e4505;
-                                        phi_8008_ = _e4507;
-                                        phi_8009_ = _e4509;
-                                        phi_8010_ = _e4511;
+                                        let _e4502 = phi_7998_;
+                                        let _e4504 = phi_7999_;
+                                        let _e4506 = phi_8000_;
+                                        let _e4508 = phi_8001_;
+                                        phi_8002_ = _e4502;
+                                        phi_8003_ = _e4504;
+                                        phi_8004_ = _e4506;
+                                        phi_8005_ = _e4508;
                                     } else {
-                                        phi_8007_ = type_42();
-                                        phi_8008_ = type_42();
-                                        phi_8009_ = true;
-                                        phi_8010_ = false;
+                                        phi_8002_ = type_41();
+                                        phi_8003_ = type_41();
+                                        phi_8004_ = true;
+                                        phi_8005_ = false;
                                     }
-                                    let _e4513 = phi_8007_;
-                                    let _e4515 = phi_8008_;
-                                    let _e4517 = phi_8009_;
-                                    let _e4519 = phi_8010_;
-                                    let _e4527 = select(_e4519, true, _e4517);
-                                    let _e4531 = select(_e4515.member_1, select(_e4513.member_1, f64(2f), _e4517), _e4527);
-                                    let _e4533 = select(_e4515.member_2, select(_e4513.member_2, 0u, _e4517), _e4527);
-                                    if ((_e547 & 64u) != 0u) {
-                                        let _e4535 = (_e4533 == 2u);
-                                        let _e4536 = (_e4531 <= _e545);
-                                        phi_8045_ = select(f64(), select(f64(), _e4531, _e4536), _e4535);
-                                        phi_8046_ = select(f64(), select(f64(), _e4531, _e4536), _e4535);
-                                        phi_8047_ = select(false, _e4536, _e4535);
-                                        phi_8048_ = select(false, select(true, false, _e4536), _e4535);
-                                        phi_8049_ = select(true, false, _e4535);
+                                    let _e4510 = phi_8002_;
+                                    let _e4512 = phi_8003_;
+                                    let _e4514 = phi_8004_;
+                                    let _e4516 = phi_8005_;
+                                    let _e4524 = select(_e4516, true, _e4514);
+                                    let _e4528 = select(_e4512.member_1, select(_e4510.member_1, f64(2f), _e4514), _e4524);
+                                    let _e4530 = select(_e4512.member_2, select(_e4510.member_2, 0u, _e4514), _e4524);
+                                    if ((_e544 & 64u) != 0u) {
+                                        let _e4532 = (_e4530 == 2u);
+                                        let _e4533 = (_e4528 <= _e542);
+                                        phi_8040_ = select(f64(), select(f64(), _e4528, _e4533), _e4532);
+                                        phi_8041_ = select(f64(), select(f64(), _e4528, _e4533), _e4532);
+                                        phi_8042_ = select(false, _e4533, _e4532);
+                                        phi_8043_ = select(false, select(true, false, _e4533), _e4532);
+                                        phi_8044_ = select(true, false, _e4532);
                                     } else {
-                                        phi_8045_ = f64();
-                                        phi_8046_ = f64();
-                                        phi_8047_ = false;
-                                        phi_8048_ = false;
-                                        phi_8049_ = true;
+                                        phi_8040_ = f64();
+                                        phi_8041_ = f64();
+                                        phi_8042_ = false;
+                                        phi_8043_ = false;
+                                        phi_8044_ = true;
                                     }
-                                    let _e4546 = phi_8045_;
-                                    let _e4548 = phi_8046_;
-                                    let _e4550 = phi_8047_;
-                                    let _e4552 = phi_8048_;
-                                    let _e4554 = phi_8049_;
-                                    phi_8050_ = _e4546;
-                                    phi_8051_ = _e4533;
-                                    phi_8052_ = _e4548;
-                                    phi_8053_ = type_42(select(_e4515.member, select(_e4513.member, _e1506, _e4517), _e4527), _e4531, _e4533);
-                                    phi_8054_ = _e4533;
-                                    phi_8055_ = _e4533;
-                                    phi_8056_ = _e4550;
-                                    phi_8057_ = _e4552;
-                                    phi_8058_ = _e4554;
+                                    let _e4543 = phi_8040_;
+                                    let _e4545 = phi_8041_;
+                                    let _e4547 = phi_8042_;
+                                    let _e4549 = phi_8043_;
+                                    let _e4551 = phi_8044_;
+                                    phi_8045_ = _e4543;
+                                    phi_8046_ = _e4530;
+                                    phi_8047_ = _e4545;
+                                    phi_8048_ = type_41(select(_e4512.member, select(_e4510.member, _e1503, _e4514), _e4524), _e4528, _e4530);
+                                    phi_8049_ = _e4530;
+                                    phi_8050_ = _e4530;
+                                    phi_8051_ = _e4547;
+                                    phi_8052_ = _e4549;
+                                    phi_8053_ = _e4551;
                                 }
-                                let _e4556 = phi_8050_;
-                                let _e4558 = phi_8051_;
-                                let _e4560 = phi_8052_;
-                                let _e4562 = phi_8053_;
-                                let _e4564 = phi_8054_;
-                                let _e4566 = phi_8055_;
-                                let _e4568 = phi_8056_;
-                                let _e4570 = phi_8057_;
-                                let _e4572 = phi_8058_;
-                                phi_8059_ = _e4556;
-                                phi_8060_ = _e4558;
-                                phi_8061_ = _e4560;
-                                phi_8062_ = _e4562;
-                                phi_8063_ = _e4564;
-                                phi_8064_ = _e4566;
-                                phi_8065_ = _e4568;
-                                phi_8066_ = _e3210;
-                                phi_8067_ = _e4570;
-                                phi_8068_ = _e4572;
-                                phi_8069_ = false;
+                                let _e4553 = phi_8045_;
+                                let _e4555 = phi_8046_;
+                                let _e4557 = phi_8047_;
+                                let _e4559 = phi_8048_;
+                                let _e4561 = phi_8049_;
+                                let _e4563 = phi_8050_;
+                                let _e4565 = phi_8051_;
+                                let _e4567 = phi_8052_;
+                                let _e4569 = phi_8053_;
+                                phi_8054_ = _e4553;
+                                phi_8055_ = _e4555;
+                                phi_8056_ = _e4557;
+                                phi_8057_ = _e4559;
+                                phi_8058_ = _e4561;
+                                phi_8059_ = _e4563;
+                                phi_8060_ = _e4565;
+                                phi_8061_ = _e3207;
+                                phi_8062_ = _e4567;
+                                phi_8063_ = _e4569;
+                                phi_8064_ = false;
                             } else {
-                                phi_8059_ = f64();
-                                phi_8060_ = u32();
-                                phi_8061_ = f64();
-                                phi_8062_ = type_42();
-                                phi_8063_ = u32();
-                                phi_8064_ = u32();
-                                phi_8065_ = false;
-                                phi_8066_ = false;
-                                phi_8067_ = false;
-                                phi_8068_ = false;
-                                phi_8069_ = true;
+                                phi_8054_ = f64();
+                                phi_8055_ = u32();
+                                phi_8056_ = f64();
+                                phi_8057_ = type_41();
+                                phi_8058_ = u32();
+                                phi_8059_ = u32();
+                                phi_8060_ = false;
+                                phi_8061_ = false;
+                                phi_8062_ = false;
+                                phi_8063_ = false;
+                                phi_8064_ = true;
                             }
-                            let _e4574 = phi_8059_;
-                            let _e4576 = phi_8060_;
-                            let _e4578 = phi_8061_;
-                            let _e4580 = phi_8062_;
-                            let _e4582 = phi_8063_;
-                            let _e4584 = phi_8064_;
-                            let _e4586 = phi_8065_;
-                            let _e4588 = phi_8066_;
-                            let _e4590 = phi_8067_;
-                            let _e4592 = phi_8068_;
-                            let _e4594 = phi_8069_;
-                            phi_8070_ = _e3207;
-                            phi_3054_ = _e4574;
-                            phi_3056_ = _e4576;
-                            phi_3058_ = _e4578;
-                            phi_8071_ = _e4580;
-                            phi_8072_ = _e4582;
-                            phi_8073_ = _e3207;
-                            phi_8074_ = _e4584;
-                            phi_8075_ = _e4586;
-                            phi_8076_ = _e4588;
-                            phi_8077_ = _e4590;
-                            phi_8078_ = _e4592;
-                            phi_8079_ = false;
-                            phi_8080_ = _e4594;
+                            let _e4571 = phi_8054_;
+                            let _e4573 = phi_8055_;
+                            let _e4575 = phi_8056_;
+                            let _e4577 = phi_8057_;
+                            let _e4579 = phi_8058_;
+                            let _e4581 = phi_8059_;
+                            let _e4583 = phi_8060_;
+                            let _e4585 = phi_8061_;
+                            let _e4587 = phi_8062_;
+                            let _e4589 = phi_8063_;
+                            let _e4591 = phi_8064_;
+                            phi_8065_ = _e3204;
+                            phi_3049_ = _e4571;
+                            phi_3051_ = _e4573;
+                            phi_3053_ = _e4575;
+                            phi_8066_ = _e4577;
+                            phi_8067_ = _e4579;
+                            phi_8068_ = _e3204;
+                            phi_8069_ = _e4581;
+                            phi_8070_ = _e4583;
+                            phi_8071_ = _e4585;
+                            phi_8072_ = _e4587;
+                            phi_8073_ = _e4589;
+                            phi_8074_ = false;
+                            phi_8075_ = _e4591;
                         } else {
-                            phi_8070_ = f64();
-                            phi_3054_ = f64();
-                            phi_3056_ = u32();
-                            phi_3058_ = f64();
-                            phi_8071_ = type_42();
-                            phi_8072_ = u32();
-                            phi_8073_ = f64();
-                            phi_8074_ = u32();
+                            phi_8065_ = f64();
+                            phi_3049_ = f64();
+                            phi_3051_ = u32();
+                            phi_3053_ = f64();
+                            phi_8066_ = type_41();
+                            phi_8067_ = u32();
+                            phi_8068_ = f64();
+                            phi_8069_ = u32();
+                            phi_8070_ = false;
+                            phi_8071_ = false;
+                            phi_8072_ = false;
+                            phi_8073_ = false;
+                            phi_8074_ = true;
                             phi_8075_ = false;
-                            phi_8076_ = false;
-                            phi_8077_ = false;
-                            phi_8078_ = false;
-                            phi_8079_ = true;
-                            phi_8080_ = false;
                         }
-                        let _e4596 = phi_8070_;
-                        let _e4598 = phi_3054_;
-                        let _e4600 = phi_3056_;
-                        let _e4602 = phi_3058_;
-                        let _e4604 = phi_8071_;
-                        let _e4606 = phi_8072_;
-                        let _e4608 = phi_8073_;
-                        let _e4610 = phi_8074_;
-                        let _e4612 = phi_8075_;
-                        let _e4614 = phi_8076_;
-                        let _e4616 = phi_8077_;
-                        let _e4618 = phi_8078_;
-                        let _e4620 = phi_8079_;
-                        let _e4622 = phi_8080_;
-                        local_40 = _e4614;
-                        local_41 = _e4616;
-                        local_42 = _e4614;
-                        local_43 = _e4618;
-                        local_44 = _e4614;
-                        local_45 = _e4620;
-                        local_46 = _e4614;
-                        local_47 = _e4622;
-                        local_48 = _e4604;
-                        local_49 = _e4604;
-                        local_50 = _e4606;
-                        local_51 = _e4604;
-                        local_61 = _e4614;
-                        local_52 = _e4610;
-                        local_54 = _e4608;
-                        local_55 = _e4596;
+                        let _e4593 = phi_8065_;
+                        let _e4595 = phi_3049_;
+                        let _e4597 = phi_3051_;
+                        let _e4599 = phi_3053_;
+                        let _e4601 = phi_8066_;
+                        let _e4603 = phi_8067_;
+                        let _e4605 = phi_8068_;
+                        let _e4607 = phi_8069_;
+                        let _e4609 = phi_8070_;
+                        let _e4611 = phi_8071_;
+                        let _e4613 = phi_8072_;
+                        let _e4615 = phi_8073_;
+                        let _e4617 = phi_8074_;
+                        let _e4619 = phi_8075_;
+                        local_40 = _e4611;
+                        local_41 = _e4613;
+                        local_42 = _e4611;
+                        local_43 = _e4615;
+                        local_44 = _e4611;
+                        local_45 = _e4617;
+                        local_46 = _e4611;
+                        local_47 = _e4619;
+                        local_48 = _e4601;
+                        local_49 = _e4601;
+                        local_50 = _e4603;
+                        local_51 = _e4601;
+                        local_61 = _e4611;
+                        local_52 = _e4607;
+                        local_54 = _e4605;
+                        local_55 = _e4593;
                         continue;
                         continuing {
-                            phi_3050_ = _e1524;
-                            phi_3053_ = _e4598;
-                            phi_3055_ = _e4600;
-                            phi_3057_ = _e4602;
-                            break if !(_e4612);
+                            phi_3045_ = _e1521;
+                            phi_3048_ = _e4595;
+                            phi_3050_ = _e4597;
+                            phi_3052_ = _e4599;
+                            break if !(_e4609);
                         }
                     }
-                    let _e4625 = local_40;
-                    let _e4627 = local_41;
-                    let _e4628 = select(_e4627, false, _e4625);
-                    let _e4630 = local_42;
-                    let _e4632 = local_43;
-                    let _e4635 = local_44;
-                    let _e4637 = local_45;
-                    let _e4640 = local_46;
-                    let _e4642 = local_47;
-                    if _e4628 {
-                        let _e4645 = local_48;
-                        if (_e4645.member >= _e545) {
-                            phi_8109_ = type_39(type_38(0u, f64()), 0u);
+                    let _e4622 = local_40;
+                    let _e4624 = local_41;
+                    let _e4625 = select(_e4624, false, _e4622);
+                    let _e4627 = local_42;
+                    let _e4629 = local_43;
+                    let _e4632 = local_44;
+                    let _e4634 = local_45;
+                    let _e4637 = local_46;
+                    let _e4639 = local_47;
+                    if _e4625 {
+                        let _e4642 = local_48;
+                        if (_e4642.member >= _e542) {
+                            phi_8104_ = type_38(type_37(0u, f64()), 0u);
                         } else {
-                            let _e4649 = local_49;
-                            let _e4653 = local_50;
-                            let _e4656 = local_51;
-                            phi_8109_ = type_39(type_38(2u, _e4656.member), select(_e4653, 0u, (_e4649.member > _e536)));
+                            let _e4646 = local_49;
+                            let _e4650 = local_50;
+                            let _e4653 = local_51;
+                            phi_8104_ = type_38(type_37(2u, _e4653.member), select(_e4650, 0u, (_e4646.member > _e533)));
                         }
-                        let _e4663 = phi_8109_;
-                        phi_8110_ = _e4663;
-                        phi_8111_ = false;
-                        phi_8112_ = false;
-                        phi_8113_ = false;
-                        phi_8114_ = false;
+                        let _e4660 = phi_8104_;
+                        phi_8105_ = _e4660;
+                        phi_8106_ = false;
+                        phi_8107_ = false;
+                        phi_8108_ = false;
+                        phi_8109_ = false;
                     } else {
-                        phi_8110_ = type_39();
-                        phi_8111_ = select(_e4632, false, _e4630);
+                        phi_8105_ = type_38();
+                        phi_8106_ = select(_e4629, false, _e4627);
                         let _e5498 = local_61;
-                        phi_8112_ = _e5498;
-                        phi_8113_ = select(_e4637, false, _e4635);
-                        phi_8114_ = select(_e4642, false, _e4640);
+                        phi_8107_ = _e5498;
+                        phi_8108_ = select(_e4634, false, _e4632);
+                        phi_8109_ = select(_e4639, false, _e4637);
                     }
-                    let _e4665 = phi_8110_;
-                    let _e4667 = phi_8111_;
-                    let _e4669 = phi_8112_;
-                    let _e4671 = phi_8113_;
-                    let _e4673 = phi_8114_;
-                    let _e4675 = local_52;
-                    let _e4677 = local_53;
-                    let _e4680 = local_54;
-                    let _e4682 = local_55;
-                    let _e4684 = select(_e4669, true, _e4667);
-                    let _e4689 = local_56;
-                    let _e4690 = select(_e4689, select(_e4682, _e4680, _e4667), _e4684);
-                    let _e4692 = local_57;
-                    let _e4693 = select(_e4692, select(_e4677, _e4675, _e4667), _e4684);
-                    if select(select(_e4671, false, _e4667), true, _e4684) {
+                    let _e4662 = phi_8105_;
+                    let _e4664 = phi_8106_;
+                    let _e4666 = phi_8107_;
+                    let _e4668 = phi_8108_;
+                    let _e4670 = phi_8109_;
+                    let _e4672 = local_52;
+                    let _e4674 = local_53;
+                    let _e4677 = local_54;
+                    let _e4679 = local_55;
+                    let _e4681 = select(_e4666, true, _e4664);
+                    let _e4686 = local_56;
+                    let _e4687 = select(_e4686, select(_e4679, _e4677, _e4664), _e4681);
+                    let _e4689 = local_57;
+                    let _e4690 = select(_e4689, select(_e4674, _e4672, _e4664), _e4681);
+                    if select(select(_e4668, false, _e4664), true, _e4681) {
                         local[0u] = 0.01f;
                         local[1u] = 0f;
                         local[2u] = 0.8f;
-                        phi_8148_ = type_9(0u, 3u);
+                        phi_8143_ = type_9(0u, 3u);
                         loop {
-                            let _e4706 = phi_8148_;
-                            let _e4709 = (_e4706.member < _e4706.member_1);
-                            if (bitcast<i32>(select(0u, 1u, _e4709)) != 0i) {
-                                let _e4724 = local[select(type_9().member_1, _e4706.member, _e4709)];
-                                let _e4727 = (_e4690 + (select(f64(0f), _e527, (_e527 >= (1.1102230246251565e-16lf * f64(8f)))) * f64(_e4724)));
-                                let _e4729 = select(_e545, _e4727, (_e4727 < _e545));
-                                let _e4732 = local_5.member[0u];
-                                let _e4738 = local_5.member[1u];
-                                let _e4754 = local_5.member_1[0u];
-                                let _e4760 = local_5.member_1[1u];
-                                let _e4776 = local_5.member_2[0u];
-                                let _e4782 = local_5.member_2[1u];
-                                let _e4796 = function_3(array<f64, 3>((_e4732[0] + ((_e4738[0] - _e4732[0]) * _e4729)), (_e4732[1] + ((_e4738[1] - _e4732[1]) * _e4729)), (_e4732[2] + ((_e4738[2] - _e4732[2]) * _e4729))), array<f64, 3>((_e4754[0] + ((_e4760[0] - _e4754[0]) * _e4729)), (_e4754[1] + ((_e4760[1] - _e4754[1]) * _e4729)), (_e4754[2] + ((_e4760[2] - _e4754[2]) * _e4729))), array<f64, 3>((_e4776[0] + ((_e4782[0] - _e4776[0]) * _e4729)), (_e4776[1] + ((_e4782[1] - _e4776[1]) * _e4729)), (_e4776[2] + ((_e4782[2] - _e4776[2]) * _e4729))), _e224.member);
-                                let _e4807 = (((_e4796[0] * _e4796[0]) + (_e4796[1] * _e4796[1])) + (_e4796[2] * _e4796[2]));
-                                if (_e4807 <= 2.2250738585072014e-308lf) {
-                                    phi_8381_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4807 > 0.0lf));
+                            let _e4703 = phi_8143_;
+                            let _e4706 = (_e4703.member < _e4703.member_1);
+                            if (bitcast<i32>(select(0u, 1u, _e4706)) != 0i) {
+                                let _e4721 = local[select(type_9().member_1, _e4703.member, _e4706)];
+                                let _e4724 = (_e4687 + (select(f64(0f), _e524, (_e524 >= (1.1102230246251565e-16lf * f64(8f)))) * f64(_e4721)));
+                                let _e4726 = select(_e542, _e4724, (_e4724 < _e542));
+                                let _e4729 = local_5.member[0u];
+                                let _e4735 = local_5.member[1u];
+                                let _e4751 = local_5.member_1[0u];
+                                let _e4757 = local_5.member_1[1u];
+                                let _e4773 = local_5.member_2[0u];
+                                let _e4779 = local_5.member_2[1u];
+                                let _e4793 = function_3(array<f64, 3>((_e4729[0] + ((_e4735[0] - _e4729[0]) * _e4726)), (_e4729[1] + ((_e4735[1] - _e4729[1]) * _e4726)), (_e4729[2] + ((_e4735[2] - _e4729[2]) * _e4726))), array<f64, 3>((_e4751[0] + ((_e4757[0] - _e4751[0]) * _e4726)), (_e4751[1] + ((_e4757[1] - _e4751[1]) * _e4726)), (_e4751[2] + ((_e4757[2] - _e4751[2]) * _e4726))), array<f64, 3>((_e4773[0] + ((_e4779[0] - _e4773[0]) * _e4726)), (_e4773[1] + ((_e4779[1] - _e4773[1]) * _e4726)), (_e4773[2] + ((_e4779[2] - _e4773[2]) * _e4726))), _e221.member);
+                                let _e4804 = (((_e4793[0] * _e4793[0]) + (_e4793[1] * _e4793[1])) + (_e4793[2] * _e4793[2]));
+                                if (_e4804 <= 2.2250738585072014e-308lf) {
+                                    phi_8376_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4804 > 0.0lf));
                                 } else {
-                                    phi_8324_ = type_18(0i, 5i);
-                                    phi_8327_ = bitcast<f64>(((bitcast<u64>(_e4807) / 2lu) + 2303426169912950784lu));
+                                    phi_8319_ = type_18(0i, 5i);
+                                    phi_8322_ = bitcast<f64>(((bitcast<u64>(_e4804) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e4814 = phi_8324_;
-                                        let _e4816 = phi_8327_;
-                                        local_58 = _e4816;
-                                        if (_e4814.member < _e4814.member_1) {
-                                            let _e4823 = (_e4814.member + 1i);
-                                            phi_8325_ = type_18(select(_e4823, type_19().member_1, select(false, true, ((false == (_e4823 > _e4814.member)) != false))), _e4814.member_1);
-                                            phi_8368_ = type_19(1u, _e4814.member);
+                                        let _e4811 = phi_8319_;
+                                        let _e4813 = phi_8322_;
+                                        local_58 = _e4813;
+                                        if (_e4811.member < _e4811.member_1) {
+                                            let _e4820 = (_e4811.member + 1i);
+                                            phi_8320_ = type_18(select(_e4820, type_19().member_1, select(false, true, ((false == (_e4820 > _e4811.member)) != false))), _e4811.member_1);
+                                            phi_8363_ = type_19(1u, _e4811.member);
                                         } else {
-                                            phi_8325_ = _e4814;
-                                            phi_8368_ = type_19(0u, type_19().member_1);
+                                            phi_8320_ = _e4811;
+                                            phi_8363_ = type_19(0u, type_19().member_1);
                                         }
-                                        let _e4834 = phi_8325_;
-                                        let _e4836 = phi_8368_;
-                                        let _e4839 = (bitcast<i32>(_e4836.member) != 0i);
-                                        if _e4839 {
-                                            phi_8328_ = (0.5lf * (_e4816 + (_e4807 / _e4816)));
+                                        let _e4831 = phi_8320_;
+                                        let _e4833 = phi_8363_;
+                                        let _e4836 = (bitcast<i32>(_e4833.member) != 0i);
+                                        if _e4836 {
+                                            phi_8323_ = (0.5lf * (_e4813 + (_e4804 / _e4813)));
                                         } else {
-                                            phi_8328_ = f64();
+                                            phi_8323_ = f64();
                                         }
-                                        let _e4844 = phi_8328_;
+                                        let _e4841 = phi_8323_;
                                         continue;
                                         continuing {
-                                            phi_8324_ = _e4834;
-                                            phi_8327_ = _e4844;
-                                            break if !(_e4839);
+                                            phi_8319_ = _e4831;
+                                            phi_8322_ = _e4841;
+                                            break if !(_e4836);
                                         }
                                     }
-                                    let _e4849 = local_58;
-                                    phi_8381_ = (_e4849 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e4846 = local_58;
+                                    phi_8376_ = (_e4846 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e4855 = phi_8381_;
-                                let _e4863 = local_5.member[0u];
-                                let _e4869 = select(_e4863[0], -(_e4863[0]), (_e4863[0] < 0.0lf));
-                                let _e4872 = select(_e4863[1], -(_e4863[1]), (_e4863[1] < 0.0lf));
-                                let _e4874 = select(_e4872, _e4869, (_e4869 > _e4872));
-                                let _e4877 = select(_e4863[2], -(_e4863[2]), (_e4863[2] < 0.0lf));
-                                let _e4879 = select(_e4877, _e4874, (_e4874 > _e4877));
-                                let _e4882 = local_5.member[1u];
-                                let _e4888 = select(_e4882[0], -(_e4882[0]), (_e4882[0] < 0.0lf));
-                                let _e4891 = select(_e4882[1], -(_e4882[1]), (_e4882[1] < 0.0lf));
-                                let _e4893 = select(_e4891, _e4888, (_e4888 > _e4891));
-                                let _e4896 = select(_e4882[2], -(_e4882[2]), (_e4882[2] < 0.0lf));
-                                let _e4898 = select(_e4896, _e4893, (_e4893 > _e4896));
-                                let _e4902 = local_5.member_3;
-                                let _e4906 = local_5.member_1[0u];
-                                let _e4912 = select(_e4906[0], -(_e4906[0]), (_e4906[0] < 0.0lf));
-                                let _e4915 = select(_e4906[1], -(_e4906[1]), (_e4906[1] < 0.0lf));
-                                let _e4917 = select(_e4915, _e4912, (_e4912 > _e4915));
-                                let _e4920 = select(_e4906[2], -(_e4906[2]), (_e4906[2] < 0.0lf));
-                                let _e4922 = select(_e4920, _e4917, (_e4917 > _e4920));
-                                let _e4925 = local_5.member_1[1u];
-                                let _e4931 = select(_e4925[0], -(_e4925[0]), (_e4925[0] < 0.0lf));
-                                let _e4934 = select(_e4925[1], -(_e4925[1]), (_e4925[1] < 0.0lf));
-                                let _e4936 = select(_e4934, _e4931, (_e4931 > _e4934));
-                                let _e4939 = select(_e4925[2], -(_e4925[2]), (_e4925[2] < 0.0lf));
-                                let _e4941 = select(_e4939, _e4936, (_e4936 > _e4939));
-                                let _e4945 = local_5.member_3;
-                                let _e4949 = local_5.member_2[0u];
-                                let _e4955 = select(_e4949[0], -(_e4949[0]), (_e4949[0] < 0.0lf));
-                                let _e4958 = select(_e4949[1], -(_e4949[1]), (_e4949[1] < 0.0lf));
-                                let _e4960 = select(_e4958, _e4955, (_e4955 > _e4958));
-                                let _e4963 = select(_e4949[2], -(_e4949[2]), (_e4949[2] < 0.0lf));
-                                let _e4965 = select(_e4963, _e4960, (_e4960 > _e4963));
-                                let _e4968 = local_5.member_2[1u];
-                                let _e4974 = select(_e4968[0], -(_e4968[0]), (_e4968[0] < 0.0lf));
-                                let _e4977 = select(_e4968[1], -(_e4968[1]), (_e4968[1] < 0.0lf));
-                                let _e4979 = select(_e4977, _e4974, (_e4974 > _e4977));
-                                let _e4982 = select(_e4968[2], -(_e4968[2]), (_e4968[2] < 0.0lf));
-                                let _e4984 = select(_e4982, _e4979, (_e4979 > _e4982));
-                                let _e4988 = local_5.member_3;
-                                let _e4996 = local_5.member_3;
-                                let _e5006 = (((_e4855 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e4898, _e4879, (_e4879 > _e4898)) + _e4902) + (select(_e4941, _e4922, (_e4922 > _e4941)) + _e4945)) + (select(_e4984, _e4965, (_e4965 > _e4984)) + _e4988)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4996 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e775.member_1);
-                                phi_8658_ = select(true, false, _e5006);
-                                phi_8659_ = _e5006;
+                                let _e4852 = phi_8376_;
+                                let _e4860 = local_5.member[0u];
+                                let _e4866 = select(_e4860[0], -(_e4860[0]), (_e4860[0] < 0.0lf));
+                                let _e4869 = select(_e4860[1], -(_e4860[1]), (_e4860[1] < 0.0lf));
+                                let _e4871 = select(_e4869, _e4866, (_e4866 > _e4869));
+                                let _e4874 = select(_e4860[2], -(_e4860[2]), (_e4860[2] < 0.0lf));
+                                let _e4876 = select(_e4874, _e4871, (_e4871 > _e4874));
+                                let _e4879 = local_5.member[1u];
+                                let _e4885 = select(_e4879[0], -(_e4879[0]), (_e4879[0] < 0.0lf));
+                                let _e4888 = select(_e4879[1], -(_e4879[1]), (_e4879[1] < 0.0lf));
+                                let _e4890 = select(_e4888, _e4885, (_e4885 > _e4888));
+                                let _e4893 = select(_e4879[2], -(_e4879[2]), (_e4879[2] < 0.0lf));
+                                let _e4895 = select(_e4893, _e4890, (_e4890 > _e4893));
+                                let _e4899 = local_5.member_3;
+                                let _e4903 = local_5.member_1[0u];
+                                let _e4909 = select(_e4903[0], -(_e4903[0]), (_e4903[0] < 0.0lf));
+                                let _e4912 = select(_e4903[1], -(_e4903[1]), (_e4903[1] < 0.0lf));
+                                let _e4914 = select(_e4912, _e4909, (_e4909 > _e4912));
+                                let _e4917 = select(_e4903[2], -(_e4903[2]), (_e4903[2] < 0.0lf));
+                                let _e4919 = select(_e4917, _e4914, (_e4914 > _e4917));
+                                let _e4922 = local_5.member_1[1u];
+                                let _e4928 = select(_e4922[0], -(_e4922[0]), (_e4922[0] < 0.0lf));
+                                let _e4931 = select(_e4922[1], -(_e4922[1]), (_e4922[1] < 0.0lf));
+                                let _e4933 = select(_e4931, _e4928, (_e4928 > _e4931));
+                                let _e4936 = select(_e4922[2], -(_e4922[2]), (_e4922[2] < 0.0lf));
+                                let _e4938 = select(_e4936, _e4933, (_e4933 > _e4936));
+                                let _e4942 = local_5.member_3;
+                                let _e4946 = local_5.member_2[0u];
+                                let _e4952 = select(_e4946[0], -(_e4946[0]), (_e4946[0] < 0.0lf));
+                                let _e4955 = select(_e4946[1], -(_e4946[1]), (_e4946[1] < 0.0lf));
+                                let _e4957 = select(_e4955, _e4952, (_e4952 > _e4955));
+                                let _e4960 = select(_e4946[2], -(_e4946[2]), (_e4946[2] < 0.0lf));
+                                let _e4962 = select(_e4960, _e4957, (_e4957 > _e4960));
+                                let _e4965 = local_5.member_2[1u];
+                                let _e4971 = select(_e4965[0], -(_e4965[0]), (_e4965[0] < 0.0lf));
+                                let _e4974 = select(_e4965[1], -(_e4965[1]), (_e4965[1] < 0.0lf));
+                                let _e4976 = select(_e4974, _e4971, (_e4971 > _e4974));
+                                let _e4979 = select(_e4965[2], -(_e4965[2]), (_e4965[2] < 0.0lf));
+                                let _e4981 = select(_e4979, _e4976, (_e4976 > _e4979));
+                                let _e4985 = local_5.member_3;
+                                let _e4993 = local_5.member_3;
+                                let _e5003 = (((_e4852 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e4895, _e4876, (_e4876 > _e4895)) + _e4899) + (select(_e4938, _e4919, (_e4919 > _e4938)) + _e4942)) + (select(_e4981, _e4962, (_e4962 > _e4981)) + _e4985)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4993 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e772.member_1);
+                                phi_8653_ = select(true, false, _e5003);
+                                phi_8654_ = _e5003;
                             } else {
-                                phi_8658_ = false;
-                                phi_8659_ = false;
+                                phi_8653_ = false;
+                                phi_8654_ = false;
                             }
-                            let _e5009 = phi_8658_;
-                            let _e5011 = phi_8659_;
-                            local_59 = _e5011;
+                            let _e5006 = phi_8653_;
+                            let _e5008 = phi_8654_;
+                            local_59 = _e5008;
                             continue;
                             continuing {
-                                phi_8148_ = type_9(select(_e4706.member, (_e4706.member + 1u), _e4709), select(_e4706.member_1, _e4706.member_1, _e4709));
-                                break if !(_e5009);
+                                phi_8143_ = type_9(select(_e4703.member, (_e4703.member + 1u), _e4706), select(_e4703.member_1, _e4703.member_1, _e4706));
+                                break if !(_e5006);
                             }
                         }
-                        let _e5014 = local_59;
-                        if _e5014 {
-                            phi_8671_ = type_39(type_38(1u, _e4690), select(_e4693, 1u, (_e4690 > _e536)));
-                            phi_8672_ = false;
+                        let _e5011 = local_59;
+                        if _e5011 {
+                            phi_8666_ = type_38(type_37(1u, _e4687), select(_e4690, 1u, (_e4687 > _e533)));
+                            phi_8667_ = false;
                         } else {
-                            phi_8671_ = type_39();
-                            phi_8672_ = true;
+                            phi_8666_ = type_38();
+                            phi_8667_ = true;
                         }
-                        let _e5020 = phi_8671_;
-                        let _e5022 = phi_8672_;
-                        if _e5022 {
-                            phi_8684_ = type_39(type_38(2u, _e4690), select(_e4693, 0u, (_e4690 > _e536)));
+                        let _e5017 = phi_8666_;
+                        let _e5019 = phi_8667_;
+                        if _e5019 {
+                            phi_8679_ = type_38(type_37(2u, _e4687), select(_e4690, 0u, (_e4687 > _e533)));
                         } else {
-                            phi_8684_ = _e5020;
+                            phi_8679_ = _e5017;
                         }
-                        let _e5028 = phi_8684_;
-                        phi_8685_ = _e5028;
-                        phi_8686_ = false;
-                        phi_8687_ = false;
+                        let _e5025 = phi_8679_;
+                        phi_8680_ = _e5025;
+                        phi_8681_ = false;
+                        phi_8682_ = false;
                     } else {
-                        phi_8685_ = type_39();
-                        phi_8686_ = select(select(_e4673, false, _e4667), false, _e4684);
-                        phi_8687_ = select(select(_e4628, false, _e4667), false, _e4684);
+                        phi_8680_ = type_38();
+                        phi_8681_ = select(select(_e4670, false, _e4664), false, _e4681);
+                        phi_8682_ = select(select(_e4625, false, _e4664), false, _e4681);
                     }
-                    let _e5030 = phi_8685_;
-                    let _e5032 = phi_8686_;
-                    let _e5034 = phi_8687_;
-                    if _e5032 {
-                        phi_8694_ = type_39(type_38(0u, f64()), 0u);
-                        phi_8695_ = true;
+                    let _e5027 = phi_8680_;
+                    let _e5029 = phi_8681_;
+                    let _e5031 = phi_8682_;
+                    if _e5029 {
+                        phi_8689_ = type_38(type_37(0u, f64()), 0u);
+                        phi_8690_ = true;
                     } else {
-                        phi_8694_ = _e4665;
-                        phi_8695_ = _e5034;
+                        phi_8689_ = _e4662;
+                        phi_8690_ = _e5031;
                     }
-                    let _e5038 = phi_8694_;
-                    let _e5040 = phi_8695_;
-                    phi_8699_ = _e5038;
-                    phi_8700_ = _e5030;
-                    phi_8701_ = _e5040;
+                    let _e5035 = phi_8689_;
+                    let _e5037 = phi_8690_;
+                    phi_8694_ = _e5035;
+                    phi_8695_ = _e5027;
+                    phi_8696_ = _e5037;
                 } else {
-                    phi_8699_ = _e1496;
-                    phi_8700_ = type_39();
-                    phi_8701_ = true;
+                    phi_8694_ = _e1493;
+                    phi_8695_ = type_38();
+                    phi_8696_ = true;
                 }
-                let _e5042 = phi_8699_;
-                let _e5044 = phi_8700_;
-                let _e5046 = phi_8701_;
-                if _e5046 {
-                    phi_8705_ = _e5042;
+                let _e5039 = phi_8694_;
+                let _e5041 = phi_8695_;
+                let _e5043 = phi_8696_;
+                if _e5043 {
+                    phi_8700_ = _e5039;
                 } else {
-                    phi_8705_ = _e5044;
+                    phi_8700_ = _e5041;
                 }
-                let _e5048 = phi_8705_;
-                switch bitcast<i32>(_e5048.member.member) {
+                let _e5045 = phi_8700_;
+                switch bitcast<i32>(_e5045.member.member) {
                     case 0: {
-                        phi_8723_ = type_35(0u, _e5048.member_1, array<u32, 2>(0u, 0u), false);
+                        phi_8718_ = type_34(0u, _e5045.member_1, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5059 = function_4(_e5048.member.member_1);
-                        phi_8723_ = type_35(0u, _e5048.member_1, _e5059, true);
+                        let _e5056 = function_4(_e5045.member.member_1);
+                        phi_8718_ = type_34(0u, _e5045.member_1, _e5056, true);
                         break;
                     }
                     case 2: {
-                        let _e5055 = function_4(_e5048.member.member_1);
-                        phi_8723_ = type_35(1u, _e5048.member_1, _e5055, true);
+                        let _e5052 = function_4(_e5045.member.member_1);
+                        phi_8718_ = type_34(1u, _e5045.member_1, _e5052, true);
                         break;
                     }
                     default: {
-                        phi_8723_ = type_35();
+                        phi_8718_ = type_34();
                         break;
                     }
                 }
-                let _e5063 = phi_8723_;
-                if _e5063.member_3 {
-                    let _e5073 = (_e5063.member_2[1] >> bitcast<u32>(20i));
-                    if (_e5073 <= 896u) {
-                        phi_8758_ = 0u;
-                    } else {
-                        phi_8758_ = ((((_e5073 - 896u) << bitcast<u32>(23i)) | ((_e5063.member_2[1] & 1048575u) << bitcast<u32>(3i))) | (_e5063.member_2[0] >> bitcast<u32>(29i)));
-                    }
-                    let _e5088 = phi_8758_;
-                    let _e5090 = atomicMin((&earliest.member[0u]), _e5088);
-                }
-                phi_8762_ = type_20(_e177, _e5063.member, _e192, _e195, _e5063.member_2, _e5063.member_1);
-                phi_8763_ = select(false, select(false, true, _e182), _e5063.member_3);
+                let _e5060 = phi_8718_;
+                phi_8719_ = _e5060;
+                phi_8720_ = type_9(_e188, _e191);
             } else {
-                phi_8762_ = type_20(_e177, 0u, 0u, 0u, array<u32, 2>(0u, 0u), 0u);
-                phi_8763_ = false;
+                phi_8719_ = type_34(0u, 0u, array<u32, 2>(0u, 0u), false);
+                phi_8720_ = type_9(0u, 0u);
             }
-            let _e5092 = phi_8762_;
-            let _e5094 = phi_8763_;
-            if (_e101 == 0u) {
+            let _e5062 = phi_8719_;
+            let _e5064 = phi_8720_;
+            let _e5069 = params.member.member.member_1;
+            let _e5071 = ((_e5069 & 16u) != 0u);
+            let _e5074 = select(false, select(false, true, _e5071), _e5062.member_3);
+            if _e5062.member_3 {
+                let _e5079 = (_e5062.member_2[1] >> bitcast<u32>(20i));
+                if (_e5079 <= 896u) {
+                    phi_8760_ = 0u;
+                } else {
+                    phi_8760_ = ((((_e5079 - 896u) << bitcast<u32>(23i)) | ((_e5062.member_2[1] & 1048575u) << bitcast<u32>(3i))) | (_e5062.member_2[0] >> bitcast<u32>(29i)));
+                }
+                let _e5094 = phi_8760_;
+                let _e5096 = atomicMin((&earliest.member[0u]), _e5094);
+            }
+            if (_e103 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e5094 {
-                let _e5098 = atomicAdd((&counters[0u]), 1u);
-                phi_8774_ = _e5098;
+            if _e5074 {
+                let _e5100 = atomicAdd((&counters[0u]), 1u);
+                phi_8774_ = _e5100;
             } else {
                 phi_8774_ = 0u;
             }
-            let _e5100 = phi_8774_;
+            let _e5102 = phi_8774_;
             workgroupBarrier();
-            if (_e101 == 0u) {
-                let _e5103 = atomicLoad((&counters[0u]));
-                if (_e5103 > 0u) {
-                    let _e5106 = atomicAdd((&contacts.member[0u]), _e5103);
-                    atomicStore((&counters[1u]), _e5106);
+            if (_e103 == 0u) {
+                let _e5105 = atomicLoad((&counters[0u]));
+                if (_e5105 > 0u) {
+                    let _e5108 = atomicAdd((&contacts.member[0u]), _e5105);
+                    atomicStore((&counters[1u]), _e5108);
                 }
             }
             workgroupBarrier();
-            let _e5109 = atomicLoad((&counters[1u]));
-            let _e5110 = (_e5109 + _e5100);
-            if _e5094 {
-                if _e182 {
-                    let _e5113 = params.member.member_1.member_3;
-                    if (_e5110 < _e5113) {
-                        let _e5115 = (7u * _e5110);
-                        atomicStore((&contacts.member[(4u + _e5115)]), _e5092.member);
-                        atomicStore((&contacts.member[(_e5115 + 5u)]), _e5092.member_1);
-                        atomicStore((&contacts.member[(_e5115 + 6u)]), _e5092.member_2);
-                        atomicStore((&contacts.member[(_e5115 + 7u)]), _e5092.member_3);
-                        atomicStore((&contacts.member[(_e5115 + 8u)]), _e5092.member_4[0]);
-                        atomicStore((&contacts.member[(_e5115 + 9u)]), _e5092.member_4[1]);
-                        atomicStore((&contacts.member[(_e5115 + 10u)]), _e5092.member_5);
+            let _e5111 = atomicLoad((&counters[1u]));
+            let _e5112 = (_e5111 + _e5102);
+            if _e5074 {
+                if _e5071 {
+                    let _e5115 = params.member.member_1.member_3;
+                    let _e5118 = params.member.member_2.member;
+                    if (_e5112 < _e5115) {
+                        let _e5120 = (7u * _e5112);
+                        atomicStore((&contacts.member[(4u + _e5120)]), _e5118);
+                        atomicStore((&contacts.member[(_e5120 + 5u)]), _e5062.member);
+                        atomicStore((&contacts.member[(_e5120 + 6u)]), _e5064.member);
+                        atomicStore((&contacts.member[(_e5120 + 7u)]), _e5064.member_1);
+                        atomicStore((&contacts.member[(_e5120 + 8u)]), _e5062.member_2[0]);
+                        atomicStore((&contacts.member[(_e5120 + 9u)]), _e5062.member_2[1]);
+                        atomicStore((&contacts.member[(_e5120 + 10u)]), _e5062.member_1);
                     }
                     phi_8834_ = false;
                 } else {
                     phi_8834_ = true;
                 }
-                let _e5140 = phi_8834_;
-                phi_8835_ = _e5140;
+                let _e5142 = phi_8834_;
+                phi_8835_ = _e5142;
             } else {
                 phi_8835_ = true;
             }
-            let _e5142 = phi_8835_;
-            if _e5142 {
-                if _e5094 {
+            let _e5144 = phi_8835_;
+            if _e5144 {
+                if _e5074 {
                     let _e5147 = params.member.member_2.member_1;
-                    if (_e5110 < _e5147) {
-                        let _e5149 = (2u * _e5110);
-                        atomicStore((&contacts.member[(4u + _e5149)]), _e5092.member_2);
-                        atomicStore((&contacts.member[(_e5149 + 5u)]), _e5092.member_3);
+                    if (_e5112 < _e5147) {
+                        let _e5149 = (2u * _e5112);
+                        atomicStore((&contacts.member[(4u + _e5149)]), _e5064.member);
+                        atomicStore((&contacts.member[(_e5149 + 5u)]), _e5064.member_1);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_988_ = type_9(select(_e154.member, (_e154.member + 1u), _e157), select(_e154.member_1, _e154.member_1, _e157));
-            break if !(_e170);
+            phi_990_ = type_9(select(_e159.member, (_e159.member + 1u), _e162), select(_e159.member_1, _e159.member_1, _e162));
+            break if !(_e175);
         }
     }
     return;

@@ -77,7 +77,7 @@ fn check_queries(device: &Device) {
         let queries: Vec<Ends> =
             (0..4000).map(|i| ends([0, 5, 20, 60][i % 4], i / 4 % 2)).collect();
         let (mut n_misses, mut n_hits) = (0, 0);
-        for (&query, verdict) in queries.iter().zip(decide(device, is_vf, &queries)) {
+        for (&query, verdict) in queries.iter().zip(decide(device, is_vf, &queries, 0.0)) {
             let cpu = on_cpu(is_vf, query);
             check_verdict(is_vf, query, cpu, verdict);
             n_misses += (verdict == Verdict::Miss) as usize;

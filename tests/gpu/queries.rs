@@ -3,7 +3,7 @@
 use crate::scenes::{Runnable, Test};
 use crate::support::{bytes, capacity, entries, list, run};
 use ccd::gpu::Device;
-use ccd::gpu::bind::{Decide, DecideWide};
+use ccd::gpu::bind::{Decide, DecideNear, DecideNearWide, DecideWide};
 use ccd::io::{Queries, Query, read_queries};
 use ccd::{Pair, Verdict};
 use ccd_core::backend::layout::{
@@ -12,7 +12,7 @@ use ccd_core::backend::layout::{
 };
 use ccd_core::backend::quantization::{Scan, Table};
 use ccd_core::narrow_phase::integer_search::Window;
-use ccd_core::narrow_phase::search::Search;
+use ccd_core::narrow_phase::search::{Search, TOI_TOLERANCE};
 use ccd_testkit::data::QUERY_SETS;
 use ccd_testkit::{compare, data};
 use std::path::{Path, PathBuf};
@@ -48,7 +48,17 @@ fn check_queries(device: &Device, dir: &Path) {
             Query::EdgeEdge(q) => (q.t0, q.t1),
         };
         let ends: Vec<Ends> = queries.iter().map(ends).collect();
-        let verdicts = decide(device, is_vf, &ends);
+        for min_distance in [1e-3, 0.1] {
+            let got = decide(device, is_vf, &ends, min_distance);
+            for (i, (query, got)) in queries.iter().zip(got).enumerate() {
+                let want = match query {
+                    Query::VertexFace(q) => ccd::vertex_face(q, min_distance),
+                    Query::EdgeEdge(q) => ccd::edge_edge(q, min_distance),
+                };
+                check_near(want, got, &format!("{name} query {i}, distance {min_distance}"));
+            }
+        }
+        let verdicts = decide(device, is_vf, &ends, 0.0);
         for (i, (verdict, time)) in verdicts.iter().zip(&times).enumerate() {
             let mut verdict = *verdict;
             *n_of_set += 1;
@@ -82,9 +92,25 @@ fn check_queries(device: &Device, dir: &Path) {
     }
 }
 
+/// Asserts that a verdict by a minimum distance contradicts none of a CPU in `f64`.
+fn check_near(want: Verdict<f64>, got: Verdict<f64>, what: &str) {
+    let tolerance = TOI_TOLERANCE * 1.001;
+    match (want, got) {
+        (Verdict::Hit { .. }, Verdict::Miss) => panic!("{what}: {want:?} is missed"),
+        (Verdict::Hit { toi }, Verdict::Undecided { toi: first }) => {
+            assert!(first <= toi + tolerance, "{what}: {got:?} is late, {want:?}")
+        }
+        (Verdict::Hit { toi }, Verdict::Hit { toi: first }) => {
+            assert!((first - toi).abs() <= tolerance, "{what}: {got:?} for {want:?}")
+        }
+        (Verdict::Miss, Verdict::Hit { .. }) => panic!("{what}: {got:?} is none"),
+        _ => (),
+    }
+}
+
 /// Verdicts of the device for queries of four vertices each: vertex `4 i` and face `i`, or edges
 /// `2 i` and `2 i + 1`.
-pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> {
+pub fn decide(device: &Device, is_vf: bool, ends: &[Ends], min_distance: f64) -> Vec<Verdict<f64>> {
     let n = ends.len();
     let mut verdicts = vec![Verdict::Miss; n];
     let mut scan = Scan::NONE;
@@ -113,21 +139,27 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         count: [4 * count, 0, 0],
         flags: Frame::FLAG_KEEP | exact,
         path_error: table.error,
-        distance_bits: split(0.0),
+        min_distance: table.distance(min_distance),
+        distance_bits: split(min_distance),
         scale_bits: split(table.scale),
         ..Frame::default()
     }
-    .searching(&Search::whole(0.0));
+    .searching(&Search::whole(min_distance));
     let dispatch = Dispatch { n: count, first: 0, capacity_in: count, capacity_out: count };
     let (paths, elements, input) = (bytes(&paths), bytes(&elements), list(&pairs));
     let (contacts, earliest) = (vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n)], vec![0xff; 16]);
     let of_pair = |a: u32| if is_vf { a / 4 } else { a / 2 } as usize;
     let args = Decision { kind: !is_vf as u32, capacity_open: count };
     let positions = bytes(&[x0, x1].concat());
+    let (near, p) = (min_distance > 0.0, Params { frame, dispatch, args });
     if device.info().wide {
-        let p = Params { frame, dispatch, args };
-        let kernel = DecideWide { paths, positions, elements, input, contacts, earliest };
-        let contacts = run(device, kernel, &p, 3).contacts;
+        let contacts = if near {
+            let kernel = DecideNearWide { paths, positions, elements, input, contacts, earliest };
+            run(device, kernel, &p, 3).contacts
+        } else {
+            let kernel = DecideWide { paths, positions, elements, input, contacts, earliest };
+            run(device, kernel, &p, 3).contacts
+        };
         for touch in touches(&contacts) {
             let toi = join(touch.toi);
             verdicts[of_pair(touch.a)] =
@@ -135,11 +167,18 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         }
     } else {
         let undecided = capacity(count);
-        let args = IntegerDecision::new(args, Window::of(&Search::whole(0.0)));
-        let p = Params { frame, dispatch, args };
-        let kernel = Decide { paths, positions, elements, input, contacts, undecided, earliest };
-        let done = run(device, kernel, &p, 3);
-        let (contacts, undecided) = (done.contacts, done.undecided);
+        let (contacts, undecided) = if near {
+            let kernel = DecideNear { paths, elements, input, contacts, undecided, earliest };
+            let done = run(device, kernel, &p, 3);
+            (done.contacts, done.undecided)
+        } else {
+            let args = IntegerDecision::new(args, Window::of(&Search::whole(0.0)));
+            let p = Params { frame, dispatch, args };
+            let kernel =
+                Decide { paths, positions, elements, input, contacts, undecided, earliest };
+            let done = run(device, kernel, &p, 3);
+            (done.contacts, done.undecided)
+        };
         touches(&contacts)
             .iter()
             .for_each(|t| verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) });

@@ -40,7 +40,7 @@ fn check_precision<R: Real>(device: &Device, seed: u64) {
         by_patch[(q.patch == Patch::Parallelogram) as usize].push((widen(&q.t0), widen(&q.t1)));
     }
     for (patch, queries) in [Patch::Triangle, Patch::Parallelogram].into_iter().zip(by_patch) {
-        let verdicts = decide(device, patch == Patch::Triangle, &queries);
+        let verdicts = decide(device, patch == Patch::Triangle, &queries, 0.0);
         let n_contacts = check_verdicts(patch, &queries, &verdicts);
         assert!(n_contacts > queries.len() / 4, "{n_contacts} of {} are contacts", queries.len());
         // A check that nothing fails shows nothing.

@@ -45,9 +45,7 @@ fn check_flushed(device: &Device) {
             }
             (_, got) => assert!(!matches!(got, Verdict::Hit { .. }), "{what}, but {got:?}"),
         };
-        if min_distance == 0.0 {
-            check(decide(device, true, &[(t0, t1)])[0]);
-        }
+        check(decide(device, true, &[(t0, t1)], min_distance)[0]);
         for far in [2f64.powi(e), 1.0] {
             // The vertex is a corner of a face whose other corners are elsewhere.
             let other = [[-8.0 * far, -8.0 * far, 0.0], [-8.0 * far, -9.0 * far, 0.0]];

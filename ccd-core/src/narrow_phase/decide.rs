@@ -6,7 +6,6 @@ use crate::kernel::memory::{Stored, at};
 use crate::layout::VERTEX_FACE;
 use crate::layout::{Frame, IntegerDecision, Pair, Path, join, split};
 use crate::math::q62::Q62;
-use crate::math::real::Real;
 use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::integer_search::{self, Ends, Found, NO_UNIT, Window};
 use crate::narrow_phase::query::{Verdict, contact, near};
@@ -151,17 +150,11 @@ pub fn narrow_verdicts(answer: Answer<f32>, frame: &Frame) -> Verdicts {
     Verdicts { undecided, ..v }
 }
 
-/// `NEAR`: by a minimum distance. A kernel for either takes half as long to compile as one for both.
-#[inline(always)]
-fn search<const NEAR: bool, R: Real>(m: &Motion<R>, patch: Patch, s: &Search<R>) -> Answer<R> {
-    if NEAR { near(m, patch, s) } else { contact(m, patch, s) }
-}
-
 /// Decides a pair of a kind without `f64`: by integers, if these are asked, and what they leave
 /// open in `f32`. `elements`: see [`words_of_pair`]. `positions`: words of positions as given, if
-/// paths are not exact. `NEAR`: by a minimum distance, which integers know nothing of.
+/// paths are not exact.
 #[inline(always)]
-pub fn narrow<const NEAR: bool, P: Stored<Path>>(
+pub fn narrow<P: Stored<Path>>(
     pair: Pair,
     frame: &Frame,
     args: &IntegerDecision,
@@ -172,8 +165,8 @@ pub fn narrow<const NEAR: bool, P: Stored<Path>>(
     let (patch, ids) = words_of_pair(args.of_pairs.kind, pair, elements);
     let (x0, x1) = ends(ids, paths);
     let motion = Motion::new(patch, &x0, &x1, frame.path_error);
-    let unit = if NEAR { NO_UNIT } else { integer_search::unit(&motion) };
-    if !NEAR && args.tolerance > 0 && unit != NO_UNIT {
+    let unit = integer_search::unit(&motion);
+    if args.tolerance > 0 && unit != NO_UNIT {
         let points = if frame.has(Frame::FLAG_EXACT) {
             let point = |i: usize| [in_units(x0[i], unit), in_units(x1[i], unit)];
             [point(0), point(1), point(2), point(3)]
@@ -192,7 +185,22 @@ pub fn narrow<const NEAR: bool, P: Stored<Path>>(
             return verdicts;
         }
     }
-    narrow_verdicts(search::<NEAR, f32>(&motion, patch, &search_of(frame)), frame)
+    narrow_verdicts(contact(&motion, patch, &search_of(frame)), frame)
+}
+
+/// Decides a pair of a kind by a minimum distance in `f32`. `elements`: see [`words_of_pair`].
+#[inline(always)]
+pub fn narrow_near<P: Stored<Path>>(
+    kind: u32,
+    pair: Pair,
+    frame: &Frame,
+    paths: &[P],
+    elements: &[u32],
+) -> Verdicts {
+    let (patch, ids) = words_of_pair(kind, pair, elements);
+    let (x0, x1) = ends(ids, paths);
+    let motion = Motion::new(patch, &x0, &x1, frame.path_error);
+    narrow_verdicts(near(&motion, patch, &search_of(frame)), frame)
 }
 
 #[inline(always)]
@@ -233,7 +241,7 @@ fn time_of(units: u32) -> [u32; 2] {
 }
 
 /// Decides a pair of a kind in `f64`. `elements`: see [`words_of_pair`]. `NEAR`: by a minimum
-/// distance.
+/// distance; a kernel for either takes half as long to compile as one for both.
 #[inline(always)]
 pub fn wide<const NEAR: bool, P: Stored<Path>>(
     kind: u32,
@@ -246,7 +254,10 @@ pub fn wide<const NEAR: bool, P: Stored<Path>>(
     let (patch, ids) = words_of_pair(kind, pair, elements);
     let (x0, x1) = wide_ends(ids, frame, paths, positions);
     let motion = Motion::new(patch, &x0, &x1, 0.0);
-    verdicts(search::<NEAR, f64>(&motion, patch, &wide_search_of(frame)), split)
+    let search = wide_search_of(frame);
+    let answer =
+        if NEAR { near(&motion, patch, &search) } else { contact(&motion, patch, &search) };
+    verdicts(answer, split)
 }
 
 /// Positions as given: in `f32` if those are exact.
@@ -291,6 +302,7 @@ pub fn words_of_pair(kind: u32, pair: Pair, elements: &[u32]) -> (Patch, [u32; 4
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::real::Real;
     use crate::random::Random;
 
     /// Times of a window and the tolerance are rounded so that nothing is lost, and contacts are

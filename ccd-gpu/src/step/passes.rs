@@ -161,29 +161,29 @@ impl Buffers {
         for dispatch in parts(capacity, limit, self.contacts.capacity()) {
             let groups = self.groups.min(dispatch.n.div_ceil(threads));
             // One of four, so that a first step waits for no more than it needs.
-            macro_rules! decide {
-                ($args:expr, $($kernel:tt)*) => {
-                    recorder.dispatch(&$($kernel)*, &Params { frame, dispatch, args: $args }, groups)
-                };
-            }
-            let integer = IntegerDecision::new(args, window);
+            let params = Params { frame, dispatch, args };
             match (wide, decide::is_near(&frame)) {
-                (true, false) => decide!(
-                    args,
-                    DecideWide { paths, positions, elements, input, contacts, earliest }
-                ),
-                (true, true) => decide!(
-                    args,
-                    DecideNearWide { paths, positions, elements, input, contacts, earliest }
-                ),
-                (false, false) => decide!(
-                    integer,
-                    Decide { paths, positions, elements, input, contacts, undecided, earliest }
-                ),
-                (false, true) => decide!(
-                    integer,
-                    DecideNear { paths, positions, elements, input, contacts, undecided, earliest }
-                ),
+                (true, false) => {
+                    let kernel =
+                        DecideWide { paths, positions, elements, input, contacts, earliest };
+                    recorder.dispatch(&kernel, &params, groups);
+                }
+                (true, true) => {
+                    let kernel =
+                        DecideNearWide { paths, positions, elements, input, contacts, earliest };
+                    recorder.dispatch(&kernel, &params, groups);
+                }
+                (false, false) => {
+                    let kernel =
+                        Decide { paths, positions, elements, input, contacts, undecided, earliest };
+                    let args = IntegerDecision::new(args, window);
+                    recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
+                }
+                (false, true) => {
+                    let kernel =
+                        DecideNear { paths, elements, input, contacts, undecided, earliest };
+                    recorder.dispatch(&kernel, &params, groups);
+                }
             }
         }
     }

@@ -110,8 +110,8 @@ macro_rules! kernels {
                 { paths: Read, positions: Read, elements: Read, input: Read,
                   contacts: Write, earliest: Write }
             /// Verdicts of pairs of a kind by a minimum distance, without `f64`.
-            DecideNear = decide_near(64 threads, 7 barriers, f32, Params<IntegerDecision>)
-                { paths: Read, positions: Read, elements: Read, input: Read,
+            DecideNear = decide_near(64 threads, 7 barriers, f32, Params<Decision>)
+                { paths: Read, elements: Read, input: Read,
                   contacts: Write, undecided: Write, earliest: Write }
             /// Verdicts of pairs of a kind by a minimum distance, in `f64`.
             DecideNearWide = decide_near_wide(64 threads, 3 barriers, f64, Params<Decision>)
