@@ -69,11 +69,11 @@ impl<R: Real> Ball<R> {
     }
 }
 
-/// `p x q` in the plane of axes `i`, `j`, with a bound of its error over both balls (see above;
-/// `2 x 2 x 2 u` is `8 u`).
+/// `p x q` in the plane of the first two axes, with a bound of its error over both balls (see
+/// above; `2 x 2 x 2 u` is `8 u`).
 #[inline]
-pub fn cross2<R: Real>(p: &Ball<R>, q: &Ball<R>, i: usize, j: usize) -> (R, R) {
-    let value = p.centre[i] * q.centre[j] - p.centre[j] * q.centre[i];
+pub fn cross2<R: Real>(p: &Ball<R>, q: &Ball<R>) -> (R, R) {
+    let value = p.centre[0] * q.centre[1] - p.centre[1] * q.centre[0];
     let (one, two) = (R::splat(1.0), R::splat(2.0));
     let error = (p.radius * q.size + p.size * q.radius) * R::splat(2.01)
         + (p.size * two) * (q.size * two) * (R::UNIT * two)
@@ -120,20 +120,24 @@ pub fn inside<R: Real>(m: &Motion<R>, patch: Patch, lo: R, hi: R) -> Inside {
     let b = Ball::new(&m.b, middle, half, m.error);
     let c = Ball::new(&m.c, middle, half, m.error);
     let n = cross(b.centre, c.centre);
-    let (i, j) = if n[0].abs() > n[1].abs() {
-        if n[0].abs() > n[2].abs() { (1, 2) } else { (0, 1) }
-    } else if n[1].abs() > n[2].abs() {
-        (2, 0)
-    } else {
-        (0, 1)
+    let by_x = n[0].abs() > n[1].abs() && n[0].abs() > n[2].abs();
+    let by_y = !(n[0].abs() > n[1].abs()) && n[1].abs() > n[2].abs();
+    // The two axes beside it come first. No index that is computed: arrays of a shader would be in
+    // memory then.
+    let turned = |ball: Ball<R>| {
+        let [x, y, z] = ball.centre;
+        let (first, second) = if by_x { (y, z) } else { (x, y) };
+        let (first, second) = if by_y { (z, x) } else { (first, second) };
+        Ball { centre: [first, second, z], ..ball }
     };
-    let (d, d_error) = cross2(&b, &c, i, j);
+    let (a, b, c) = (turned(a), turned(b), turned(c));
+    let (d, d_error) = cross2(&b, &c);
     if !(d.abs() > d_error) {
         return Inside::Unknown;
     }
     let sign = if d < R::splat(0.0) { R::splat(-1.0) } else { R::splat(1.0) };
-    let (s, s_error) = cross2(&a, &c, i, j);
-    let (r, r_error) = cross2(&b, &a, i, j);
+    let (s, s_error) = cross2(&a, &c);
+    let (r, r_error) = cross2(&b, &a);
     let (d, s, r) = (d * sign, s * sign, r * sign);
     let conditions = conditions(patch, (d, d_error), (s, s_error), (r, r_error));
     let mut all_inside = true;

@@ -56,7 +56,7 @@ fn check<R: Real>(random: &mut Random, coordinate_error: f64) {
     assert!(p.radius.to_f64() >= least, "{:?}, but {least:e}: {m:?}", p.radius);
     let [pr, ps, qr, qs] = [p.radius, p.size, q.radius, q.size].map(|x| x.to_f64());
     let least = 2.0 * (pr * qs + ps * qr) + 4.0 * u * ps * qs;
-    let error = cross2(&p, &q, 0, 1).1.to_f64();
+    let error = cross2(&p, &q).1.to_f64();
     assert!(error >= least, "{error:e}, but {least:e}: {m:?}");
 }
 
@@ -84,7 +84,7 @@ fn check_flushed<R: Real>() {
         (plane.normal, 60.0),
         (m.corner_error(), 22.0),
         (-beside(&m, Patch::Triangle, zero), 9.0),
-        (cross2(&ball, &ball, 0, 1).1, 15.0),
+        (cross2(&ball, &ball).1, 15.0),
         (Obb::of_box(&nothing).half[0], 4.0),
         (end_error(zero), 5.0),
     ];

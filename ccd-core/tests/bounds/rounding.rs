@@ -225,7 +225,7 @@ fn balls_and_products_over_an_interval() {
         ascent.check(&name, 17, [2, 250], documented[0]);
         let product = |x: &[f64]| {
             let ((p, p_true), (q, q_true)) = (vector(x, 0), vector(x, 12));
-            let (value, bound) = cross2(&ball(x, &p), &ball(x, &q), 0, 1);
+            let (value, bound) = cross2(&ball(x, &p), &ball(x, &q));
             let t = times(x).2;
             (value.0 - cross(at(&p_true, t), at(&q_true, t))[2]) / bound.0
         };
@@ -246,7 +246,7 @@ fn flushed_products_of_balls() {
         let t = 0.5 + 0.5 * x[12];
         let ball =
             |v: [V; 2]| Ball::new(&v.map(wrap), Adversarial(t), Adversarial(0.0), Adversarial(0.0));
-        let (value, bound) = cross2(&ball(p), &ball(q), 0, 1);
+        let (value, bound) = cross2(&ball(p), &ball(q));
         (value.0 - cross(at(&p, t), at(&q, t))[2]) / bound.0
     };
     Ascent { n_inputs: 13, flush: true, ratio }.check("product, flushed", 21, [2, 200], 0.004);

@@ -11,7 +11,6 @@ const OP_TYPE_FLOAT: u32 = 22;
 const OP_TYPE_ARRAY: u32 = 28;
 const OP_TYPE_STRUCT: u32 = 30;
 const OP_CONSTANT: u32 = 43;
-const OP_FUNCTION: u32 = 54;
 const OP_FUNCTION_END: u32 = 56;
 const OP_COMPOSITE_CONSTRUCT: u32 = 80;
 const OP_COMPOSITE_EXTRACT: u32 = 81;
@@ -150,13 +149,10 @@ pub fn selects(words: &[u32]) -> Vec<u32> {
                 }
                 out.extend_from_slice(instruction);
             }
-            op => {
-                debug_assert!(!inside || op != OP_FUNCTION);
-                match blocks.last_mut().filter(|_| inside) {
-                    Some(block) => block.body.push(instruction.to_vec()),
-                    None => out.extend_from_slice(instruction),
-                }
-            }
+            _ => match blocks.last_mut().filter(|_| inside) {
+                Some(block) => block.body.push(instruction.to_vec()),
+                None => out.extend_from_slice(instruction),
+            },
         }
     }
     out[3] = values.bound;
