@@ -4,11 +4,11 @@
 //! `f64` on the CPU, and exact arithmetic where that is not certain.
 
 use crate::pairs::filtered;
-use crate::queries::{Ends, decide};
+use crate::queries::{Ends, cpu_verdict, decide};
 use crate::support::TINY;
 use crate::twin::Twin;
 use ccd::gpu::Device;
-use ccd::{EdgeEdge, Mesh, TOI_TOLERANCE, Verdict, VertexFace};
+use ccd::{Mesh, TOI_TOLERANCE, Verdict};
 use ccd_core::backend::layout::Path;
 use ccd_core::narrow_phase::pair_verdict::{edge_edge_ids, vertex_face_ids};
 use ccd_core::narrow_phase::relative_motion::Patch;
@@ -36,15 +36,6 @@ fn point(random: &mut Random, poison: u32, family: usize) -> [f32; 3] {
             random.below(9) as f32 * 0.25 - 1.0
         }
     })
-}
-
-/// The verdict of the CPU in `f64`.
-fn on_cpu(is_vf: bool, (t0, t1): Ends) -> Verdict<f64> {
-    if is_vf {
-        ccd::vertex_face(&VertexFace { t0, t1 }, 0.0)
-    } else {
-        ccd::edge_edge(&EdgeEdge { t0, t1 }, 0.0)
-    }
 }
 
 /// A device may be less certain than the CPU, but not certain of something else.
@@ -78,7 +69,7 @@ fn check_queries(device: &Device) {
             (0..4000).map(|i| ends([0, 5, 20, 60][i % 4], i / 4 % 2)).collect();
         let (mut n_misses, mut n_hits) = (0, 0);
         for (&query, verdict) in queries.iter().zip(decide(device, is_vf, &queries, 0.0)) {
-            let cpu = on_cpu(is_vf, query);
+            let cpu = cpu_verdict(is_vf, query, 0.0);
             check_verdict(is_vf, query, cpu, verdict);
             n_misses += (verdict == Verdict::Miss) as usize;
             n_hits += matches!(cpu, Verdict::Hit { .. }) as usize;
@@ -124,7 +115,7 @@ fn check_filters(device: &Device) {
             };
             let at = |x: &[[f32; 3]]| ids.map(|v| x[v as usize].map(f64::from));
             let query = (at(&x0), at(&x1));
-            let cpu = on_cpu(kind == 0, query);
+            let cpu = cpu_verdict(kind == 0, query, 0.0);
             n_touching += matches!(cpu, Verdict::Hit { .. }) as usize;
             if left.binary_search(&pair).is_err() {
                 n_dropped += 1;

@@ -5,7 +5,7 @@ use crate::support::{bytes, capacity, entries, list, run};
 use ccd::gpu::Device;
 use ccd::gpu::bind::{Decide, DecideNear, DecideNearWide, DecideWide};
 use ccd::io::{Queries, Query, read_queries};
-use ccd::{Pair, Verdict};
+use ccd::{EdgeEdge, Pair, Verdict, VertexFace};
 use ccd_core::backend::layout::{
     Decision, Dispatch, Frame, IntegerDecision, LIST_HEADER, Params, Path as Paths, TOUCH_WORDS,
     Touch, join, split,
@@ -50,11 +50,8 @@ fn check_queries(device: &Device, dir: &Path) {
         let ends: Vec<Ends> = queries.iter().map(ends).collect();
         for min_distance in [1e-3, 0.1] {
             let got = decide(device, is_vf, &ends, min_distance);
-            for (i, (query, got)) in queries.iter().zip(got).enumerate() {
-                let want = match query {
-                    Query::VertexFace(q) => ccd::vertex_face(q, min_distance),
-                    Query::EdgeEdge(q) => ccd::edge_edge(q, min_distance),
-                };
+            for (i, (&ends, got)) in ends.iter().zip(got).enumerate() {
+                let want = cpu_verdict(is_vf, ends, min_distance);
                 check_near(want, got, &format!("{name} query {i}, distance {min_distance}"));
             }
         }
@@ -65,10 +62,7 @@ fn check_queries(device: &Device, dir: &Path) {
             *n_left += matches!(verdict, Verdict::Undecided { .. }) as u64;
             if !wide && matches!(verdict, Verdict::Undecided { .. }) {
                 n_open += 1;
-                verdict = match &queries[i] {
-                    Query::VertexFace(q) => ccd::vertex_face(q, 0.0),
-                    Query::EdgeEdge(q) => ccd::edge_edge(q, 0.0),
-                };
+                verdict = cpu_verdict(is_vf, ends[i], 0.0);
             }
             let (hit, certain) = compare::verdict(verdict, time, &format!("{name} query {i}"));
             n += 1;
@@ -89,6 +83,15 @@ fn check_queries(device: &Device, dir: &Path) {
         let most = of_host + n_of_set / 100;
         println!("{set}: {n_left} of {n_of_set} left, {most} at most");
         assert!(n_left <= most, "{set}: {n_left} of {n_of_set} left, {most} at most");
+    }
+}
+
+/// The verdict of the CPU in `f64`.
+pub fn cpu_verdict(is_vf: bool, (t0, t1): Ends, min_distance: f64) -> Verdict<f64> {
+    if is_vf {
+        ccd::vertex_face(&VertexFace { t0, t1 }, min_distance)
+    } else {
+        ccd::edge_edge(&EdgeEdge { t0, t1 }, min_distance)
     }
 }
 
