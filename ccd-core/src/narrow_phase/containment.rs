@@ -122,8 +122,8 @@ pub fn inside<R: Real>(m: &Motion<R>, patch: Patch, lo: R, hi: R) -> Inside {
     let n = cross(b.centre, c.centre);
     let by_x = n[0].abs() > n[1].abs() && n[0].abs() > n[2].abs();
     let by_y = !(n[0].abs() > n[1].abs()) && n[1].abs() > n[2].abs();
-    // The two axes beside it come first. No index that is computed: arrays of a shader would be in
-    // memory then.
+    // The axes of the plane come first; the third component is not read. No index that is computed:
+    // arrays of a shader would be in memory then.
     let turned = |ball: Ball<R>| {
         let [x, y, z] = ball.centre;
         let (first, second) = if by_x { (y, z) } else { (x, y) };

@@ -63,8 +63,8 @@ pub fn wide_search_of(frame: &Frame) -> Search<f64> {
     }
 }
 
-/// Whether a contact is a minimum distance: without one a host decides exactly what stays undecided
-/// in `f64`.
+/// Whether there is a minimum distance. Without one a host decides exactly what stays undecided in
+/// `f64`.
 #[inline(always)]
 pub fn is_near(frame: &Frame) -> bool {
     frame.distance_bits[0] | frame.distance_bits[1] != 0
