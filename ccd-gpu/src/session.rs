@@ -16,10 +16,10 @@ use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Kind, PerKind};
 use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Mode;
-use ccd_core::model::positions::{Chosen, Gathered};
+use ccd_core::model::positions::Gathered;
 use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::report::Report;
-use ccd_core::model::session::{self, Ask, Change, Engine as _, Kept, Moved, On, State};
+use ccd_core::model::session::{self, Ask, Change, Kept, Moved, On, State};
 use ccd_core::narrow_phase::decide;
 use in_flight::{Copied, Flight, Sought};
 use std::task::{Context, Poll, ready};
@@ -217,24 +217,6 @@ impl Engine {
     pub fn reserve(&mut self, entries: u32) -> Result<(), Error> {
         self.abandon();
         self.frames.reserve(&self.device, entries)
-    }
-
-    /// What [`session::Engine::find`] finds of a mesh whose vertices are some of those that have
-    /// these positions. None of them moves that must not.
-    #[doc(hidden)]
-    pub fn find_chosen(&mut self, given: Given, chosen: Chosen, ask: Ask) -> Result<(), Error> {
-        // Where the host reads all positions, they are copied first.
-        let host = self.state.options.mode == Mode::Exact
-            || self.codimensional.is_some()
-            || self.frames.buffers.source.triangles().is_some();
-        if host {
-            let mut gathered = std::mem::take(&mut self.gathered);
-            let found = self.find(gathered.choose(given, chosen.vertices), None, ask);
-            self.gathered = gathered;
-            return found;
-        }
-        let (device, sought) = (self.device.clone(), self.sought(ask));
-        device.block_on(self.run(Input { given, moved: None, chosen: Some(chosen) }, sought))
     }
 
     async fn list(&mut self, given: Given<'_>) -> Result<Candidates, Error> {

@@ -10,11 +10,18 @@ use ccd_core::model::session::{self, Ask, Candidates};
 /// An engine that can be a member.
 pub trait Member: session::Engine<On: Clone + Sync, Error: Send> + Send {
     /// What [`session::Engine::find`] finds of a mesh whose vertices are some of those that have
-    /// these positions.
+    /// these positions. While it works, or before, `holds` looks whether [`Chosen::scan`] covers
+    /// the positions; where it does not, nothing was found, and false is returned.
     ///
     /// # Errors
     /// Those of [`session::Engine::find`].
-    fn find_chosen(&mut self, given: Given, chosen: Chosen, ask: Ask) -> Result<(), Self::Error>;
+    fn find_chosen(
+        &mut self,
+        given: Given,
+        chosen: Chosen,
+        ask: Ask,
+        holds: impl FnOnce() -> bool,
+    ) -> Result<bool, Self::Error>;
 
     /// Candidates in lists.
     ///
@@ -30,8 +37,9 @@ impl Member for ccd_gpu::Engine {
         given: Given,
         chosen: Chosen,
         ask: Ask,
-    ) -> Result<(), ccd_gpu::Error> {
-        self.find_chosen(given, chosen, ask)
+        holds: impl FnOnce() -> bool,
+    ) -> Result<bool, ccd_gpu::Error> {
+        self.find_chosen(given, chosen, ask, holds)
     }
 
     fn list(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, ccd_gpu::Error> {
@@ -40,9 +48,19 @@ impl Member for ccd_gpu::Engine {
 }
 
 impl Member for ccd_cpu::Engine {
-    fn find_chosen(&mut self, given: Given, chosen: Chosen, ask: Ask) -> Result<(), Error> {
+    fn find_chosen(
+        &mut self,
+        given: Given,
+        chosen: Chosen,
+        ask: Ask,
+        holds: impl FnOnce() -> bool,
+    ) -> Result<bool, Error> {
+        if !holds() {
+            return Ok(false);
+        }
         let mut gathered = Gathered::default();
-        session::Engine::find(self, gathered.choose(given, chosen.vertices), None, ask)
+        session::Engine::find(self, gathered.choose(given, chosen.vertices), None, ask)?;
+        Ok(true)
     }
 
     fn list(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, Error> {
@@ -67,16 +85,19 @@ impl<E: Member> InGroup<E> {
         Self { engine, gathered: Gathered::default(), lists: Default::default() }
     }
 
-    /// Finds what is asked for: of a step in the report of the engine, in ids of its part.
+    /// Finds what is asked for: of a step in the report of the engine, in ids of its part. Returns
+    /// whether `holds` did.
     pub fn find(
         &mut self,
         given: Given,
         (part, scan): (&Part, &Scan),
         ask: Asked,
-    ) -> Result<(), E::Error> {
+        holds: impl FnOnce() -> bool,
+    ) -> Result<bool, E::Error> {
         let chosen = Chosen { vertices: part.vertices(), scan };
         match ask {
-            Asked::Step(ask) => self.engine.find_chosen(given, chosen, ask)?,
+            Asked::Step(ask) => return self.engine.find_chosen(given, chosen, ask, holds),
+            Asked::Candidates if !holds() => return Ok(false),
             Asked::Candidates => {
                 let found = self.engine.list(self.gathered.choose(given, chosen.vertices))?;
                 self.lists = [found.vf, found.ee, found.ve, found.vv];
@@ -87,7 +108,7 @@ impl<E: Member> InGroup<E> {
                 }
             }
         }
-        Ok(())
+        Ok(true)
     }
 }
 

@@ -8,11 +8,11 @@ mod elements;
 mod member;
 mod merge;
 mod parts;
+mod step;
 mod threads;
 
 use crate::positions::Precision;
-use crate::{CancelToken, Contact, Error, Kind, Mesh, Options, Pair, Report};
-use ccd_core::backend::quantization::Scan;
+use crate::{CancelToken, Contact, Error, Kind, Mesh, Options, Pair};
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Kept, Moved, State};
 use elements::Elements;
@@ -21,8 +21,9 @@ use member::{Asked, InGroup};
 use merge::merge;
 use parts::{Part, Parts};
 use std::sync::Arc;
-use std::time::Instant;
-use threads::{Threads, each_alone};
+use std::time::{Duration, Instant};
+use step::{Known, add};
+use threads::Threads;
 
 /// Continuous collision detection of one mesh over many steps, on several GPUs of one host: for
 /// scenes of millions of faces, which one GPU takes tens of milliseconds for. All calls are [those
@@ -134,12 +135,16 @@ impl<E: Member> session::Engine for Engine<E> {
     fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), E::Error> {
         self.clear();
         let start = Instant::now();
-        let scans = self.place(given)?;
-        if let Division::Whole = self.division {
-            return self.members[0].engine.find(given, moved, ask);
+        self.check_still(given)?;
+        let (asked, mut placed) = (Asked::Step(ask), Duration::ZERO);
+        if !self.each(given, asked, Known::Guessed)? {
+            self.place(given)?;
+            if let Division::Whole = self.division {
+                return self.members[0].engine.find(given, moved, ask);
+            }
+            placed = start.elapsed();
+            self.each(given, asked, Known::Looked)?;
         }
-        let placed = start.elapsed();
-        self.each(given, &scans, Asked::Step(ask))?;
         let Self { state: State { mesh, report, .. }, members, threads, division, .. } = self;
         let Division::Parts(Parts { all: parts, .. }) = division else { return Ok(()) };
         report.set_mesh(mesh);
@@ -156,11 +161,13 @@ impl<E: Member> session::Engine for Engine<E> {
 
     fn candidates(&mut self, given: Given) -> Result<Candidates<Vec<Pair>>, E::Error> {
         self.clear();
-        let scans = self.place(given)?;
+        self.check_still(given)?;
+        self.place(given)?;
         if let Division::Whole = self.division {
             return self.members[0].engine.list(given);
         }
-        let n_parts = self.each(given, &scans, Asked::Candidates)?;
+        self.each(given, Asked::Candidates, Known::Looked)?;
+        let n_parts = self.n_used();
         let lists = [0, 1, 2, 3].map(|kind| {
             let of = self.members[..n_parts].iter_mut().map(|member| &mut member.lists[kind]);
             let mut all: Vec<Pair> = of.flat_map(std::mem::take).collect();
@@ -276,9 +283,8 @@ impl<E: Member> Engine<E> {
         members.try_for_each(|(i, member)| member.engine.change(change(i)))
     }
 
-    /// Makes parts anew where they do not hold. Returns what the positions of each say together.
-    fn place(&mut self, given: Given) -> Result<Vec<Scan>, E::Error> {
-        // Of a whole mesh its engine says so.
+    /// Checks that what is fixed does not move, in parts: of a whole mesh its engine does.
+    fn check_still(&self, given: Given) -> Result<(), Error> {
         if !matches!(self.division, Division::Whole)
             && let Some(bodies) = &self.state.options.bodies
             && let Some(vertex) = match given {
@@ -286,11 +292,20 @@ impl<E: Member> Engine<E> {
                 Precision::F64(x) => moving_still(bodies, x),
             }
         {
-            return Err(Error::FixedMoves { vertex }.into());
+            return Err(Error::FixedMoves { vertex });
         }
-        let (scans, holds) = self.look(given);
+        Ok(())
+    }
+
+    /// Makes parts anew where they do not hold for these positions.
+    fn place(&mut self, given: Given) -> Result<(), E::Error> {
+        let holds = match &mut self.division {
+            Division::None => false,
+            Division::Whole => true,
+            Division::Parts(parts) => parts.look(&self.threads, given),
+        };
         if holds {
-            return Ok(scans);
+            return Ok(());
         }
         self.division = Division::None;
         let State { mesh, options, .. } = &self.state;
@@ -302,9 +317,9 @@ impl<E: Member> Engine<E> {
             engine.change(Change::Mesh(mesh.clone(), options.clone()))?;
             engine.change(Change::Filter(self.filter.clone()))?;
             self.division = Division::Whole;
-            return Ok(Vec::new());
+            return Ok(());
         }
-        let parts = Parts::new(&elements, given, n_parts, options.min_distance)?;
+        let mut parts = Parts::new(&elements, given, n_parts, options.min_distance)?;
         for (member, part) in self.members.iter_mut().zip(&parts.all) {
             let bodies = options.bodies.as_ref().map(|bodies| part.bodies(bodies));
             let options = options.clone().with_bodies(bodies);
@@ -318,30 +333,10 @@ impl<E: Member> Engine<E> {
             });
             member.engine.change(Change::Filter(filter))?;
         }
-        self.division = Division::Parts(parts);
         // They have room for these positions.
-        Ok(self.look(given).0)
-    }
-
-    /// What the positions of each part say together, and whether the division holds for them.
-    fn look(&self, given: Given) -> (Vec<Scan>, bool) {
-        match (&self.division, given) {
-            (Division::None, _) => (Vec::new(), false),
-            (Division::Whole, _) => (Vec::new(), true),
-            (Division::Parts(parts), Precision::F32(x)) => parts.look(&self.threads, x),
-            (Division::Parts(parts), Precision::F64(x)) => parts.look(&self.threads, x),
-        }
-    }
-
-    /// All parts at once; how many there are.
-    fn each(&mut self, given: Given, scans: &[Scan], ask: Asked) -> Result<usize, E::Error> {
-        let Division::Parts(Parts { all, .. }) = &self.division else { return Ok(0) };
-        let members = self.members.iter_mut().zip(all.iter().zip(scans));
-        let find = |(member, (part, scan)): (&mut InGroup<E>, (&Arc<Part>, &Scan))| {
-            member.find(given, (part, scan), ask)
-        };
-        each_alone(members, find).into_iter().collect::<Result<(), _>>()?;
-        Ok(all.len())
+        parts.look(&self.threads, given);
+        self.division = Division::Parts(parts);
+        Ok(())
     }
 }
 
@@ -356,29 +351,4 @@ fn without_bodies(options: &Options) -> Options {
 fn moving_still<T: PartialEq>(bodies: &crate::Bodies, [x0, x1]: [&[T]; 2]) -> Option<usize> {
     let may_move = bodies.fixed_may_move();
     (0..x0.len()).find(|&v| !may_move && x0[v] != x1[v] && bodies.is_fixed(v as u32))
-}
-
-/// Adds what a member counted, and the times of the slowest.
-fn add(all: &mut Report, of: &Report) {
-    all.toi = all.toi.into_iter().chain(of.toi).reduce(f64::min);
-    for kind in Kind::ALL {
-        let mut candidates = of.candidates;
-        let mut filtered = of.filtered;
-        *all.candidates.of(kind) += *candidates.of(kind);
-        *all.filtered.of(kind) += *filtered.of(kind);
-    }
-    all.triangles = match (all.triangles, of.triangles) {
-        (Some(a), Some(b)) => Some(a.plus(b)),
-        (a, b) => a.or(b),
-    };
-    all.front = match (all.front, of.front) {
-        (Some(a), Some(b)) => Some(a.plus(b)),
-        (a, b) => a.or(b),
-    };
-    all.rebuilt |= of.rebuilt;
-    let (most, of) = (&mut all.times, &of.times);
-    most.boxes = most.boxes.max(of.boxes);
-    most.build = most.build.max(of.build);
-    most.traverse = most.traverse.max(of.traverse);
-    most.narrow = most.narrow.max(of.narrow);
 }

@@ -46,6 +46,8 @@ pub struct Parts {
     farthest: f64,
     /// Some vertices, and their rooms.
     samples: Vec<(u32, Room)>,
+    /// What the last positions of each part said together that were in their rooms.
+    pub scans: Vec<Scan>,
 }
 
 /// Some elements of a mesh, as a mesh of their own.
@@ -113,28 +115,41 @@ impl Parts {
         let all = each_alone(own.iter().zip(halos), of_part);
         let all = all.into_iter().collect::<Result<_, _>>()?;
         let samples = samples().map(|v| (v as u32, rooms[v])).collect();
-        Ok(Self { all, min_distance, farthest: greatest, samples })
+        Ok(Self { all, min_distance, farthest: greatest, samples, scans: Vec::new() })
     }
 
-    /// What the positions of each part say together, and whether all are where they may be. A
-    /// motion that all vertices have in common does not count: they are as near to each other as
+    /// Whether all vertices are where they may be; then what those of each part say together is
+    /// kept. A motion that all have in common does not count: they are as near to each other as
     /// they were.
-    pub fn look<T: Coordinate>(&self, threads: &Threads, x: [&[[T; 3]]; 2]) -> (Vec<Scan>, bool) {
-        let common = self.common_motion(x);
-        let mut shares: Vec<(usize, Range<usize>)> = Vec::new();
-        for (p, Part { vertices, .. }) in self.all.iter().map(Arc::as_ref).enumerate() {
-            let firsts = (0..vertices.len()).step_by(SHARE);
-            shares.extend(firsts.map(|first| (p, first..vertices.len().min(first + SHARE))));
+    pub fn look(&mut self, threads: &Threads, given: Given) -> bool {
+        let look = |p| self.look_at(p, threads, given);
+        let scans: Option<Vec<Scan>> = (0..self.all.len()).map(look).collect();
+        let holds = scans.is_some();
+        self.scans = scans.unwrap_or_default();
+        holds
+    }
+
+    /// What the positions of one part say together; none if some are not where they may be.
+    pub fn look_at(&self, p: usize, threads: &Threads, given: Given) -> Option<Scan> {
+        match given {
+            Precision::F32(x) => self.look_at_slices(p, threads, x),
+            Precision::F64(x) => self.look_at_slices(p, threads, x),
         }
-        let looked = threads
-            .at_once(shares.into_iter(), |(p, these)| (p, self.all[p].look(these, x, common)));
-        let mut holds = common.iter().all(|by| by.abs() <= self.farthest);
-        let mut scans = vec![Scan::NONE; self.all.len()];
-        for (p, (scan, these_hold)) in looked {
-            scans[p] = scans[p].merged(&scan);
-            holds &= these_hold;
-        }
-        (scans, holds)
+    }
+
+    fn look_at_slices<T: Coordinate>(
+        &self,
+        p: usize,
+        threads: &Threads,
+        x: [&[[T; 3]]; 2],
+    ) -> Option<Scan> {
+        let (part, common) = (&self.all[p], self.common_motion(x));
+        let n = part.vertices.len();
+        let shares = (0..n).step_by(SHARE).map(|first| first..n.min(first + SHARE));
+        let looked = threads.at_once(shares, |these| part.look(these, x, common));
+        let holds = common.iter().all(|by| by.abs() <= self.farthest);
+        let none = holds.then_some(Scan::NONE)?;
+        looked.into_iter().try_fold(none, |all, scan| Some(all.merged(&scan?)))
     }
 
     /// How far most of the scene went since parts were made.
@@ -287,14 +302,14 @@ impl Part {
         &self.vertices
     }
 
-    /// What the positions of these vertices say together, and whether all are in their rooms, which
-    /// went `by` from where they were.
+    /// What the positions of these vertices say together; none if some are not in their rooms,
+    /// which went `by` from where they were.
     fn look<T: Coordinate>(
         &self,
         these: Range<usize>,
         [x0, x1]: [&[[T; 3]]; 2],
         by: [f64; 3],
-    ) -> (Scan, bool) {
+    ) -> Option<Scan> {
         // Copied first: a scan takes slices.
         let mut some = [[[T::splat(0.0); 3]; BATCH]; 2];
         let (mut scan, mut holds) = (Scan::NONE, true);
@@ -312,7 +327,7 @@ impl Part {
             }
             scan.take_all(&some0[..vertices.len()], &some1[..vertices.len()]);
         }
-        (scan, holds)
+        holds.then_some(scan)
     }
 }
 

@@ -2,11 +2,12 @@
 //! that stay mapped.
 
 use ccd::gpu::{Device, Group, Session};
-use ccd::scenes::{Random, copies, crumpled_sheet, particles_and_rods};
+use ccd::scenes::{Random, copies, crumpled_sheet, grid, particles_and_rods};
 use ccd::{Contact, Mesh, Options};
 
 pub const TESTS: crate::Tests = &[
     ("groups_of_devices", check_groups),
+    ("groups_whose_parts_meet", check_parts_that_meet),
     ("faces_of_one_vertex", check_faces_of_one_vertex),
     ("many_positions", check_many_positions),
 ];
@@ -35,6 +36,43 @@ fn check_groups(device: &Device) {
         });
         assert!(found == want, "candidates of a group");
     }
+}
+
+/// Two sheets far from each other, then one that goes through the other, and one that is refused:
+/// parts are seen not to hold after the devices have begun.
+fn check_parts_that_meet(device: &Device) {
+    let n = 12;
+    let mut faces = Vec::new();
+    [0, n * n].into_iter().for_each(|first| grid(&mut faces, n, first as u32));
+    let mesh = Mesh::new(2 * n * n, &faces).unwrap();
+    let sheets = |by: [f64; 3]| -> Vec<[f64; 3]> {
+        let at = |i: usize| [(i % n) as f64, 0.1 * (i % 3) as f64, (i / n) as f64];
+        let other = |i: usize| [0, 1, 2].map(|k| at(i)[k] + by[k]);
+        (0..n * n).map(at).chain((0..n * n).map(other)).collect()
+    };
+    let mut one = Session::new(device, &mesh, Options::default()).unwrap();
+    let mut group = Group::new(&vec![device.clone(); 2], &mesh, Options::default()).unwrap();
+    group.set_least_share(1);
+    let far = |y: f64| sheets([100.0, y, 0.3]);
+    let near = |y: f64| sheets([0.3, y, 0.3]);
+    for (x0, x1, parts) in [
+        (far(0.0), far(0.1), 1),
+        (far(0.1), far(0.2), 1),
+        (near(1.0), near(-1.0), 2),
+        (near(-1.0), near(-1.1), 2),
+        (far(0.2), far(0.1), 3),
+    ] {
+        let want = &one.step(&x0, &x1).unwrap().contacts;
+        assert!(&group.step(&x0, &x1).unwrap().contacts == want, "contacts of sheets");
+        assert_eq!((group.n_used(), group.n_partitions()), (2, parts));
+        let toi = one.earliest_toi(&x0, &x1).unwrap();
+        assert_eq!(group.earliest_toi(&x0, &x1).unwrap(), toi);
+    }
+    let (x0, mut x1) = (far(0.1), far(0.2));
+    x1[7][1] = f64::NAN;
+    assert!(group.step(&x0, &x1).is_err());
+    let want = &one.step(&near(1.0), &near(-1.0)).unwrap().contacts;
+    assert!(want.len() > 100 && &group.step(&near(1.0), &near(-1.0)).unwrap().contacts == want);
 }
 
 /// A face that is one vertex, in a part without the edges of that vertex: there it is no particle,

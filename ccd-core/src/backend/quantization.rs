@@ -106,6 +106,29 @@ impl Scan {
         }
     }
 
+    /// The same with bounds that are wider by a part of the greatest coordinate, unless that is so
+    /// great that an `f32` might not hold them: a guess at what positions near these say.
+    pub fn widened(&self, part: f64) -> Self {
+        let greatest = self.greatest();
+        let by = if greatest < 1e38 { part * greatest } else { 0.0 };
+        let Aabb { min, max } = self.bounds;
+        Self { bounds: Aabb { min: min.map(|c| c - by), max: max.map(|c| c + by) }, ..*self }
+    }
+
+    /// Whether a table, a slack and a reach that follow from this hold for positions of which all
+    /// that is found is this.
+    pub fn covers(&self, found: &Self) -> bool {
+        let within = (0..3).all(|k| {
+            found.bounds.min[k] >= self.bounds.min[k] && found.bounds.max[k] <= self.bounds.max[k]
+        });
+        let as_given = |scan: &Self| scan.table(true) == Table::AS_GIVEN;
+        within
+            && found.finite
+            && self.finite
+            && found.exact == self.exact
+            && as_given(found) == as_given(self)
+    }
+
     /// Greatest absolute coordinate, 0 without positions.
     pub fn greatest(&self) -> f64 {
         (0..3)

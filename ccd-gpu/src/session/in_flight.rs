@@ -7,7 +7,8 @@ use crate::error::Error;
 use crate::step::upload::Input;
 use crate::step::{Goal, WHOLE};
 use ccd_core::model::error::check_window;
-use ccd_core::model::positions::{AsPositions, Ends, Gathered, ends};
+use ccd_core::model::options::Mode;
+use ccd_core::model::positions::{AsPositions, Chosen, Ends, Gathered, ends};
 use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::report::Report;
 use ccd_core::model::session::{self, Ask, Engine as _};
@@ -285,13 +286,58 @@ impl Engine {
         Ok(())
     }
 
+    /// What [`session::Engine::find`] finds of a mesh whose vertices are some of those that have
+    /// these positions. None of them moves that must not. While the device works, `holds` looks
+    /// whether [`Chosen::scan`] covers the positions; where it does not, nothing was found.
+    ///
+    /// # Errors
+    /// Those of [`session::Engine::find`].
+    #[doc(hidden)]
+    pub fn find_chosen(
+        &mut self,
+        given: Given,
+        chosen: Chosen,
+        ask: Ask,
+        holds: impl FnOnce() -> bool,
+    ) -> Result<bool, Error> {
+        // Where the host reads all positions, they are copied first.
+        let host = self.state.options.mode == Mode::Exact
+            || self.codimensional.is_some()
+            || self.frames.buffers.source.triangles().is_some();
+        if host {
+            if !holds() {
+                return Ok(false);
+            }
+            let mut gathered = take(&mut self.gathered);
+            let found = self.find(gathered.choose(given, chosen.vertices), None, ask);
+            self.gathered = gathered;
+            return found.map(|()| true);
+        }
+        let (device, sought) = (self.device.clone(), self.sought(ask));
+        let input = Input { given, moved: None, chosen: Some(chosen) };
+        device.block_on(self.run_if(input, sought, holds))
+    }
+
     /// Makes the report of a step; what is in flight is forgotten if this is dropped.
     pub(super) async fn run(&mut self, input: Input<'_>, sought: Sought) -> Result<(), Error> {
+        self.run_if(input, sought, || true).await.map(|_| ())
+    }
+
+    /// The same, unless it turns out while the device works that its input does not hold.
+    async fn run_if(
+        &mut self,
+        input: Input<'_>,
+        sought: Sought,
+        holds: impl FnOnce() -> bool,
+    ) -> Result<bool, Error> {
         let mut call = Unfinished { engine: self, is_done: false };
         call.engine.begin(input, sought)?;
+        if !holds() {
+            return Ok(false);
+        }
         poll_fn(|context| call.engine.advance(input, context)).await?;
         call.is_done = true;
-        Ok(())
+        Ok(true)
     }
 
     /// Forgets the step in flight.

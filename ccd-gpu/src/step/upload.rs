@@ -182,12 +182,16 @@ impl Positions {
         boxes: &wgpu::Buffer,
     ) -> Result<bool, Error> {
         let n = chosen.map_or(x[0].len(), |chosen| chosen.vertices.len());
-        let id = |v: usize| chosen.map_or(v, |chosen| chosen.vertices[v] as usize);
-        let ends = |v: usize| x.map(|x| x[id(v)]);
         let scan = match chosen {
             Some(chosen) => *chosen.scan,
             None => self.scan(x, runs),
         };
+        let bounds = [scan.bounds.min, scan.bounds.max].map(|corner| corner.map(T::from_f64));
+        let at = |x: &[[T; 3]], v: usize| match chosen {
+            Some(chosen) => within(bounds, x[chosen.vertices[v] as usize]),
+            None => x[v],
+        };
+        let ends = |v: usize| x.map(|x| at(x, v));
         scan.check(x[0], x[1])?;
         let table = scan.table(true);
         let before = std::mem::replace(&mut self.table, table);
@@ -208,7 +212,7 @@ impl Positions {
         self.given = self.boxes == Boxes::Sent && !self.exact && min_distance == 0.0;
         let mut replaced = are_new;
         if self.given || self.boxes == Boxes::OfPositions {
-            replaced |= self.send_given(device, x, (n, id))?;
+            replaced |= self.send_given(device, x, (n, at))?;
         }
         if self.boxes == Boxes::OfPositions {
             let keys = (n * size_of::<[[u32; 2]; 6]>()) as u64;
@@ -258,14 +262,14 @@ impl Positions {
         &mut self,
         device: &Device,
         x: [&[[T; 3]]; 2],
-        (n, id): (usize, impl Fn(usize) -> usize + Sync),
+        (n, at): (usize, impl Fn(&[[T; 3]], usize) -> [T; 3] + Sync),
     ) -> Result<bool, Error> {
         let what = "positions in f64";
         let bytes = (n * size_of::<[f64; 3]>()) as u64;
         let replaced = reserve(device, what, &mut self.wide, 2 * bytes)?;
-        for (x, at) in x.into_iter().zip([0, bytes]) {
-            let exact = |v: usize| x[id(v)].map(T::to_f64);
-            self.staging.write(device, what, (&self.wide, at), n, exact)?;
+        for (x, first) in x.into_iter().zip([0, bytes]) {
+            let exact = |v: usize| at(x, v).map(T::to_f64);
+            self.staging.write(device, what, (&self.wide, first), n, exact)?;
         }
         Ok(replaced)
     }
@@ -317,6 +321,14 @@ impl Positions {
         frame.flags |= if self.exact { Frame::FLAG_EXACT } else { 0 };
         frame.flags |= if self.slack > 0.0 { Frame::FLAG_CONFIRM } else { 0 };
     }
+}
+
+/// A position as it is if it is in these bounds, and else one that is: kernels meet no NaN, and
+/// nothing that is larger than their bounds of rounding are for, also in a step that is forgotten
+/// once its positions were looked at.
+fn within<T: Real>([min, max]: [[T; 3]; 2], p: [T; 3]) -> [T; 3] {
+    let at = |k: usize| if p[k] >= min[k] && p[k] <= max[k] { p[k] } else { min[k] };
+    [at(0), at(1), at(2)]
 }
 
 /// Scans chunks of vertices, of which the first has this number.

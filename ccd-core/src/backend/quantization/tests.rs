@@ -151,3 +151,30 @@ fn contacts_reach_along_a_diagonal() {
     assert!(reach >= off && reach < 1.02 * off, "{reach:e}, but {off:e}");
     assert!(reach >= 3f64.sqrt() * f64::from(table.error), "{reach:e}: {table:?}");
 }
+
+#[test]
+fn a_guess_covers_what_is_near_and_of_the_same_kind() {
+    let scan = |x: &[[f64; 3]]| {
+        let mut scan = Scan::NONE;
+        scan.take_all(x, x);
+        scan
+    };
+    let last = scan(&[[-1.0, 0.5, 2.0], [0.0, 0.0, 1.0]]);
+    let guess = last.widened(1.0 / 64.0);
+    assert!(last.covers(&last) && guess.covers(&last) && !last.covers(&guess));
+    let of = |x: f64| scan(&[[-1.0, 0.5, x], [0.0, 0.0, 1.0]]);
+    // The greatest coordinate is 2.
+    assert!(guess.covers(&of(2.03125)) && !guess.covers(&of(2.0625)));
+    for k in 0..3 {
+        for far in [-1.0625, 2.0625, f64::NAN, f64::INFINITY] {
+            let mut p = [0.0; 3];
+            p[k] = far;
+            assert!(!guess.covers(&scan(&[p])), "{p:?}");
+        }
+    }
+    // Exact or not, and as they are or in another unit.
+    assert!(!guess.covers(&of(2.0 + 1e-12)) && !of(2.0 + 1e-12).covers(&last));
+    assert!(!guess.covers(&scan(&[[1e-30; 3]])));
+    let greatest = scan(&[[f64::from(f32::MAX); 3]]).widened(1.0 / 64.0);
+    assert_eq!(greatest.bounds.max, [f64::from(f32::MAX); 3]);
+}

@@ -58,7 +58,7 @@ impl Gathered {
 pub struct Chosen<'a> {
     /// By the number that they have in the part.
     pub vertices: &'a [u32],
-    /// What their positions say together.
+    /// What their positions say together, or a guess that covers it or turns out not to.
     pub scan: &'a Scan,
 }
 
