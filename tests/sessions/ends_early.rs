@@ -91,7 +91,7 @@ fn a_call_that_is_cancelled_leaves_nothing_behind() {
 }
 
 fn check_all(unwinds: bool) {
-    let scenes = [crumpled_sheet(12, 1), particles_and_rods(20, 3)];
+    let scenes = [crumpled_sheet(9, 1), particles_and_rods(14, 3)];
     let tree = |traversal| BroadPhaseMethod::Tree(TreeOptions::default().traversal(traversal));
     let descending =
         [BroadPhaseMethod::Blocks, tree(Traversal::CUT), tree(Traversal::SIMULTANEOUS)];

@@ -73,7 +73,7 @@ fn of_mesh(mesh: &Mesh, options: &Options) -> u64 {
 
 #[test]
 fn what_is_beyond_the_limit_of_memory_is_refused() {
-    let (mesh, [a, b, c]) = collapse(30);
+    let (mesh, [a, b, c]) = collapse(14);
     for options in ways() {
         let mut fresh = Session::new(&mesh, options.clone()).unwrap();
         let want = contacts(&mut fresh, &b, &c);
