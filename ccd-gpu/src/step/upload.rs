@@ -182,16 +182,9 @@ impl Positions {
         boxes: &wgpu::Buffer,
     ) -> Result<bool, Error> {
         let n = chosen.map_or(x[0].len(), |chosen| chosen.vertices.len());
-        let scan = match chosen {
-            Some(chosen) => *chosen.scan,
-            None => self.scan(x, runs),
-        };
+        let scan = chosen.map_or_else(|| self.scan(x, runs), |chosen| *chosen.scan);
         let bounds = [scan.bounds.min, scan.bounds.max].map(|corner| corner.map(T::from_f64));
-        let at = |x: &[[T; 3]], v: usize| match chosen {
-            Some(chosen) => within(bounds, x[chosen.vertices[v] as usize]),
-            None => x[v],
-        };
-        let ends = |v: usize| x.map(|x| at(x, v));
+        let sent = Sent { x, chosen: chosen.map(|chosen| chosen.vertices), bounds };
         scan.check(x[0], x[1])?;
         let table = scan.table(true);
         let before = std::mem::replace(&mut self.table, table);
@@ -212,42 +205,33 @@ impl Positions {
         self.given = self.boxes == Boxes::Sent && !self.exact && min_distance == 0.0;
         let mut replaced = are_new;
         if self.given || self.boxes == Boxes::OfPositions {
-            replaced |= self.send_given(device, x, (n, at))?;
+            replaced |= self.send_given(device, n, sent)?;
         }
         if self.boxes == Boxes::OfPositions {
             let keys = (n * size_of::<[[u32; 2]; 6]>()) as u64;
             let replaced = reserve(device, "keys of exact boxes", &mut self.keys, keys)? | replaced;
             return Ok(replaced);
         }
-        let path_end = |p: &[T; 3]| {
-            let p = table.place([p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]);
-            [p[0], p[1], p[2], 0.0]
-        };
-        let path = |v: usize| {
-            let [t0, t1] = ends(v).each_ref().map(path_end);
-            Path { t0, t1 }
-        };
-        if let Some(runs) = runs.filter(|runs| paths_before && runs.len() < MANY_RUNS) {
-            for run in runs {
-                let (first, n) = (run.start as usize, run.len());
-                let at = (first * size_of::<Path>()) as u64;
-                self.staging.write(device, "paths", (&self.own, at), n, |i| path(first + i))?;
-            }
+        let runs = runs.filter(|_| paths_before);
+        if self.exact {
+            // A loop of its own: half of the time.
+            let end = |p: [T; 3]| [narrow(p[0]), narrow(p[1]), narrow(p[2])];
+            self.send_paths(device, n, runs, |v| path(sent.ends(v), end))?;
         } else {
-            self.staging.write(device, "paths", (&self.own, 0), n, path)?;
+            let end = |p: [T; 3]| table.place(wide(p));
+            self.send_paths(device, n, runs, |v| path(sent.ends(v), end))?;
         }
         if self.boxes == Boxes::OfPaths {
             return Ok(replaced);
         }
         let margin: T = margin(min_distance);
         let exact = |v: usize| {
-            let [p, q] = ends(v);
+            let [p, q] = sent.ends(v);
             swept_box::swept(p, q).inflated(margin)
         };
         let key = |v: usize| {
             let exact = exact(v);
-            let [min, max] = [exact.min, exact.max].map(|corner| corner.map(T::to_f64));
-            placement::keys(&Aabb { min, max })
+            placement::keys(&Aabb { min: wide(exact.min), max: wide(exact.max) })
         };
         let what = "keys of exact boxes";
         let bytes = (n * size_of::<[[u32; 2]; 6]>()) as u64;
@@ -257,18 +241,36 @@ impl Positions {
         Ok(replaced)
     }
 
+    /// Sends paths: all, or those of a few runs where the others are there.
+    fn send_paths(
+        &mut self,
+        device: &Device,
+        n: usize,
+        runs: Option<&[Range<u32>]>,
+        path: impl Fn(usize) -> Path + Sync,
+    ) -> Result<(), Error> {
+        let all = 0..n as u32;
+        let runs = runs.filter(|runs| runs.len() < MANY_RUNS);
+        for run in runs.unwrap_or(std::slice::from_ref(&all)) {
+            let (first, n) = (run.start as usize, run.len());
+            let at = (first * size_of::<Path>()) as u64;
+            self.staging.write(device, "paths", (&self.own, at), n, |i| path(first + i))?;
+        }
+        Ok(())
+    }
+
     /// Sends positions in `f64`. Returns whether the buffer was replaced.
     fn send_given<T: Coordinate>(
         &mut self,
         device: &Device,
-        x: [&[[T; 3]]; 2],
-        (n, at): (usize, impl Fn(&[[T; 3]], usize) -> [T; 3] + Sync),
+        n: usize,
+        sent: Sent<T>,
     ) -> Result<bool, Error> {
         let what = "positions in f64";
         let bytes = (n * size_of::<[f64; 3]>()) as u64;
         let replaced = reserve(device, what, &mut self.wide, 2 * bytes)?;
-        for (x, first) in x.into_iter().zip([0, bytes]) {
-            let exact = |v: usize| at(x, v).map(T::to_f64);
+        for (end, first) in [0, bytes].into_iter().enumerate() {
+            let exact = |v: usize| wide(sent.at(end, v));
             self.staging.write(device, what, (&self.wide, first), n, exact)?;
         }
         Ok(replaced)
@@ -323,12 +325,52 @@ impl Positions {
     }
 }
 
-/// A position as it is if it is in these bounds, and else one that is: kernels meet no NaN, and
-/// nothing that is larger than their bounds of rounding are for, also in a step that is forgotten
-/// once its positions were looked at.
-fn within<T: Real>([min, max]: [[T; 3]; 2], p: [T; 3]) -> [T; 3] {
-    let at = |k: usize| if p[k] >= min[k] && p[k] <= max[k] { p[k] } else { min[k] };
-    [at(0), at(1), at(2)]
+/// Positions of both ends of a step, as they are sent.
+///
+/// What is done for each vertex is inlined by force, and without `array::map`, which is not
+/// inlined: otherwise the loops take twice as long.
+#[derive(Clone, Copy)]
+struct Sent<'a, T> {
+    x: [&'a [[T; 3]]; 2],
+    /// Which of them, if not all.
+    chosen: Option<&'a [u32]>,
+    /// What chosen ones are in, or are brought into: kernels meet no NaN, and nothing larger than
+    /// what their bounds of rounding are for, also in a step that is forgotten once its positions
+    /// were looked at.
+    bounds: [[T; 3]; 2],
+}
+
+impl<T: Real> Sent<'_, T> {
+    #[inline(always)]
+    fn at(&self, end: usize, v: usize) -> [T; 3] {
+        let Some(chosen) = self.chosen else { return self.x[end][v] };
+        let (p, [min, max]) = (self.x[end][chosen[v] as usize], self.bounds);
+        let inside = |k: usize| if p[k] >= min[k] && p[k] <= max[k] { p[k] } else { min[k] };
+        [inside(0), inside(1), inside(2)]
+    }
+
+    #[inline(always)]
+    fn ends(&self, v: usize) -> [[T; 3]; 2] {
+        [self.at(0, v), self.at(1, v)]
+    }
+}
+
+/// The path between two ends, each made a place by `end`.
+#[inline(always)]
+fn path<T>([p, q]: [[T; 3]; 2], end: impl Fn([T; 3]) -> [f32; 3]) -> Path {
+    let [p, q] = [end(p), end(q)];
+    Path { t0: [p[0], p[1], p[2], 0.0], t1: [q[0], q[1], q[2], 0.0] }
+}
+
+#[inline(always)]
+fn wide<T: Real>(p: [T; 3]) -> [f64; 3] {
+    [p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]
+}
+
+/// A coordinate that is an `f32`.
+#[inline(always)]
+fn narrow<T: Real>(c: T) -> f32 {
+    c.to_f64() as f32
 }
 
 /// Scans chunks of vertices, of which the first has this number.
