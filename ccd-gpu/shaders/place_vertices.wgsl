@@ -98,77 +98,61 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_7: array<f64, 3>;
     var local_8: type_31;
     var local_9: type_31;
-    var phi_195_: type_9;
-    var phi_261_: array<u32, 2>;
-    var phi_262_: bool;
-    var phi_303_: array<u32, 2>;
-    var phi_304_: bool;
-    var phi_374_: type_9;
-    var phi_534_: type_9;
-    var phi_645_: bool;
-    var phi_646_: u32;
-    var phi_647_: bool;
-    var phi_648_: u32;
-    var phi_649_: bool;
-    var phi_650_: u32;
-    var phi_651_: bool;
-    var phi_652_: u32;
-    var phi_713_: bool;
-    var phi_714_: u32;
-    var phi_715_: bool;
-    var phi_716_: u32;
-    var phi_717_: bool;
-    var phi_718_: u32;
-    var phi_719_: bool;
-    var phi_720_: u32;
-    var phi_825_: bool;
-    var phi_826_: u32;
-    var phi_827_: bool;
-    var phi_828_: u32;
-    var phi_829_: bool;
-    var phi_830_: u32;
-    var phi_831_: bool;
-    var phi_832_: u32;
-    var phi_893_: bool;
-    var phi_894_: u32;
-    var phi_895_: bool;
-    var phi_896_: u32;
-    var phi_897_: bool;
-    var phi_898_: u32;
-    var phi_899_: bool;
-    var phi_900_: u32;
-    var phi_1007_: array<u32, 2>;
-    var phi_1008_: bool;
-    var phi_1043_: array<u32, 2>;
-    var phi_1044_: bool;
-    var phi_1079_: array<u32, 2>;
-    var phi_1080_: bool;
-    var phi_1115_: array<u32, 2>;
-    var phi_1116_: bool;
-    var phi_1151_: array<u32, 2>;
+    var phi_194_: type_9;
+    var phi_333_: type_9;
+    var phi_493_: type_9;
+    var phi_604_: bool;
+    var phi_605_: u32;
+    var phi_606_: bool;
+    var phi_607_: u32;
+    var phi_608_: bool;
+    var phi_609_: u32;
+    var phi_610_: bool;
+    var phi_611_: u32;
+    var phi_672_: bool;
+    var phi_673_: u32;
+    var phi_674_: bool;
+    var phi_675_: u32;
+    var phi_676_: bool;
+    var phi_677_: u32;
+    var phi_678_: bool;
+    var phi_679_: u32;
+    var phi_784_: bool;
+    var phi_785_: u32;
+    var phi_786_: bool;
+    var phi_787_: u32;
+    var phi_788_: bool;
+    var phi_789_: u32;
+    var phi_790_: bool;
+    var phi_791_: u32;
+    var phi_852_: bool;
+    var phi_853_: u32;
+    var phi_854_: bool;
+    var phi_855_: u32;
+    var phi_856_: bool;
+    var phi_857_: u32;
+    var phi_858_: bool;
+    var phi_859_: u32;
+    var phi_1063_: type_9;
+    var phi_1148_: bool;
+    var phi_1149_: u32;
+    var phi_1150_: bool;
+    var phi_1151_: u32;
     var phi_1152_: bool;
-    var phi_1187_: array<u32, 2>;
-    var phi_1188_: bool;
-    var phi_1200_: type_9;
-    var phi_1285_: bool;
-    var phi_1286_: u32;
-    var phi_1287_: bool;
-    var phi_1288_: u32;
-    var phi_1289_: bool;
-    var phi_1290_: u32;
-    var phi_1291_: bool;
-    var phi_1292_: u32;
-    var phi_1378_: bool;
-    var phi_1379_: u32;
-    var phi_1380_: bool;
-    var phi_1381_: u32;
-    var phi_1382_: bool;
-    var phi_1383_: u32;
-    var phi_1384_: bool;
-    var phi_1385_: u32;
-    var phi_1443_: type_9;
-    var phi_1524_: f32;
-    var phi_1581_: f32;
+    var phi_1153_: u32;
+    var phi_1154_: bool;
+    var phi_1155_: u32;
+    var phi_1241_: bool;
+    var phi_1242_: u32;
+    var phi_1243_: bool;
+    var phi_1244_: u32;
+    var phi_1245_: bool;
+    var phi_1246_: u32;
+    var phi_1247_: bool;
+    var phi_1248_: u32;
+    var phi_1306_: type_9;
+    var phi_1387_: f32;
+    var phi_1444_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -176,560 +160,488 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e55 = id_2;
-    let _e56 = n_2;
-    let _e57 = lane_2;
-    let _e69 = ((((_e55.y * _e56.x) + _e55.x) * 256u) + _e57);
-    let _e73 = params.member.member.member[0u];
-    if (_e69 < _e73) {
-        let _e77 = positions.member[_e69];
-        let _e80 = params.member.member.member[0u];
-        let _e83 = positions.member[(_e80 + _e69)];
-        local_6 = array<f64, 3>(_e77[0], _e77[1], _e77[2]);
-        local_7 = array<f64, 3>(_e83[0], _e83[1], _e83[2]);
-        let _e94 = local_6;
-        local_8.member = _e94;
-        let _e96 = local_7;
-        local_8.member_1 = _e96;
-        phi_195_ = type_9(0u, 3u);
+    let _e54 = id_2;
+    let _e55 = n_2;
+    let _e56 = lane_2;
+    let _e68 = ((((_e54.y * _e55.x) + _e54.x) * 256u) + _e56);
+    let _e72 = params.member.member.member[0u];
+    if (_e68 < _e72) {
+        let _e76 = positions.member[_e68];
+        let _e79 = params.member.member.member[0u];
+        let _e82 = positions.member[(_e79 + _e68)];
+        local_6 = array<f64, 3>(_e76[0], _e76[1], _e76[2]);
+        local_7 = array<f64, 3>(_e82[0], _e82[1], _e82[2]);
+        let _e93 = local_6;
+        local_8.member = _e93;
+        let _e95 = local_7;
+        local_8.member_1 = _e95;
+        phi_194_ = type_9(0u, 3u);
         loop {
-            let _e98 = phi_195_;
-            let _e101 = (_e98.member < _e98.member_1);
-            let _e112 = select(type_9().member_1, _e98.member, _e101);
-            let _e114 = (bitcast<i32>(select(0u, 1u, _e101)) != 0i);
-            if _e114 {
-                let _e116 = local_6[_e112];
-                let _e117 = bitcast<u64>(_e116);
-                let _e118 = u32(_e117);
-                let _e120 = u32((_e117 / 4294967296lu));
-                if ((_e120 >> bitcast<u32>(31i)) == 0u) {
-                    phi_261_ = array<u32, 2>();
-                    phi_262_ = true;
-                } else {
-                    let _e127 = select(true, select(true, false, (_e118 == 0u)), (_e120 == 2147483648u));
-                    phi_261_ = array<u32, 2>(select(array<u32, 2>()[0], ~(_e118), _e127), select(array<u32, 2>()[1], ~(_e120), _e127));
-                    phi_262_ = select(true, false, _e127);
-                }
-                let _e137 = phi_261_;
-                let _e139 = phi_262_;
-                let _e144 = select(_e137[1], (_e120 | 2147483648u), _e139);
-                let _e146 = local_7[_e112];
-                let _e147 = bitcast<u64>(_e146);
-                let _e148 = u32(_e147);
-                let _e150 = u32((_e147 / 4294967296lu));
-                if ((_e150 >> bitcast<u32>(31i)) == 0u) {
-                    phi_303_ = array<u32, 2>();
-                    phi_304_ = true;
-                } else {
-                    let _e157 = select(true, select(true, false, (_e148 == 0u)), (_e150 == 2147483648u));
-                    phi_303_ = array<u32, 2>(select(array<u32, 2>()[0], ~(_e148), _e157), select(array<u32, 2>()[1], ~(_e150), _e157));
-                    phi_304_ = select(true, false, _e157);
-                }
-                let _e167 = phi_303_;
-                let _e169 = phi_304_;
-                let _e174 = select(_e167[1], (_e150 | 2147483648u), _e169);
-                if select(select(false, (select(_e137[0], _e118, _e139) > select(_e167[0], _e148, _e169)), (_e144 == _e174)), true, (_e144 > _e174)) {
-                    let _e181 = local_7[_e112];
-                    local_8.member[_e112] = _e181;
-                    let _e185 = local_6[_e112];
-                    local_8.member_1[_e112] = _e185;
+            let _e97 = phi_194_;
+            let _e100 = (_e97.member < _e97.member_1);
+            let _e111 = select(type_9().member_1, _e97.member, _e100);
+            let _e113 = (bitcast<i32>(select(0u, 1u, _e100)) != 0i);
+            if _e113 {
+                let _e115 = local_6[_e111];
+                let _e116 = bitcast<u64>(_e115);
+                let _e117 = u32(_e116);
+                let _e119 = u32((_e116 / 4294967296lu));
+                let _e129 = (0u - select(0u, 1u, (((_e119 >> bitcast<u32>(31i)) == 1u) && !(((_e119 == 2147483648u) && (_e117 == 0u))))));
+                let _e134 = ((_e119 ^ _e129) | (~(_e129) & 2147483648u));
+                let _e136 = local_7[_e111];
+                let _e137 = bitcast<u64>(_e136);
+                let _e138 = u32(_e137);
+                let _e140 = u32((_e137 / 4294967296lu));
+                let _e150 = (0u - select(0u, 1u, (((_e140 >> bitcast<u32>(31i)) == 1u) && !(((_e140 == 2147483648u) && (_e138 == 0u))))));
+                let _e155 = ((_e140 ^ _e150) | (~(_e150) & 2147483648u));
+                if select(select(false, ((_e117 ^ _e129) > (_e138 ^ _e150)), (_e134 == _e155)), true, (_e134 > _e155)) {
+                    let _e162 = local_7[_e111];
+                    local_8.member[_e111] = _e162;
+                    let _e166 = local_6[_e111];
+                    local_8.member_1[_e111] = _e166;
                 }
             }
             continue;
             continuing {
-                phi_195_ = type_9(select(_e98.member, (_e98.member + 1u), _e101), select(_e98.member_1, _e98.member_1, _e101));
-                break if !(_e114);
+                phi_194_ = type_9(select(_e97.member, (_e97.member + 1u), _e100), select(_e97.member_1, _e97.member_1, _e100));
+                break if !(_e113);
             }
         }
-        let _e190 = params.member.member.member_9;
-        let _e197 = bitcast<f64>(((u64(_e190[1]) * 4294967296lu) + u64(_e190[0])));
-        if (_e197 > f64(0f)) {
-            let _e201 = local_8;
-            local_5 = _e201;
-            phi_374_ = type_9(0u, 3u);
+        let _e171 = params.member.member.member_9;
+        let _e178 = bitcast<f64>(((u64(_e171[1]) * 4294967296lu) + u64(_e171[0])));
+        if (_e178 > f64(0f)) {
+            let _e182 = local_8;
+            local_5 = _e182;
+            phi_333_ = type_9(0u, 3u);
             loop {
-                let _e203 = phi_374_;
-                let _e206 = (_e203.member < _e203.member_1);
-                let _e217 = select(type_9().member_1, _e203.member, _e206);
-                let _e219 = (bitcast<i32>(select(0u, 1u, _e206)) != 0i);
-                if _e219 {
-                    let _e222 = local_5.member[_e217];
-                    let _e224 = -((_e222 - _e197));
-                    let _e225 = bitcast<u64>(_e224);
-                    local_5.member[_e217] = -(select(_e224, select(select(5e-324lf, bitcast<f64>((_e225 - 1lu)), (_e224 < 0.0lf)), bitcast<f64>((_e225 + 1lu)), (_e224 > 0.0lf)), select(true, (_e224 < 0.0lf), ((_e225 & 9218868437227405312lu) == 9218868437227405312lu))));
-                    let _e244 = local_5.member_1[_e217];
-                    let _e245 = (_e244 + _e197);
-                    let _e246 = bitcast<u64>(_e245);
-                    local_5.member_1[_e217] = select(_e245, select(select(5e-324lf, bitcast<f64>((_e246 - 1lu)), (_e245 < 0.0lf)), bitcast<f64>((_e246 + 1lu)), (_e245 > 0.0lf)), select(true, (_e245 < 0.0lf), ((_e246 & 9218868437227405312lu) == 9218868437227405312lu)));
+                let _e184 = phi_333_;
+                let _e187 = (_e184.member < _e184.member_1);
+                let _e198 = select(type_9().member_1, _e184.member, _e187);
+                let _e200 = (bitcast<i32>(select(0u, 1u, _e187)) != 0i);
+                if _e200 {
+                    let _e203 = local_5.member[_e198];
+                    let _e205 = -((_e203 - _e178));
+                    let _e206 = bitcast<u64>(_e205);
+                    local_5.member[_e198] = -(select(_e205, select(select(5e-324lf, bitcast<f64>((_e206 - 1lu)), (_e205 < 0.0lf)), bitcast<f64>((_e206 + 1lu)), (_e205 > 0.0lf)), select(true, (_e205 < 0.0lf), ((_e206 & 9218868437227405312lu) == 9218868437227405312lu))));
+                    let _e225 = local_5.member_1[_e198];
+                    let _e226 = (_e225 + _e178);
+                    let _e227 = bitcast<u64>(_e226);
+                    local_5.member_1[_e198] = select(_e226, select(select(5e-324lf, bitcast<f64>((_e227 - 1lu)), (_e226 < 0.0lf)), bitcast<f64>((_e227 + 1lu)), (_e226 > 0.0lf)), select(true, (_e226 < 0.0lf), ((_e227 & 9218868437227405312lu) == 9218868437227405312lu)));
                 }
                 continue;
                 continuing {
-                    phi_374_ = type_9(select(_e203.member, (_e203.member + 1u), _e206), select(_e203.member_1, _e203.member_1, _e206));
-                    break if !(_e219);
+                    phi_333_ = type_9(select(_e184.member, (_e184.member + 1u), _e187), select(_e184.member_1, _e184.member_1, _e187));
+                    break if !(_e200);
                 }
             }
         } else {
-            let _e200 = local_8;
-            local_5 = _e200;
+            let _e181 = local_8;
+            local_5 = _e181;
         }
-        let _e263 = local_5;
-        local_9 = _e263;
-        local_2 = array<f64, 3>(_e77[0], _e77[1], _e77[2]);
-        local_3 = array<f64, 3>(_e83[0], _e83[1], _e83[2]);
+        let _e244 = local_5;
+        local_9 = _e244;
+        local_2 = array<f64, 3>(_e76[0], _e76[1], _e76[2]);
+        local_3 = array<f64, 3>(_e82[0], _e82[1], _e82[2]);
         local_4.member = array<f32, 4>(0f, 0f, 0f, 0f);
         local_4.member_1 = array<f32, 4>(0f, 0f, 0f, 0f);
-        phi_534_ = type_9(0u, 3u);
+        phi_493_ = type_9(0u, 3u);
         loop {
-            let _e276 = phi_534_;
-            let _e279 = (_e276.member < _e276.member_1);
-            let _e290 = select(type_9().member_1, _e276.member, _e279);
-            let _e292 = (bitcast<i32>(select(0u, 1u, _e279)) != 0i);
-            if _e292 {
-                let _e295 = params.member.member.member_8[_e290];
-                let _e302 = bitcast<f64>(((u64(_e295[1]) * 4294967296lu) + u64(_e295[0])));
-                let _e304 = params.member.member.member_10;
-                let _e311 = bitcast<f64>(((u64(_e304[1]) * 4294967296lu) + u64(_e304[0])));
-                let _e313 = local_2[_e290];
-                let _e315 = ((_e313 - _e302) * _e311);
-                let _e316 = bitcast<u64>(_e315);
-                let _e317 = u32(_e316);
-                let _e319 = u32((_e316 / 4294967296lu));
-                let _e320 = (_e319 & 2147483648u);
-                let _e323 = ((_e319 >> bitcast<u32>(20i)) & 2047u);
-                let _e329 = (((_e319 & 1048575u) << bitcast<u32>(3i)) | (_e317 >> bitcast<u32>(29i)));
-                let _e330 = (_e317 & 536870911u);
-                if (_e323 == 2047u) {
-                    phi_651_ = false;
-                    phi_652_ = (2139095040u | _e329);
+            let _e257 = phi_493_;
+            let _e260 = (_e257.member < _e257.member_1);
+            let _e271 = select(type_9().member_1, _e257.member, _e260);
+            let _e273 = (bitcast<i32>(select(0u, 1u, _e260)) != 0i);
+            if _e273 {
+                let _e276 = params.member.member.member_8[_e271];
+                let _e283 = bitcast<f64>(((u64(_e276[1]) * 4294967296lu) + u64(_e276[0])));
+                let _e285 = params.member.member.member_10;
+                let _e292 = bitcast<f64>(((u64(_e285[1]) * 4294967296lu) + u64(_e285[0])));
+                let _e294 = local_2[_e271];
+                let _e296 = ((_e294 - _e283) * _e292);
+                let _e297 = bitcast<u64>(_e296);
+                let _e298 = u32(_e297);
+                let _e300 = u32((_e297 / 4294967296lu));
+                let _e301 = (_e300 & 2147483648u);
+                let _e304 = ((_e300 >> bitcast<u32>(20i)) & 2047u);
+                let _e310 = (((_e300 & 1048575u) << bitcast<u32>(3i)) | (_e298 >> bitcast<u32>(29i)));
+                let _e311 = (_e298 & 536870911u);
+                if (_e304 == 2047u) {
+                    phi_610_ = false;
+                    phi_611_ = (2139095040u | _e310);
                 } else {
-                    if (_e323 > 1150u) {
-                        phi_649_ = true;
-                        phi_650_ = 2139095039u;
+                    if (_e304 > 1150u) {
+                        phi_608_ = true;
+                        phi_609_ = 2139095039u;
                     } else {
-                        if (_e323 > 896u) {
-                            phi_647_ = (_e330 != 0u);
-                            phi_648_ = (((_e323 - 896u) << bitcast<u32>(23i)) | _e329);
+                        if (_e304 > 896u) {
+                            phi_606_ = (_e311 != 0u);
+                            phi_607_ = (((_e304 - 896u) << bitcast<u32>(23i)) | _e310);
                         } else {
-                            if (_e323 >= 873u) {
-                                let _e338 = (8388608u | _e329);
-                                let _e339 = (897u - _e323);
-                                phi_645_ = (((_e338 & ((1u << bitcast<u32>((_e339 & 31u))) - 1u)) | _e330) != 0u);
-                                phi_646_ = (_e338 >> bitcast<u32>((_e339 & 31u)));
+                            if (_e304 >= 873u) {
+                                let _e319 = (8388608u | _e310);
+                                let _e320 = (897u - _e304);
+                                phi_604_ = (((_e319 & ((1u << bitcast<u32>((_e320 & 31u))) - 1u)) | _e311) != 0u);
+                                phi_605_ = (_e319 >> bitcast<u32>((_e320 & 31u)));
                             } else {
-                                phi_645_ = (((_e319 & 2147483647u) | _e317) != 0u);
-                                phi_646_ = 0u;
+                                phi_604_ = (((_e300 & 2147483647u) | _e298) != 0u);
+                                phi_605_ = 0u;
                             }
-                            let _e351 = phi_645_;
-                            let _e353 = phi_646_;
-                            phi_647_ = _e351;
-                            phi_648_ = _e353;
+                            let _e332 = phi_604_;
+                            let _e334 = phi_605_;
+                            phi_606_ = _e332;
+                            phi_607_ = _e334;
                         }
-                        let _e360 = phi_647_;
-                        let _e362 = phi_648_;
-                        phi_649_ = _e360;
-                        phi_650_ = _e362;
+                        let _e341 = phi_606_;
+                        let _e343 = phi_607_;
+                        phi_608_ = _e341;
+                        phi_609_ = _e343;
                     }
-                    let _e364 = phi_649_;
-                    let _e366 = phi_650_;
-                    phi_651_ = _e364;
-                    phi_652_ = _e366;
+                    let _e345 = phi_608_;
+                    let _e347 = phi_609_;
+                    phi_610_ = _e345;
+                    phi_611_ = _e347;
                 }
-                let _e369 = phi_651_;
-                let _e371 = phi_652_;
-                let _e379 = select(bitcast<f32>(((_e320 | _e371) + select(0u, 1u, _e369))), bitcast<f32>((_e320 | _e371)), (_e320 == 0u));
-                let _e380 = bitcast<u64>(_e315);
-                let _e381 = u32(_e380);
-                let _e383 = u32((_e380 / 4294967296lu));
-                let _e384 = (_e383 & 2147483648u);
-                let _e387 = ((_e383 >> bitcast<u32>(20i)) & 2047u);
-                let _e393 = (((_e383 & 1048575u) << bitcast<u32>(3i)) | (_e381 >> bitcast<u32>(29i)));
-                let _e394 = (_e381 & 536870911u);
-                if (_e387 == 2047u) {
-                    phi_719_ = false;
-                    phi_720_ = (2139095040u | _e393);
+                let _e350 = phi_610_;
+                let _e352 = phi_611_;
+                let _e360 = select(bitcast<f32>(((_e301 | _e352) + select(0u, 1u, _e350))), bitcast<f32>((_e301 | _e352)), (_e301 == 0u));
+                let _e361 = bitcast<u64>(_e296);
+                let _e362 = u32(_e361);
+                let _e364 = u32((_e361 / 4294967296lu));
+                let _e365 = (_e364 & 2147483648u);
+                let _e368 = ((_e364 >> bitcast<u32>(20i)) & 2047u);
+                let _e374 = (((_e364 & 1048575u) << bitcast<u32>(3i)) | (_e362 >> bitcast<u32>(29i)));
+                let _e375 = (_e362 & 536870911u);
+                if (_e368 == 2047u) {
+                    phi_678_ = false;
+                    phi_679_ = (2139095040u | _e374);
                 } else {
-                    if (_e387 > 1150u) {
-                        phi_717_ = true;
-                        phi_718_ = 2139095039u;
+                    if (_e368 > 1150u) {
+                        phi_676_ = true;
+                        phi_677_ = 2139095039u;
                     } else {
-                        if (_e387 > 896u) {
-                            phi_715_ = (_e394 != 0u);
-                            phi_716_ = (((_e387 - 896u) << bitcast<u32>(23i)) | _e393);
+                        if (_e368 > 896u) {
+                            phi_674_ = (_e375 != 0u);
+                            phi_675_ = (((_e368 - 896u) << bitcast<u32>(23i)) | _e374);
                         } else {
-                            if (_e387 >= 873u) {
-                                let _e402 = (8388608u | _e393);
-                                let _e403 = (897u - _e387);
-                                phi_713_ = (((_e402 & ((1u << bitcast<u32>((_e403 & 31u))) - 1u)) | _e394) != 0u);
-                                phi_714_ = (_e402 >> bitcast<u32>((_e403 & 31u)));
+                            if (_e368 >= 873u) {
+                                let _e383 = (8388608u | _e374);
+                                let _e384 = (897u - _e368);
+                                phi_672_ = (((_e383 & ((1u << bitcast<u32>((_e384 & 31u))) - 1u)) | _e375) != 0u);
+                                phi_673_ = (_e383 >> bitcast<u32>((_e384 & 31u)));
                             } else {
-                                phi_713_ = (((_e383 & 2147483647u) | _e381) != 0u);
-                                phi_714_ = 0u;
+                                phi_672_ = (((_e364 & 2147483647u) | _e362) != 0u);
+                                phi_673_ = 0u;
                             }
-                            let _e415 = phi_713_;
-                            let _e417 = phi_714_;
-                            phi_715_ = _e415;
-                            phi_716_ = _e417;
+                            let _e396 = phi_672_;
+                            let _e398 = phi_673_;
+                            phi_674_ = _e396;
+                            phi_675_ = _e398;
                         }
-                        let _e424 = phi_715_;
-                        let _e426 = phi_716_;
-                        phi_717_ = _e424;
-                        phi_718_ = _e426;
+                        let _e405 = phi_674_;
+                        let _e407 = phi_675_;
+                        phi_676_ = _e405;
+                        phi_677_ = _e407;
                     }
-                    let _e428 = phi_717_;
-                    let _e430 = phi_718_;
-                    phi_719_ = _e428;
-                    phi_720_ = _e430;
+                    let _e409 = phi_676_;
+                    let _e411 = phi_677_;
+                    phi_678_ = _e409;
+                    phi_679_ = _e411;
                 }
-                let _e433 = phi_719_;
-                let _e435 = phi_720_;
-                let _e443 = select(bitcast<f32>((_e384 | _e435)), bitcast<f32>(((_e384 | _e435) + select(0u, 1u, _e433))), (_e384 == 0u));
-                let _e445 = (_e315 - f64(_e379));
-                let _e447 = (f64(_e443) - _e315);
-                local_4.member[_e290] = select(_e443, _e379, select(select(true, false, select(true, select(true, false, ((bitcast<u32>(_e379) & 1u) == 0u)), (_e445 == _e447))), true, (_e445 < _e447)));
-                let _e461 = local_3[_e290];
-                let _e463 = ((_e461 - _e302) * _e311);
-                let _e464 = bitcast<u64>(_e463);
-                let _e465 = u32(_e464);
-                let _e467 = u32((_e464 / 4294967296lu));
-                let _e468 = (_e467 & 2147483648u);
-                let _e471 = ((_e467 >> bitcast<u32>(20i)) & 2047u);
-                let _e477 = (((_e467 & 1048575u) << bitcast<u32>(3i)) | (_e465 >> bitcast<u32>(29i)));
-                let _e478 = (_e465 & 536870911u);
-                if (_e471 == 2047u) {
-                    phi_831_ = false;
-                    phi_832_ = (2139095040u | _e477);
+                let _e414 = phi_678_;
+                let _e416 = phi_679_;
+                let _e424 = select(bitcast<f32>((_e365 | _e416)), bitcast<f32>(((_e365 | _e416) + select(0u, 1u, _e414))), (_e365 == 0u));
+                let _e426 = (_e296 - f64(_e360));
+                let _e428 = (f64(_e424) - _e296);
+                local_4.member[_e271] = select(_e424, _e360, select(select(true, false, select(true, select(true, false, ((bitcast<u32>(_e360) & 1u) == 0u)), (_e426 == _e428))), true, (_e426 < _e428)));
+                let _e442 = local_3[_e271];
+                let _e444 = ((_e442 - _e283) * _e292);
+                let _e445 = bitcast<u64>(_e444);
+                let _e446 = u32(_e445);
+                let _e448 = u32((_e445 / 4294967296lu));
+                let _e449 = (_e448 & 2147483648u);
+                let _e452 = ((_e448 >> bitcast<u32>(20i)) & 2047u);
+                let _e458 = (((_e448 & 1048575u) << bitcast<u32>(3i)) | (_e446 >> bitcast<u32>(29i)));
+                let _e459 = (_e446 & 536870911u);
+                if (_e452 == 2047u) {
+                    phi_790_ = false;
+                    phi_791_ = (2139095040u | _e458);
                 } else {
-                    if (_e471 > 1150u) {
-                        phi_829_ = true;
-                        phi_830_ = 2139095039u;
+                    if (_e452 > 1150u) {
+                        phi_788_ = true;
+                        phi_789_ = 2139095039u;
                     } else {
-                        if (_e471 > 896u) {
-                            phi_827_ = (_e478 != 0u);
-                            phi_828_ = (((_e471 - 896u) << bitcast<u32>(23i)) | _e477);
+                        if (_e452 > 896u) {
+                            phi_786_ = (_e459 != 0u);
+                            phi_787_ = (((_e452 - 896u) << bitcast<u32>(23i)) | _e458);
                         } else {
-                            if (_e471 >= 873u) {
-                                let _e486 = (8388608u | _e477);
-                                let _e487 = (897u - _e471);
-                                phi_825_ = (((_e486 & ((1u << bitcast<u32>((_e487 & 31u))) - 1u)) | _e478) != 0u);
-                                phi_826_ = (_e486 >> bitcast<u32>((_e487 & 31u)));
+                            if (_e452 >= 873u) {
+                                let _e467 = (8388608u | _e458);
+                                let _e468 = (897u - _e452);
+                                phi_784_ = (((_e467 & ((1u << bitcast<u32>((_e468 & 31u))) - 1u)) | _e459) != 0u);
+                                phi_785_ = (_e467 >> bitcast<u32>((_e468 & 31u)));
                             } else {
-                                phi_825_ = (((_e467 & 2147483647u) | _e465) != 0u);
-                                phi_826_ = 0u;
+                                phi_784_ = (((_e448 & 2147483647u) | _e446) != 0u);
+                                phi_785_ = 0u;
                             }
-                            let _e499 = phi_825_;
-                            let _e501 = phi_826_;
-                            phi_827_ = _e499;
-                            phi_828_ = _e501;
+                            let _e480 = phi_784_;
+                            let _e482 = phi_785_;
+                            phi_786_ = _e480;
+                            phi_787_ = _e482;
                         }
-                        let _e508 = phi_827_;
-                        let _e510 = phi_828_;
-                        phi_829_ = _e508;
-                        phi_830_ = _e510;
+                        let _e489 = phi_786_;
+                        let _e491 = phi_787_;
+                        phi_788_ = _e489;
+                        phi_789_ = _e491;
                     }
-                    let _e512 = phi_829_;
-                    let _e514 = phi_830_;
-                    phi_831_ = _e512;
-                    phi_832_ = _e514;
+                    let _e493 = phi_788_;
+                    let _e495 = phi_789_;
+                    phi_790_ = _e493;
+                    phi_791_ = _e495;
                 }
-                let _e517 = phi_831_;
-                let _e519 = phi_832_;
-                let _e527 = select(bitcast<f32>(((_e468 | _e519) + select(0u, 1u, _e517))), bitcast<f32>((_e468 | _e519)), (_e468 == 0u));
-                let _e528 = bitcast<u64>(_e463);
-                let _e529 = u32(_e528);
-                let _e531 = u32((_e528 / 4294967296lu));
-                let _e532 = (_e531 & 2147483648u);
-                let _e535 = ((_e531 >> bitcast<u32>(20i)) & 2047u);
-                let _e541 = (((_e531 & 1048575u) << bitcast<u32>(3i)) | (_e529 >> bitcast<u32>(29i)));
-                let _e542 = (_e529 & 536870911u);
-                if (_e535 == 2047u) {
-                    phi_899_ = false;
-                    phi_900_ = (2139095040u | _e541);
+                let _e498 = phi_790_;
+                let _e500 = phi_791_;
+                let _e508 = select(bitcast<f32>(((_e449 | _e500) + select(0u, 1u, _e498))), bitcast<f32>((_e449 | _e500)), (_e449 == 0u));
+                let _e509 = bitcast<u64>(_e444);
+                let _e510 = u32(_e509);
+                let _e512 = u32((_e509 / 4294967296lu));
+                let _e513 = (_e512 & 2147483648u);
+                let _e516 = ((_e512 >> bitcast<u32>(20i)) & 2047u);
+                let _e522 = (((_e512 & 1048575u) << bitcast<u32>(3i)) | (_e510 >> bitcast<u32>(29i)));
+                let _e523 = (_e510 & 536870911u);
+                if (_e516 == 2047u) {
+                    phi_858_ = false;
+                    phi_859_ = (2139095040u | _e522);
                 } else {
-                    if (_e535 > 1150u) {
-                        phi_897_ = true;
-                        phi_898_ = 2139095039u;
+                    if (_e516 > 1150u) {
+                        phi_856_ = true;
+                        phi_857_ = 2139095039u;
                     } else {
-                        if (_e535 > 896u) {
-                            phi_895_ = (_e542 != 0u);
-                            phi_896_ = (((_e535 - 896u) << bitcast<u32>(23i)) | _e541);
+                        if (_e516 > 896u) {
+                            phi_854_ = (_e523 != 0u);
+                            phi_855_ = (((_e516 - 896u) << bitcast<u32>(23i)) | _e522);
                         } else {
-                            if (_e535 >= 873u) {
-                                let _e550 = (8388608u | _e541);
-                                let _e551 = (897u - _e535);
-                                phi_893_ = (((_e550 & ((1u << bitcast<u32>((_e551 & 31u))) - 1u)) | _e542) != 0u);
-                                phi_894_ = (_e550 >> bitcast<u32>((_e551 & 31u)));
+                            if (_e516 >= 873u) {
+                                let _e531 = (8388608u | _e522);
+                                let _e532 = (897u - _e516);
+                                phi_852_ = (((_e531 & ((1u << bitcast<u32>((_e532 & 31u))) - 1u)) | _e523) != 0u);
+                                phi_853_ = (_e531 >> bitcast<u32>((_e532 & 31u)));
                             } else {
-                                phi_893_ = (((_e531 & 2147483647u) | _e529) != 0u);
-                                phi_894_ = 0u;
+                                phi_852_ = (((_e512 & 2147483647u) | _e510) != 0u);
+                                phi_853_ = 0u;
                             }
-                            let _e563 = phi_893_;
-                            let _e565 = phi_894_;
-                            phi_895_ = _e563;
-                            phi_896_ = _e565;
+                            let _e544 = phi_852_;
+                            let _e546 = phi_853_;
+                            phi_854_ = _e544;
+                            phi_855_ = _e546;
                         }
-                        let _e572 = phi_895_;
-                        let _e574 = phi_896_;
-                        phi_897_ = _e572;
-                        phi_898_ = _e574;
+                        let _e553 = phi_854_;
+                        let _e555 = phi_855_;
+                        phi_856_ = _e553;
+                        phi_857_ = _e555;
                     }
-                    let _e576 = phi_897_;
-                    let _e578 = phi_898_;
-                    phi_899_ = _e576;
-                    phi_900_ = _e578;
+                    let _e557 = phi_856_;
+                    let _e559 = phi_857_;
+                    phi_858_ = _e557;
+                    phi_859_ = _e559;
                 }
-                let _e581 = phi_899_;
-                let _e583 = phi_900_;
-                let _e591 = select(bitcast<f32>((_e532 | _e583)), bitcast<f32>(((_e532 | _e583) + select(0u, 1u, _e581))), (_e532 == 0u));
-                let _e593 = (_e463 - f64(_e527));
-                let _e595 = (f64(_e591) - _e463);
-                local_4.member_1[_e290] = select(_e591, _e527, select(select(true, false, select(true, select(true, false, ((bitcast<u32>(_e527) & 1u) == 0u)), (_e593 == _e595))), true, (_e593 < _e595)));
+                let _e562 = phi_858_;
+                let _e564 = phi_859_;
+                let _e572 = select(bitcast<f32>((_e513 | _e564)), bitcast<f32>(((_e513 | _e564) + select(0u, 1u, _e562))), (_e513 == 0u));
+                let _e574 = (_e444 - f64(_e508));
+                let _e576 = (f64(_e572) - _e444);
+                local_4.member_1[_e271] = select(_e572, _e508, select(select(true, false, select(true, select(true, false, ((bitcast<u32>(_e508) & 1u) == 0u)), (_e574 == _e576))), true, (_e574 < _e576)));
             }
             continue;
             continuing {
-                phi_534_ = type_9(select(_e276.member, (_e276.member + 1u), _e279), select(_e276.member_1, _e276.member_1, _e279));
-                break if !(_e292);
+                phi_493_ = type_9(select(_e257.member, (_e257.member + 1u), _e260), select(_e257.member_1, _e257.member_1, _e260));
+                break if !(_e273);
             }
         }
-        let _e609 = local_4;
-        paths.member[_e69] = type_15(array<f32, 4>(_e609.member[0], _e609.member[1], _e609.member[2], _e609.member[3]), array<f32, 4>(_e609.member_1[0], _e609.member_1[1], _e609.member_1[2], _e609.member_1[3]));
-        let _e625 = local_9.member;
-        let _e630 = local_9.member_1;
-        let _e634 = bitcast<u64>(_e625[0]);
-        let _e635 = u32(_e634);
-        let _e637 = u32((_e634 / 4294967296lu));
-        if ((_e637 >> bitcast<u32>(31i)) == 0u) {
-            phi_1007_ = array<u32, 2>();
-            phi_1008_ = true;
-        } else {
-            let _e644 = select(true, select(true, false, (_e635 == 0u)), (_e637 == 2147483648u));
-            phi_1007_ = array<u32, 2>(select(array<u32, 2>()[0], ~(_e635), _e644), select(array<u32, 2>()[1], ~(_e637), _e644));
-            phi_1008_ = select(true, false, _e644);
-        }
-        let _e654 = phi_1007_;
-        let _e656 = phi_1008_;
-        let _e663 = bitcast<u64>(_e625[1]);
-        let _e664 = u32(_e663);
-        let _e666 = u32((_e663 / 4294967296lu));
-        if ((_e666 >> bitcast<u32>(31i)) == 0u) {
-            phi_1043_ = array<u32, 2>();
-            phi_1044_ = true;
-        } else {
-            let _e673 = select(true, select(true, false, (_e664 == 0u)), (_e666 == 2147483648u));
-            phi_1043_ = array<u32, 2>(select(array<u32, 2>()[0], ~(_e664), _e673), select(array<u32, 2>()[1], ~(_e666), _e673));
-            phi_1044_ = select(true, false, _e673);
-        }
-        let _e683 = phi_1043_;
-        let _e685 = phi_1044_;
-        let _e692 = bitcast<u64>(_e625[2]);
-        let _e693 = u32(_e692);
-        let _e695 = u32((_e692 / 4294967296lu));
-        if ((_e695 >> bitcast<u32>(31i)) == 0u) {
-            phi_1079_ = array<u32, 2>();
-            phi_1080_ = true;
-        } else {
-            let _e702 = select(true, select(true, false, (_e693 == 0u)), (_e695 == 2147483648u));
-            phi_1079_ = array<u32, 2>(select(array<u32, 2>()[0], ~(_e693), _e702), select(array<u32, 2>()[1], ~(_e695), _e702));
-            phi_1080_ = select(true, false, _e702);
-        }
-        let _e712 = phi_1079_;
-        let _e714 = phi_1080_;
-        let _e721 = bitcast<u64>(_e630[0]);
-        let _e722 = u32(_e721);
-        let _e724 = u32((_e721 / 4294967296lu));
-        if ((_e724 >> bitcast<u32>(31i)) == 0u) {
-            phi_1115_ = array<u32, 2>();
-            phi_1116_ = true;
-        } else {
-            let _e731 = select(true, select(true, false, (_e722 == 0u)), (_e724 == 2147483648u));
-            phi_1115_ = array<u32, 2>(select(array<u32, 2>()[0], ~(_e722), _e731), select(array<u32, 2>()[1], ~(_e724), _e731));
-            phi_1116_ = select(true, false, _e731);
-        }
-        let _e741 = phi_1115_;
-        let _e743 = phi_1116_;
-        let _e750 = bitcast<u64>(_e630[1]);
-        let _e751 = u32(_e750);
-        let _e753 = u32((_e750 / 4294967296lu));
-        if ((_e753 >> bitcast<u32>(31i)) == 0u) {
-            phi_1151_ = array<u32, 2>();
-            phi_1152_ = true;
-        } else {
-            let _e760 = select(true, select(true, false, (_e751 == 0u)), (_e753 == 2147483648u));
-            phi_1151_ = array<u32, 2>(select(array<u32, 2>()[0], ~(_e751), _e760), select(array<u32, 2>()[1], ~(_e753), _e760));
-            phi_1152_ = select(true, false, _e760);
-        }
-        let _e770 = phi_1151_;
-        let _e772 = phi_1152_;
-        let _e779 = bitcast<u64>(_e630[2]);
-        let _e780 = u32(_e779);
-        let _e782 = u32((_e779 / 4294967296lu));
-        if ((_e782 >> bitcast<u32>(31i)) == 0u) {
-            phi_1187_ = array<u32, 2>();
-            phi_1188_ = true;
-        } else {
-            let _e789 = select(true, select(true, false, (_e780 == 0u)), (_e782 == 2147483648u));
-            phi_1187_ = array<u32, 2>(select(array<u32, 2>()[0], ~(_e780), _e789), select(array<u32, 2>()[1], ~(_e782), _e789));
-            phi_1188_ = select(true, false, _e789);
-        }
-        let _e799 = phi_1187_;
-        let _e801 = phi_1188_;
-        keys.member[_e69] = array<array<u32, 2>, 6>(array<u32, 2>(select(_e654[0], _e635, _e656), select(_e654[1], (_e637 | 2147483648u), _e656)), array<u32, 2>(select(_e683[0], _e664, _e685), select(_e683[1], (_e666 | 2147483648u), _e685)), array<u32, 2>(select(_e712[0], _e693, _e714), select(_e712[1], (_e695 | 2147483648u), _e714)), array<u32, 2>(select(_e741[0], _e722, _e743), select(_e741[1], (_e724 | 2147483648u), _e743)), array<u32, 2>(select(_e770[0], _e751, _e772), select(_e770[1], (_e753 | 2147483648u), _e772)), array<u32, 2>(select(_e799[0], _e780, _e801), select(_e799[1], (_e782 | 2147483648u), _e801)));
+        let _e590 = local_4;
+        paths.member[_e68] = type_15(array<f32, 4>(_e590.member[0], _e590.member[1], _e590.member[2], _e590.member[3]), array<f32, 4>(_e590.member_1[0], _e590.member_1[1], _e590.member_1[2], _e590.member_1[3]));
+        let _e606 = local_9.member;
+        let _e611 = local_9.member_1;
+        let _e615 = bitcast<u64>(_e606[0]);
+        let _e616 = u32(_e615);
+        let _e618 = u32((_e615 / 4294967296lu));
+        let _e628 = (0u - select(0u, 1u, (((_e618 >> bitcast<u32>(31i)) == 1u) && !(((_e618 == 2147483648u) && (_e616 == 0u))))));
+        let _e635 = bitcast<u64>(_e606[1]);
+        let _e636 = u32(_e635);
+        let _e638 = u32((_e635 / 4294967296lu));
+        let _e648 = (0u - select(0u, 1u, (((_e638 >> bitcast<u32>(31i)) == 1u) && !(((_e638 == 2147483648u) && (_e636 == 0u))))));
+        let _e655 = bitcast<u64>(_e606[2]);
+        let _e656 = u32(_e655);
+        let _e658 = u32((_e655 / 4294967296lu));
+        let _e668 = (0u - select(0u, 1u, (((_e658 >> bitcast<u32>(31i)) == 1u) && !(((_e658 == 2147483648u) && (_e656 == 0u))))));
+        let _e675 = bitcast<u64>(_e611[0]);
+        let _e676 = u32(_e675);
+        let _e678 = u32((_e675 / 4294967296lu));
+        let _e688 = (0u - select(0u, 1u, (((_e678 >> bitcast<u32>(31i)) == 1u) && !(((_e678 == 2147483648u) && (_e676 == 0u))))));
+        let _e695 = bitcast<u64>(_e611[1]);
+        let _e696 = u32(_e695);
+        let _e698 = u32((_e695 / 4294967296lu));
+        let _e708 = (0u - select(0u, 1u, (((_e698 >> bitcast<u32>(31i)) == 1u) && !(((_e698 == 2147483648u) && (_e696 == 0u))))));
+        let _e715 = bitcast<u64>(_e611[2]);
+        let _e716 = u32(_e715);
+        let _e718 = u32((_e715 / 4294967296lu));
+        let _e728 = (0u - select(0u, 1u, (((_e718 >> bitcast<u32>(31i)) == 1u) && !(((_e718 == 2147483648u) && (_e716 == 0u))))));
+        keys.member[_e68] = array<array<u32, 2>, 6>(array<u32, 2>((_e616 ^ _e628), ((_e618 ^ _e628) | (~(_e628) & 2147483648u))), array<u32, 2>((_e636 ^ _e648), ((_e638 ^ _e648) | (~(_e648) & 2147483648u))), array<u32, 2>((_e656 ^ _e668), ((_e658 ^ _e668) | (~(_e668) & 2147483648u))), array<u32, 2>((_e676 ^ _e688), ((_e678 ^ _e688) | (~(_e688) & 2147483648u))), array<u32, 2>((_e696 ^ _e708), ((_e698 ^ _e708) | (~(_e708) & 2147483648u))), array<u32, 2>((_e716 ^ _e728), ((_e718 ^ _e728) | (~(_e728) & 2147483648u))));
         local_1 = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_1200_ = type_9(0u, 3u);
+        phi_1063_ = type_9(0u, 3u);
         loop {
-            let _e811 = phi_1200_;
-            let _e814 = (_e811.member < _e811.member_1);
-            let _e825 = select(type_9().member_1, _e811.member, _e814);
-            let _e827 = (bitcast<i32>(select(0u, 1u, _e814)) != 0i);
-            if _e827 {
-                let _e830 = local_9.member[_e825];
-                let _e831 = bitcast<u64>(_e830);
-                let _e832 = u32(_e831);
-                let _e834 = u32((_e831 / 4294967296lu));
-                let _e835 = (_e834 & 2147483648u);
-                let _e838 = ((_e834 >> bitcast<u32>(20i)) & 2047u);
-                let _e844 = (((_e834 & 1048575u) << bitcast<u32>(3i)) | (_e832 >> bitcast<u32>(29i)));
-                let _e845 = (_e832 & 536870911u);
-                if (_e838 == 2047u) {
-                    phi_1291_ = false;
-                    phi_1292_ = (2139095040u | _e844);
+            let _e738 = phi_1063_;
+            let _e741 = (_e738.member < _e738.member_1);
+            let _e752 = select(type_9().member_1, _e738.member, _e741);
+            let _e754 = (bitcast<i32>(select(0u, 1u, _e741)) != 0i);
+            if _e754 {
+                let _e757 = local_9.member[_e752];
+                let _e758 = bitcast<u64>(_e757);
+                let _e759 = u32(_e758);
+                let _e761 = u32((_e758 / 4294967296lu));
+                let _e762 = (_e761 & 2147483648u);
+                let _e765 = ((_e761 >> bitcast<u32>(20i)) & 2047u);
+                let _e771 = (((_e761 & 1048575u) << bitcast<u32>(3i)) | (_e759 >> bitcast<u32>(29i)));
+                let _e772 = (_e759 & 536870911u);
+                if (_e765 == 2047u) {
+                    phi_1154_ = false;
+                    phi_1155_ = (2139095040u | _e771);
                 } else {
-                    if (_e838 > 1150u) {
-                        phi_1289_ = true;
-                        phi_1290_ = 2139095039u;
+                    if (_e765 > 1150u) {
+                        phi_1152_ = true;
+                        phi_1153_ = 2139095039u;
                     } else {
-                        if (_e838 > 896u) {
-                            phi_1287_ = (_e845 != 0u);
-                            phi_1288_ = (((_e838 - 896u) << bitcast<u32>(23i)) | _e844);
+                        if (_e765 > 896u) {
+                            phi_1150_ = (_e772 != 0u);
+                            phi_1151_ = (((_e765 - 896u) << bitcast<u32>(23i)) | _e771);
                         } else {
-                            if (_e838 >= 873u) {
-                                let _e853 = (8388608u | _e844);
-                                let _e854 = (897u - _e838);
-                                phi_1285_ = (((_e853 & ((1u << bitcast<u32>((_e854 & 31u))) - 1u)) | _e845) != 0u);
-                                phi_1286_ = (_e853 >> bitcast<u32>((_e854 & 31u)));
+                            if (_e765 >= 873u) {
+                                let _e780 = (8388608u | _e771);
+                                let _e781 = (897u - _e765);
+                                phi_1148_ = (((_e780 & ((1u << bitcast<u32>((_e781 & 31u))) - 1u)) | _e772) != 0u);
+                                phi_1149_ = (_e780 >> bitcast<u32>((_e781 & 31u)));
                             } else {
-                                phi_1285_ = (((_e834 & 2147483647u) | _e832) != 0u);
-                                phi_1286_ = 0u;
+                                phi_1148_ = (((_e761 & 2147483647u) | _e759) != 0u);
+                                phi_1149_ = 0u;
                             }
-                            let _e866 = phi_1285_;
-                            let _e868 = phi_1286_;
-                            phi_1287_ = _e866;
-                            phi_1288_ = _e868;
+                            let _e793 = phi_1148_;
+                            let _e795 = phi_1149_;
+                            phi_1150_ = _e793;
+                            phi_1151_ = _e795;
                         }
-                        let _e875 = phi_1287_;
-                        let _e877 = phi_1288_;
-                        phi_1289_ = _e875;
-                        phi_1290_ = _e877;
+                        let _e802 = phi_1150_;
+                        let _e804 = phi_1151_;
+                        phi_1152_ = _e802;
+                        phi_1153_ = _e804;
                     }
-                    let _e879 = phi_1289_;
-                    let _e881 = phi_1290_;
-                    phi_1291_ = _e879;
-                    phi_1292_ = _e881;
+                    let _e806 = phi_1152_;
+                    let _e808 = phi_1153_;
+                    phi_1154_ = _e806;
+                    phi_1155_ = _e808;
                 }
-                let _e884 = phi_1291_;
-                let _e886 = phi_1292_;
-                let _e894 = select(bitcast<f32>(((_e835 | _e886) + select(0u, 1u, _e884))), bitcast<f32>((_e835 | _e886)), (_e835 == 0u));
-                let _e895 = -(290000000000000000000000000000000000000f);
-                let _e897 = select(_e895, _e894, (_e894 > _e895));
-                local_1.member[_e825] = select(290000000000000000000000000000000000000f, _e897, (_e897 < 290000000000000000000000000000000000000f));
-                let _e904 = local_9.member_1[_e825];
-                let _e905 = bitcast<u64>(_e904);
-                let _e906 = u32(_e905);
-                let _e908 = u32((_e905 / 4294967296lu));
-                let _e909 = (_e908 & 2147483648u);
-                let _e912 = ((_e908 >> bitcast<u32>(20i)) & 2047u);
-                let _e918 = (((_e908 & 1048575u) << bitcast<u32>(3i)) | (_e906 >> bitcast<u32>(29i)));
-                let _e919 = (_e906 & 536870911u);
-                if (_e912 == 2047u) {
-                    phi_1384_ = false;
-                    phi_1385_ = (2139095040u | _e918);
+                let _e811 = phi_1154_;
+                let _e813 = phi_1155_;
+                let _e821 = select(bitcast<f32>(((_e762 | _e813) + select(0u, 1u, _e811))), bitcast<f32>((_e762 | _e813)), (_e762 == 0u));
+                let _e822 = -(290000000000000000000000000000000000000f);
+                let _e824 = select(_e822, _e821, (_e821 > _e822));
+                local_1.member[_e752] = select(290000000000000000000000000000000000000f, _e824, (_e824 < 290000000000000000000000000000000000000f));
+                let _e831 = local_9.member_1[_e752];
+                let _e832 = bitcast<u64>(_e831);
+                let _e833 = u32(_e832);
+                let _e835 = u32((_e832 / 4294967296lu));
+                let _e836 = (_e835 & 2147483648u);
+                let _e839 = ((_e835 >> bitcast<u32>(20i)) & 2047u);
+                let _e845 = (((_e835 & 1048575u) << bitcast<u32>(3i)) | (_e833 >> bitcast<u32>(29i)));
+                let _e846 = (_e833 & 536870911u);
+                if (_e839 == 2047u) {
+                    phi_1247_ = false;
+                    phi_1248_ = (2139095040u | _e845);
                 } else {
-                    if (_e912 > 1150u) {
-                        phi_1382_ = true;
-                        phi_1383_ = 2139095039u;
+                    if (_e839 > 1150u) {
+                        phi_1245_ = true;
+                        phi_1246_ = 2139095039u;
                     } else {
-                        if (_e912 > 896u) {
-                            phi_1380_ = (_e919 != 0u);
-                            phi_1381_ = (((_e912 - 896u) << bitcast<u32>(23i)) | _e918);
+                        if (_e839 > 896u) {
+                            phi_1243_ = (_e846 != 0u);
+                            phi_1244_ = (((_e839 - 896u) << bitcast<u32>(23i)) | _e845);
                         } else {
-                            if (_e912 >= 873u) {
-                                let _e927 = (8388608u | _e918);
-                                let _e928 = (897u - _e912);
-                                phi_1378_ = (((_e927 & ((1u << bitcast<u32>((_e928 & 31u))) - 1u)) | _e919) != 0u);
-                                phi_1379_ = (_e927 >> bitcast<u32>((_e928 & 31u)));
+                            if (_e839 >= 873u) {
+                                let _e854 = (8388608u | _e845);
+                                let _e855 = (897u - _e839);
+                                phi_1241_ = (((_e854 & ((1u << bitcast<u32>((_e855 & 31u))) - 1u)) | _e846) != 0u);
+                                phi_1242_ = (_e854 >> bitcast<u32>((_e855 & 31u)));
                             } else {
-                                phi_1378_ = (((_e908 & 2147483647u) | _e906) != 0u);
-                                phi_1379_ = 0u;
+                                phi_1241_ = (((_e835 & 2147483647u) | _e833) != 0u);
+                                phi_1242_ = 0u;
                             }
-                            let _e940 = phi_1378_;
-                            let _e942 = phi_1379_;
-                            phi_1380_ = _e940;
-                            phi_1381_ = _e942;
+                            let _e867 = phi_1241_;
+                            let _e869 = phi_1242_;
+                            phi_1243_ = _e867;
+                            phi_1244_ = _e869;
                         }
-                        let _e949 = phi_1380_;
-                        let _e951 = phi_1381_;
-                        phi_1382_ = _e949;
-                        phi_1383_ = _e951;
+                        let _e876 = phi_1243_;
+                        let _e878 = phi_1244_;
+                        phi_1245_ = _e876;
+                        phi_1246_ = _e878;
                     }
-                    let _e953 = phi_1382_;
-                    let _e955 = phi_1383_;
-                    phi_1384_ = _e953;
-                    phi_1385_ = _e955;
+                    let _e880 = phi_1245_;
+                    let _e882 = phi_1246_;
+                    phi_1247_ = _e880;
+                    phi_1248_ = _e882;
                 }
-                let _e958 = phi_1384_;
-                let _e960 = phi_1385_;
-                let _e968 = select(bitcast<f32>((_e909 | _e960)), bitcast<f32>(((_e909 | _e960) + select(0u, 1u, _e958))), (_e909 == 0u));
-                let _e969 = -(290000000000000000000000000000000000000f);
-                let _e971 = select(_e969, _e968, (_e968 > _e969));
-                local_1.member_1[_e825] = select(290000000000000000000000000000000000000f, _e971, (_e971 < 290000000000000000000000000000000000000f));
+                let _e885 = phi_1247_;
+                let _e887 = phi_1248_;
+                let _e895 = select(bitcast<f32>((_e836 | _e887)), bitcast<f32>(((_e836 | _e887) + select(0u, 1u, _e885))), (_e836 == 0u));
+                let _e896 = -(290000000000000000000000000000000000000f);
+                let _e898 = select(_e896, _e895, (_e895 > _e896));
+                local_1.member_1[_e752] = select(290000000000000000000000000000000000000f, _e898, (_e898 < 290000000000000000000000000000000000000f));
             }
             continue;
             continuing {
-                phi_1200_ = type_9(select(_e811.member, (_e811.member + 1u), _e814), select(_e811.member_1, _e811.member_1, _e814));
-                break if !(_e827);
+                phi_1063_ = type_9(select(_e738.member, (_e738.member + 1u), _e741), select(_e738.member_1, _e738.member_1, _e741));
+                break if !(_e754);
             }
         }
-        let _e977 = local_1;
-        local = _e977;
-        phi_1443_ = type_9(0u, 3u);
+        let _e904 = local_1;
+        local = _e904;
+        phi_1306_ = type_9(0u, 3u);
         loop {
-            let _e979 = phi_1443_;
-            let _e982 = (_e979.member < _e979.member_1);
-            let _e993 = select(type_9().member_1, _e979.member, _e982);
-            let _e995 = (bitcast<i32>(select(0u, 1u, _e982)) != 0i);
-            if _e995 {
-                let _e998 = local.member[_e993];
-                if select(false, (_e998 > -(0.000000000000000000000000000000000000011754944f)), (_e998 < 0.000000000000000000000000000000000000011754944f)) {
-                    let _e1008 = local_9.member[_e993];
-                    let _e1010 = bitcast<u64>(-(_e1008));
-                    let _e1013 = u32((_e1010 / 4294967296lu));
-                    phi_1524_ = -(select(0f, 0.000000000000000000000000000000000000011754944f, select(false, ((u32(_e1010) | _e1013) != 0u), ((_e1013 >> bitcast<u32>(31i)) == 0u))));
+            let _e906 = phi_1306_;
+            let _e909 = (_e906.member < _e906.member_1);
+            let _e920 = select(type_9().member_1, _e906.member, _e909);
+            let _e922 = (bitcast<i32>(select(0u, 1u, _e909)) != 0i);
+            if _e922 {
+                let _e925 = local.member[_e920];
+                if select(false, (_e925 > -(0.000000000000000000000000000000000000011754944f)), (_e925 < 0.000000000000000000000000000000000000011754944f)) {
+                    let _e935 = local_9.member[_e920];
+                    let _e937 = bitcast<u64>(-(_e935));
+                    let _e940 = u32((_e937 / 4294967296lu));
+                    phi_1387_ = -(select(0f, 0.000000000000000000000000000000000000011754944f, select(false, ((u32(_e937) | _e940) != 0u), ((_e940 >> bitcast<u32>(31i)) == 0u))));
                 } else {
-                    let _e1005 = local.member[_e993];
-                    phi_1524_ = _e1005;
+                    let _e932 = local.member[_e920];
+                    phi_1387_ = _e932;
                 }
-                let _e1023 = phi_1524_;
-                local.member[_e993] = _e1023;
-                let _e1028 = local.member_1[_e993];
-                if select(false, (_e1028 > -(0.000000000000000000000000000000000000011754944f)), (_e1028 < 0.000000000000000000000000000000000000011754944f)) {
-                    let _e1038 = local_9.member_1[_e993];
-                    let _e1039 = bitcast<u64>(_e1038);
-                    let _e1042 = u32((_e1039 / 4294967296lu));
-                    phi_1581_ = select(0f, 0.000000000000000000000000000000000000011754944f, select(false, ((u32(_e1039) | _e1042) != 0u), ((_e1042 >> bitcast<u32>(31i)) == 0u)));
+                let _e950 = phi_1387_;
+                local.member[_e920] = _e950;
+                let _e955 = local.member_1[_e920];
+                if select(false, (_e955 > -(0.000000000000000000000000000000000000011754944f)), (_e955 < 0.000000000000000000000000000000000000011754944f)) {
+                    let _e965 = local_9.member_1[_e920];
+                    let _e966 = bitcast<u64>(_e965);
+                    let _e969 = u32((_e966 / 4294967296lu));
+                    phi_1444_ = select(0f, 0.000000000000000000000000000000000000011754944f, select(false, ((u32(_e966) | _e969) != 0u), ((_e969 >> bitcast<u32>(31i)) == 0u)));
                 } else {
-                    let _e1035 = local.member_1[_e993];
-                    phi_1581_ = _e1035;
+                    let _e962 = local.member_1[_e920];
+                    phi_1444_ = _e962;
                 }
-                let _e1051 = phi_1581_;
-                local.member_1[_e993] = _e1051;
+                let _e978 = phi_1444_;
+                local.member_1[_e920] = _e978;
             }
             continue;
             continuing {
-                phi_1443_ = type_9(select(_e979.member, (_e979.member + 1u), _e982), select(_e979.member_1, _e979.member_1, _e982));
-                break if !(_e995);
+                phi_1306_ = type_9(select(_e906.member, (_e906.member + 1u), _e909), select(_e906.member_1, _e906.member_1, _e909));
+                break if !(_e922);
             }
         }
-        let _e1055 = local;
-        boxes.member[_e69] = type_19(array<f32, 3>(_e1055.member[0], _e1055.member[1], _e1055.member[2]), array<f32, 3>(_e1055.member_1[0], _e1055.member_1[1], _e1055.member_1[2]));
+        let _e982 = local;
+        boxes.member[_e68] = type_19(array<f32, 3>(_e982.member[0], _e982.member[1], _e982.member[2]), array<f32, 3>(_e982.member_1[0], _e982.member_1[1], _e982.member_1[2]));
     }
     return;
 }

@@ -241,11 +241,19 @@ fn enclosure(x: f64) -> (f32, f32) {
     if cfg!(target_arch = "spirv") {
         return f64_bits::enclosure(x);
     }
+    // Without branches, of which a processor would foresee every other one. A zero has the sign of
+    // `x`, so the next number beyond it is on the same side.
     let y = x as f32;
-    (
-        if (y as f64) > x { Real::next_down(y) } else { y },
-        if (y as f64) < x { Real::next_up(y) } else { y },
-    )
+    let key = ordered(y.to_bits() as i32);
+    let [down, up] = [(y as f64) > x, (y as f64) < x].map(i32::from);
+    let number = |key| f32::from_bits(ordered(key) as u32);
+    (number(key - down), number(key + up))
+}
+
+/// Bits of an `f32` as an integer of the same order, and the way back.
+#[inline(always)]
+fn ordered(bits: i32) -> i32 {
+    bits ^ ((bits >> 31) as u32 >> 1) as i32
 }
 
 real!(f32, 5.960_464_5e-8, sqrt_guess_f32, 0x7f80_0000, |x| (x, x));

@@ -139,12 +139,10 @@ fn greatest<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u
 #[inline(always)]
 pub fn bound_key(x: f64) -> [u32; 2] {
     let [low, high] = split(x);
-    if high >> 31 == 0 || (high == 1 << 31 && low == 0) {
-        // Both zeros are equal as bounds.
-        [low, high | 1 << 31]
-    } else {
-        [!low, !high]
-    }
+    // Both zeros are equal as bounds. Without branches: signs are hard to foresee.
+    let is_below_zero = (high >> 31 == 1) & !((high == 1 << 31) & (low == 0));
+    let flip = 0u32.wrapping_sub(is_below_zero as u32);
+    [low ^ flip, (high ^ flip) | (!flip & 1 << 31)]
 }
 
 #[cfg(test)]
