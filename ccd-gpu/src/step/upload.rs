@@ -267,12 +267,10 @@ impl Positions {
         sent: Sent<T>,
     ) -> Result<bool, Error> {
         let what = "positions in f64";
-        let bytes = (n * size_of::<[f64; 3]>()) as u64;
-        let replaced = reserve(device, what, &mut self.wide, 2 * bytes)?;
-        for (end, first) in [0, bytes].into_iter().enumerate() {
-            let exact = |v: usize| wide(sent.at(end, v));
-            self.staging.write(device, what, (&self.wide, first), n, exact)?;
-        }
+        let bytes = (2 * n * size_of::<[f64; 3]>()) as u64;
+        let replaced = reserve(device, what, &mut self.wide, bytes)?;
+        let exact = |i: usize| wide(if i < n { sent.at(0, i) } else { sent.at(1, i - n) });
+        self.staging.write(device, what, (&self.wide, 0), 2 * n, exact)?;
         Ok(replaced)
     }
 
