@@ -40,37 +40,95 @@ struct Mapped {
     is_free: Arc<AtomicBool>,
 }
 
-impl Staging {
-    /// Writes `n` items to a buffer from the byte `at` on; they are there after
-    /// [`Staging::submit`].
-    pub fn write<T: Pod>(
-        &mut self,
-        device: &Device,
-        what: &'static str,
-        (to, at): (&wgpu::Buffer, u64),
-        n: usize,
-        item: impl Fn(usize) -> T + Sync,
-    ) -> Result<(), Error> {
+/// Items that a buffer is to have.
+pub struct Write<'a> {
+    /// What they are.
+    pub what: &'static str,
+    /// The buffer, and the byte from which on they stand in it.
+    pub to: (&'a wgpu::Buffer, u64),
+    /// Their numbers.
+    pub numbers: Range<usize>,
+    /// What makes them.
+    pub items: &'a dyn Items,
+}
+
+/// Makes items from their numbers.
+pub trait Items: Sync {
+    /// The size of an item.
+    fn size(&self) -> usize;
+    /// Writes the items of these numbers.
+    fn write(&self, to: wgpu::WriteOnly<[u8]>, numbers: Range<usize>);
+}
+
+/// Items of which a function makes each.
+pub struct Each<F>(pub F);
+
+impl<T: Pod, F: Fn(usize) -> T + Sync> Items for Each<F> {
+    fn size(&self) -> usize {
         const { assert!(size_of::<T>().is_multiple_of(wgpu::MAP_ALIGNMENT as usize)) };
-        let bytes = (n * size_of::<T>()) as u64;
-        // A browser maps a buffer when it likes to.
-        if bytes < LEAST || !BLOCKS {
-            return write_once(device, what, (to, at), n, item);
+        const { assert!(PART.is_multiple_of(size_of::<T>())) };
+        size_of::<T>()
+    }
+
+    fn write(&self, mut to: wgpu::WriteOnly<[u8]>, numbers: Range<usize>) {
+        let mut some = [T::zeroed(); ITEMS];
+        for from in numbers.clone().step_by(ITEMS) {
+            let until = (from + ITEMS).min(numbers.end);
+            let some = &mut some[..until - from];
+            some.iter_mut().zip(from..).for_each(|(some, i)| *some = self.0(i));
+            let at = [from, until].map(|i| (i - numbers.start) * size_of::<T>());
+            to.slice(at[0]..at[1]).copy_from_slice(bytemuck::cast_slice(some));
         }
+    }
+}
+
+impl Write<'_> {
+    fn bytes(&self) -> u64 {
+        (self.numbers.len() * self.items.size()) as u64
+    }
+}
+
+impl Staging {
+    /// Writes to buffers; all is there after [`Staging::submit`].
+    pub fn write(&mut self, device: &Device, writes: &[Write]) -> Result<(), Error> {
+        // A browser maps a buffer when it likes to.
+        let is_large = |write: &&Write| write.bytes() >= LEAST && BLOCKS;
+        for write in writes.iter().filter(|write| !is_large(write)) {
+            write_once(device, write)?;
+        }
+        let large: Vec<&Write> = writes.iter().filter(is_large).collect();
+        let Some(first) = large.first() else { return Ok(()) };
+        let bytes = large.iter().map(|write| write.bytes()).sum();
         device.run_callbacks();
-        let mapped = self.free(device, bytes)?.clone();
-        let Mapped { buffer, is_free } = &mapped;
-        let written = device.guarded(what, bytes, || {
-            fill(buffer.get_mapped_range_mut(0..bytes)?.slice(..), n, &item);
-            buffer.unmap();
-            is_free.store(false, Relaxed);
+        let mut mapped = Vec::with_capacity(large.len());
+        for write in &large {
+            match self.take_free(device, write.bytes()) {
+                Ok(free) => mapped.push(free),
+                Err(refused) => {
+                    mapped.iter().for_each(|Mapped { is_free, .. }| is_free.store(true, Relaxed));
+                    return Err(refused);
+                }
+            }
+        }
+        let written = device.guarded(first.what, bytes, || {
+            let views = mapped.iter().zip(&large);
+            let view = |(mapped, write): (&Mapped, &&Write)| {
+                mapped.buffer.get_mapped_range_mut(0..write.bytes())
+            };
+            let mut views = views.map(view).collect::<Result<Vec<_>, _>>()?;
+            fill(views.iter_mut().map(|view| view.slice(..)).zip(large.iter().copied()));
+            drop(views);
             let new = || device.wgpu().create_command_encoder(&Default::default());
             let copies = self.copies.get_or_insert_with(new);
-            copies.copy_buffer_to_buffer(buffer, 0, to, at, bytes);
+            for (Mapped { buffer, .. }, write) in mapped.iter().zip(&large) {
+                buffer.unmap();
+                let (to, at) = write.to;
+                copies.copy_buffer_to_buffer(buffer, 0, to, at, write.bytes());
+            }
             Ok::<_, wgpu::MapRangeError>(())
         })?;
         written.map_err(|e| Error::Lost { why: e.to_string() })?;
-        self.filled.push(mapped);
+        self.filled.append(&mut mapped);
         Ok(())
     }
 
@@ -88,7 +146,13 @@ impl Staging {
         })
     }
 
-    /// A mapped buffer that is large enough.
+    /// A mapped buffer that is large enough, which is not free from now on.
+    fn take_free(&mut self, device: &Device, bytes: u64) -> Result<Mapped, Error> {
+        let mapped = self.free(device, bytes)?.clone();
+        mapped.is_free.store(false, Relaxed);
+        Ok(mapped)
+    }
+
     fn free(&mut self, device: &Device, bytes: u64) -> Result<&Mapped, Error> {
         let is_free = |mapped: &Mapped| mapped.is_free.load(Relaxed);
         let fits = |&at: &usize| {
@@ -121,56 +185,30 @@ impl Staging {
     }
 }
 
-/// Writes `n` items to a buffer from the byte `at` on, by memory that is not kept.
-fn write_once<T: Pod>(
-    device: &Device,
-    what: &'static str,
-    (to, at): (&wgpu::Buffer, u64),
-    n: usize,
-    item: impl Fn(usize) -> T + Sync,
-) -> Result<(), Error> {
-    let bytes = (n * size_of::<T>()) as u64;
+/// Writes by memory that is not kept.
+fn write_once(device: &Device, write: &Write) -> Result<(), Error> {
+    let bytes = write.bytes();
     let Some(size) = wgpu::BufferSize::new(bytes) else { return Ok(()) };
-    device.guarded(what, bytes, || {
+    device.guarded(write.what, bytes, || {
+        let (to, at) = write.to;
         // Without a view there is an error, which is noticed around this.
         let view = device.queue().write_buffer_with(to, at, size);
-        view.into_iter().for_each(|mut view| fill(view.slice(..), n, &item));
+        view.into_iter().for_each(|mut view| fill([(view.slice(..), write)].into_iter()));
     })
 }
 
-/// Writes all items, on several threads.
-fn fill<T: Pod>(to: wgpu::WriteOnly<[u8]>, n: usize, item: &(impl Fn(usize) -> T + Sync)) {
-    const { assert!(PART.is_multiple_of(size_of::<T>())) };
-    let share = PART / size_of::<T>();
-    let (parts, rest) = to.into_chunks::<PART>();
-    let first_of_rest = parts.len() * share;
-    // Parts of a known size, because only those may be sent to another thread.
-    let parts: Vec<_> = parts.into_iter().enumerate().collect();
-    threads::copy(parts.into_iter(), |(i, part)| {
-        write_items(part.into(), i * share..(i + 1) * share, item);
-    });
-    write_items(rest, first_of_rest..n, item);
-}
-
-/// Writes the items of these numbers.
-fn write_items<T: Pod>(
-    mut to: wgpu::WriteOnly<[u8]>,
-    numbers: Range<usize>,
-    item: &impl Fn(usize) -> T,
-) {
-    let mut some = [T::zeroed(); ITEMS];
-    for from in numbers.clone().step_by(ITEMS) {
-        let until = (from + ITEMS).min(numbers.end);
-        let some = &mut some[..until - from];
-        make_items(some, from, item);
-        let at = [from, until].map(|i| (i - numbers.start) * size_of::<T>());
-        to.slice(at[0]..at[1]).copy_from_slice(bytemuck::cast_slice(some));
+/// Writes all items, on several threads, which wait for each other once.
+fn fill<'a>(all: impl Iterator<Item = (wgpu::WriteOnly<'a, [u8]>, &'a Write<'a>)>) {
+    let (mut parts, mut rests) = (Vec::new(), Vec::new());
+    for (to, write) in all {
+        let share = PART / write.items.size();
+        let (of_write, rest) = to.into_chunks::<PART>();
+        let Range { start, end } = write.numbers;
+        rests.push((rest, write.items, start + of_write.len() * share..end));
+        // Parts of a known size, because only those may be sent to another thread.
+        let of_write = of_write.into_iter().zip((start..).step_by(share));
+        parts.extend(of_write.map(|(part, first)| (part, write.items, first..first + share)));
     }
-}
-
-/// Makes the items from this number on. The only place that asks for an item, so that it is inlined
-/// here, which halves what it takes.
-#[inline(never)]
-fn make_items<T>(some: &mut [T], from: usize, item: &impl Fn(usize) -> T) {
-    some.iter_mut().zip(from..).for_each(|(some, i)| *some = item(i));
+    threads::copy(parts.into_iter(), |(part, items, numbers)| items.write(part.into(), numbers));
+    rests.into_iter().for_each(|(rest, items, numbers)| items.write(rest, numbers));
 }

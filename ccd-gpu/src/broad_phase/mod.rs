@@ -28,7 +28,7 @@ use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, Header, List, Runs, read_header, read_pairs};
 use crate::readback::{Part, Plan, Readback};
 use crate::recorder::{Bench, Timing, submit};
-use crate::staging::Staging;
+use crate::staging::{Each, Staging, Write};
 use ccd_core::Aabb;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::method::BroadPhaseMethod;
@@ -236,12 +236,14 @@ impl BroadPhase {
                 slot.insert(Buffers { count, source })
             }
         };
+        let items = sets.map(|boxes| Each(|i: usize| boxes[i]));
         let mut at = 0;
-        let written = sets.into_iter().try_for_each(|boxes| {
+        let writes = [0, 1, 2].map(|k| {
             let to = (buffers.source.boxes(), at);
-            at += size_of_val(boxes) as u64;
-            self.staging.write(device, "boxes", to, boxes.len(), |i| boxes[i])
+            at += size_of_val(sets[k]) as u64;
+            Write { what: "boxes", to, numbers: 0..sets[k].len(), items: &items[k] }
         });
+        let written = self.staging.write(device, &writes);
         // Also what was written before something failed: nothing is left for the next call.
         self.staging.submit(device)?;
         written?;

@@ -3,7 +3,7 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use crate::staging::Staging;
+use crate::staging::{Each, Items, Staging, Write};
 use crate::threads;
 use ccd_core::backend::broad_phase::{placement, swept_box};
 use ccd_core::backend::layout::{Frame, Path, Placing, split};
@@ -204,73 +204,53 @@ impl Positions {
         // Integers read positions as they were given.
         self.given = self.boxes == Boxes::Sent && !self.exact && min_distance == 0.0;
         let mut replaced = are_new;
-        if self.given || self.boxes == Boxes::OfPositions {
-            replaced |= self.send_given(device, n, sent)?;
+        let sends_given = self.given || self.boxes == Boxes::OfPositions;
+        if sends_given {
+            let bytes = (2 * n * size_of::<[f64; 3]>()) as u64;
+            replaced |= reserve(device, "positions in f64", &mut self.wide, bytes)?;
         }
-        if self.boxes == Boxes::OfPositions {
-            let keys = (n * size_of::<[[u32; 2]; 6]>()) as u64;
-            let replaced = reserve(device, "keys of exact boxes", &mut self.keys, keys)? | replaced;
-            return Ok(replaced);
+        if self.boxes != Boxes::OfPaths {
+            let bytes = (n * size_of::<[[u32; 2]; 6]>()) as u64;
+            replaced |= reserve(device, "keys of exact boxes", &mut self.keys, bytes)?;
         }
-        let runs = runs.filter(|_| paths_before);
-        if self.exact {
-            // A loop of its own: half of the time.
-            let end = |p: [T; 3]| [narrow(p[0]), narrow(p[1]), narrow(p[2])];
-            self.send_paths(device, n, runs, |v| path(sent.ends(v), end))?;
-        } else {
-            let end = |p: [T; 3]| table.place(wide(p));
-            self.send_paths(device, n, runs, |v| path(sent.ends(v), end))?;
-        }
-        if self.boxes == Boxes::OfPaths {
-            return Ok(replaced);
-        }
+
+        let given = Each(|i: usize| wide(if i < n { sent.at(0, i) } else { sent.at(1, i - n) }));
+        // The first is a loop of its own, because it takes half of the time.
+        let paths_as_given = Each(|v| {
+            path(sent.ends(v), |p| {
+                [p[0].to_f64() as f32, p[1].to_f64() as f32, p[2].to_f64() as f32]
+            })
+        });
+        let paths_in_table = Each(|v| path(sent.ends(v), |p| table.place(wide(p))));
+        let paths: &dyn Items = if self.exact { &paths_as_given } else { &paths_in_table };
         let margin: T = margin(min_distance);
-        let exact = |v: usize| {
-            let [p, q] = sent.ends(v);
-            swept_box::swept(p, q).inflated(margin)
-        };
-        let key = |v: usize| {
-            let exact = exact(v);
-            placement::keys(&Aabb { min: wide(exact.min), max: wide(exact.max) })
-        };
-        let what = "keys of exact boxes";
-        let bytes = (n * size_of::<[[u32; 2]; 6]>()) as u64;
-        let replaced = reserve(device, what, &mut self.keys, bytes)? | replaced;
-        self.staging.write(device, what, (&self.keys, 0), n, key)?;
-        self.staging.write(device, "boxes", (boxes, 0), n, |v| exact(v).round_out())?;
-        Ok(replaced)
-    }
+        let exact_box = |[p, q]: [[T; 3]; 2]| swept_box::swept(p, q).inflated(margin);
+        let keys = Each(|v| {
+            let Aabb { min, max } = exact_box(sent.ends(v));
+            placement::keys(&Aabb { min: wide(min), max: wide(max) })
+        });
+        let rounded_boxes = Each(|v| exact_box(sent.ends(v)).round_out());
 
-    /// Sends paths: all, or those of a few runs where the others are there.
-    fn send_paths(
-        &mut self,
-        device: &Device,
-        n: usize,
-        runs: Option<&[Range<u32>]>,
-        path: impl Fn(usize) -> Path + Sync,
-    ) -> Result<(), Error> {
-        let all = 0..n as u32;
-        let runs = runs.filter(|runs| runs.len() < MANY_RUNS);
-        for run in runs.unwrap_or(std::slice::from_ref(&all)) {
-            let (first, n) = (run.start as usize, run.len());
-            let at = (first * size_of::<Path>()) as u64;
-            self.staging.write(device, "paths", (&self.own, at), n, |i| path(first + i))?;
+        let mut writes = Vec::new();
+        let mut write = |what, to, numbers: Range<usize>, items| {
+            writes.push(Write { what, to, numbers, items });
+        };
+        if sends_given {
+            write("positions in f64", (&self.wide, 0), 0..2 * n, &given);
         }
-        Ok(())
-    }
-
-    /// Sends positions in `f64`. Returns whether the buffer was replaced.
-    fn send_given<T: Coordinate>(
-        &mut self,
-        device: &Device,
-        n: usize,
-        sent: Sent<T>,
-    ) -> Result<bool, Error> {
-        let what = "positions in f64";
-        let bytes = (2 * n * size_of::<[f64; 3]>()) as u64;
-        let replaced = reserve(device, what, &mut self.wide, bytes)?;
-        let exact = |i: usize| wide(if i < n { sent.at(0, i) } else { sent.at(1, i - n) });
-        self.staging.write(device, what, (&self.wide, 0), 2 * n, exact)?;
+        if self.boxes != Boxes::OfPositions {
+            let all = 0..n as u32;
+            let runs = runs.filter(|runs| paths_before && runs.len() < MANY_RUNS);
+            for run in runs.unwrap_or(std::slice::from_ref(&all)) {
+                let at = u64::from(run.start) * size_of::<Path>() as u64;
+                write("paths", (&self.own, at), run.start as usize..run.end as usize, paths);
+            }
+        }
+        if self.boxes == Boxes::Sent {
+            write("keys of exact boxes", (&self.keys, 0), 0..n, &keys);
+            write("boxes", (boxes, 0), 0..n, &rounded_boxes);
+        }
+        self.staging.write(device, &writes)?;
         Ok(replaced)
     }
 
@@ -363,12 +343,6 @@ fn path<T>([p, q]: [[T; 3]; 2], end: impl Fn([T; 3]) -> [f32; 3]) -> Path {
 #[inline(always)]
 fn wide<T: Real>(p: [T; 3]) -> [f64; 3] {
     [p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]
-}
-
-/// A coordinate that is an `f32`.
-#[inline(always)]
-fn narrow<T: Real>(c: T) -> f32 {
-    c.to_f64() as f32
 }
 
 /// Scans chunks of vertices, of which the first has this number.
