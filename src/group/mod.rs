@@ -38,8 +38,9 @@ use threads::Threads;
 /// does not count. That takes as long as a hundred steps. A mesh of less than a million triangles
 /// stays whole, on the first device ([`Engine::set_least_share`]).
 ///
-/// Of a report, [`Report::candidates`], [`Report::filtered`] and counts of a method are sums over
-/// all devices: pairs at the borders of parts count for each device that looks at them.
+/// Of a report, counts of [`candidates`](crate::Report::candidates), of pairs that
+/// [filters leave](crate::Report::filtered) and of a method are sums over all devices: pairs at the
+/// borders of parts count for each device that looks at them.
 /// [`Options::max_memory`] is that of each device.
 ///
 /// ```no_run
