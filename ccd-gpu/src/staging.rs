@@ -16,7 +16,7 @@ use wgpu::BufferUsages as U;
 
 /// Bytes from which on a buffer that stays mapped pays.
 const LEAST: u64 = 1 << 18;
-/// Buffers of a session: five of a step, while the device reads as many, and some more.
+/// Buffers of a session: four of a step, while the device reads as many, and some more.
 const MOST: usize = 12;
 /// Bytes that are worth another thread; a multiple of the size of any item.
 const PART: usize = 48 << 11;
@@ -100,15 +100,9 @@ impl Staging {
         let Some(first) = large.first() else { return Ok(()) };
         let bytes = large.iter().map(|write| write.bytes()).sum();
         device.run_callbacks();
-        let mut mapped = Vec::with_capacity(large.len());
+        let mut mapped: Vec<Mapped> = Vec::with_capacity(large.len());
         for write in &large {
-            match self.take_free(device, write.bytes()) {
-                Ok(free) => mapped.push(free),
-                Err(refused) => {
-                    mapped.iter().for_each(|Mapped { is_free, .. }| is_free.store(true, Relaxed));
-                    return Err(refused);
-                }
-            }
+            mapped.push(self.free(device, write.bytes(), &mapped)?.clone());
         }
         let written = device.guarded(first.what, bytes, || {
             let views = mapped.iter().zip(&large);
@@ -120,8 +114,9 @@ impl Staging {
             drop(views);
             let new = || device.wgpu().create_command_encoder(&Default::default());
             let copies = self.copies.get_or_insert_with(new);
-            for (Mapped { buffer, .. }, write) in mapped.iter().zip(&large) {
+            for (Mapped { buffer, is_free }, write) in mapped.iter().zip(&large) {
                 buffer.unmap();
+                is_free.store(false, Relaxed);
                 let (to, at) = write.to;
                 copies.copy_buffer_to_buffer(buffer, 0, to, at, write.bytes());
             }
@@ -146,18 +141,13 @@ impl Staging {
         })
     }
 
-    /// A mapped buffer that is large enough, which is not free from now on.
-    fn take_free(&mut self, device: &Device, bytes: u64) -> Result<Mapped, Error> {
-        let mapped = self.free(device, bytes)?.clone();
-        mapped.is_free.store(false, Relaxed);
-        Ok(mapped)
-    }
-
-    fn free(&mut self, device: &Device, bytes: u64) -> Result<&Mapped, Error> {
+    /// A mapped buffer that is large enough and none of these.
+    fn free(&mut self, device: &Device, bytes: u64, taken: &[Mapped]) -> Result<&Mapped, Error> {
         let is_free = |mapped: &Mapped| mapped.is_free.load(Relaxed);
         let fits = |&at: &usize| {
             let mapped = &self.ring[at];
-            is_free(mapped) && mapped.buffer.size() >= bytes
+            let is_taken = taken.iter().any(|taken| taken.buffer == mapped.buffer);
+            is_free(mapped) && !is_taken && mapped.buffer.size() >= bytes
         };
         let all = 0..self.ring.len();
         if let Some(at) = all.filter(fits).min_by_key(|&at| self.ring[at].buffer.size()) {

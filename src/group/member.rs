@@ -11,7 +11,8 @@ use ccd_core::model::session::{self, Ask, Candidates};
 pub trait Member: session::Engine<On: Clone + Sync, Error: Send> + Send {
     /// What [`session::Engine::find`] finds of a mesh whose vertices are some of those that have
     /// these positions. While it works, or before, `holds` looks whether [`Chosen::scan`] covers
-    /// the positions; where it does not, nothing was found, and false is returned.
+    /// the positions and the mesh has all that it must have; where not, nothing was found, and
+    /// false is returned.
     ///
     /// # Errors
     /// Those of [`session::Engine::find`].
@@ -86,7 +87,7 @@ impl<E: Member> InGroup<E> {
     }
 
     /// Finds what is asked for: of a step in the report of the engine, in ids of its part. Returns
-    /// whether `holds` did.
+    /// whether `holds` did, which is asked of steps alone.
     pub fn find(
         &mut self,
         given: Given,
@@ -97,7 +98,6 @@ impl<E: Member> InGroup<E> {
         let chosen = Chosen { vertices: part.vertices(), scan };
         match ask {
             Asked::Step(ask) => return self.engine.find_chosen(given, chosen, ask, holds),
-            Asked::Candidates if !holds() => return Ok(false),
             Asked::Candidates => {
                 let found = self.engine.list(self.gathered.choose(given, chosen.vertices))?;
                 self.lists = [found.vf, found.ee, found.ve, found.vv];

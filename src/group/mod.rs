@@ -22,7 +22,7 @@ use merge::merge;
 use parts::{Part, Parts};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use step::{Known, add};
+use step::add;
 use threads::Threads;
 
 /// Continuous collision detection of one mesh over many steps, on several GPUs of one host: for
@@ -138,13 +138,13 @@ impl<E: Member> session::Engine for Engine<E> {
         let start = Instant::now();
         self.check_still(given)?;
         let (asked, mut placed) = (Asked::Step(ask), Duration::ZERO);
-        if !self.each(given, asked, Known::Guessed)? {
+        if !self.find_by_guess(given, asked)? {
             self.place(given)?;
             if let Division::Whole = self.division {
                 return self.members[0].engine.find(given, moved, ask);
             }
             placed = start.elapsed();
-            self.each(given, asked, Known::Looked)?;
+            self.find_each(given, asked)?;
         }
         let Self { state: State { mesh, report, .. }, members, threads, division, .. } = self;
         let Division::Parts(Parts { all: parts, .. }) = division else { return Ok(()) };
@@ -167,7 +167,7 @@ impl<E: Member> session::Engine for Engine<E> {
         if let Division::Whole = self.division {
             return self.members[0].engine.list(given);
         }
-        self.each(given, Asked::Candidates, Known::Looked)?;
+        self.find_each(given, Asked::Candidates)?;
         let n_parts = self.n_used();
         let lists = [0, 1, 2, 3].map(|kind| {
             let of = self.members[..n_parts].iter_mut().map(|member| &mut member.lists[kind]);
@@ -334,7 +334,7 @@ impl<E: Member> Engine<E> {
             });
             member.engine.change(Change::Filter(filter))?;
         }
-        // They have room for these positions.
+        // They have room for these positions, or for where boxes in `f32` have them.
         parts.look(&self.threads, given);
         self.division = Division::Parts(parts);
         Ok(())

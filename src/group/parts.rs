@@ -31,6 +31,8 @@ const CHUNK: usize = 64;
 const SLACK: f64 = 1.0 / 128.0;
 /// At most by this part, where they move far in a step.
 const MOST_SLACK: f64 = 1.0 / 16.0;
+/// By this part of its bounds a part may be larger than in the last step for a guess to hold.
+const LEEWAY: f64 = 1.0 / 64.0;
 /// Vertices from which the motion of the whole scene is taken.
 const SAMPLES: usize = 101;
 /// Boxes of backends are larger by less than this part of the greatest coordinate and distance.
@@ -46,8 +48,18 @@ pub struct Parts {
     farthest: f64,
     /// Some vertices, and their rooms.
     samples: Vec<(u32, Room)>,
-    /// What the last positions of each part said together that were in their rooms.
+    /// What the last positions that were looked at said.
+    pub last: Known,
+    /// So many steps are looked at before they begin, because a guess was wrong.
+    pub no_guess: u32,
+}
+
+/// What is known, or guessed, of positions.
+pub struct Known {
+    /// What those of each part say together.
     pub scans: Vec<Scan>,
+    /// The motion since parts were made that most of the scene has in common.
+    common: [f64; 3],
 }
 
 /// Some elements of a mesh, as a mesh of their own.
@@ -115,22 +127,43 @@ impl Parts {
         let all = each_alone(own.iter().zip(halos), of_part);
         let all = all.into_iter().collect::<Result<_, _>>()?;
         let samples = samples().map(|v| (v as u32, rooms[v])).collect();
-        Ok(Self { all, min_distance, farthest: greatest, samples, scans: Vec::new() })
+        let last = Known { scans: Vec::new(), common: [0.0; 3] };
+        Ok(Self { all, min_distance, farthest: greatest, samples, last, no_guess: 0 })
     }
 
-    /// Whether all vertices are where they may be; then what those of each part say together is
-    /// kept. A motion that all have in common does not count: they are as near to each other as
-    /// they were.
+    /// What positions are likely to say that are near the last ones, or that went on with all of
+    /// the scene; none if some that are looked at are not where they may be. The guess covers
+    /// positions, or turns out not to ([`Scan::covers`]).
+    pub fn guess(&mut self, given: Given) -> Option<Known> {
+        if self.no_guess > 0 {
+            self.no_guess -= 1;
+            return None;
+        }
+        let (common, near) = match given {
+            Precision::F32(x) => self.look_at_samples(x),
+            Precision::F64(x) => self.look_at_samples(x),
+        };
+        let by = [0, 1, 2].map(|k| common[k] - self.last.common[k]);
+        let scans: Vec<Scan> = self.last.scans.iter().map(|of| of.guess(by, LEEWAY)).collect();
+        // Far below what is infinite in `f32`: what is cut to a guess is a number.
+        let fits = near && scans.iter().all(|scan| scan.greatest() < 1e38);
+        fits.then_some(Known { scans, common })
+    }
+
+    /// Looks at all positions, and whether they are where they may be. A motion that all vertices
+    /// have in common does not count: they are as near to each other as they were.
     pub fn look(&mut self, threads: &Threads, given: Given) -> bool {
-        let look = |p| self.look_at(p, threads, given);
-        let scans: Option<Vec<Scan>> = (0..self.all.len()).map(look).collect();
-        let holds = scans.is_some();
-        self.scans = scans.unwrap_or_default();
-        holds
+        let looked: Vec<_> = (0..self.all.len()).map(|p| self.look_at(p, threads, given)).collect();
+        self.last.scans = looked.iter().map(|(scan, _)| *scan).collect();
+        self.last.common = match given {
+            Precision::F32(x) => self.common_motion(x),
+            Precision::F64(x) => self.common_motion(x),
+        };
+        looked.iter().all(|(_, holds)| *holds)
     }
 
-    /// What the positions of one part say together; none if some are not where they may be.
-    pub fn look_at(&self, p: usize, threads: &Threads, given: Given) -> Option<Scan> {
+    /// What the positions of one part say together, and whether they are where they may be.
+    pub fn look_at(&self, p: usize, threads: &Threads, given: Given) -> (Scan, bool) {
         match given {
             Precision::F32(x) => self.look_at_slices(p, threads, x),
             Precision::F64(x) => self.look_at_slices(p, threads, x),
@@ -142,14 +175,27 @@ impl Parts {
         p: usize,
         threads: &Threads,
         x: [&[[T; 3]]; 2],
-    ) -> Option<Scan> {
+    ) -> (Scan, bool) {
         let (part, common) = (&self.all[p], self.common_motion(x));
         let n = part.vertices.len();
         let shares = (0..n).step_by(SHARE).map(|first| first..n.min(first + SHARE));
         let looked = threads.at_once(shares, |these| part.look(these, x, common));
-        let holds = common.iter().all(|by| by.abs() <= self.farthest);
-        let none = holds.then_some(Scan::NONE)?;
-        looked.into_iter().try_fold(none, |all, scan| Some(all.merged(&scan?)))
+        let all = (Scan::NONE, self.is_near(common));
+        looked.iter().fold(all, |all, one| (all.0.merged(&one.0), all.1 & one.1))
+    }
+
+    /// The motion that the scene has in common, and whether the samples are where they may be.
+    fn look_at_samples<T: Coordinate>(&self, [x0, x1]: [&[[T; 3]]; 2]) -> ([f64; 3], bool) {
+        let common = self.common_motion([x0, x1]);
+        let is_inside = |(v, room): &(u32, Room)| {
+            [x0, x1].iter().all(|x| is_inside(room, common, x[*v as usize]))
+        };
+        (common, self.is_near(common) && self.samples.iter().all(is_inside))
+    }
+
+    /// Whether a motion of all is within what halos have room for.
+    fn is_near(&self, common: [f64; 3]) -> bool {
+        common.iter().all(|by| by.abs() <= self.farthest)
     }
 
     /// How far most of the scene went since parts were made.
@@ -302,14 +348,14 @@ impl Part {
         &self.vertices
     }
 
-    /// What the positions of these vertices say together; none if some are not in their rooms,
-    /// which went `by` from where they were.
+    /// What the positions of these vertices say together, and whether all are in their rooms, which
+    /// went `by` from where they were.
     fn look<T: Coordinate>(
         &self,
         these: Range<usize>,
         [x0, x1]: [&[[T; 3]]; 2],
         by: [f64; 3],
-    ) -> Option<Scan> {
+    ) -> (Scan, bool) {
         // Copied first: a scan takes slices.
         let mut some = [[[T::splat(0.0); 3]; BATCH]; 2];
         let (mut scan, mut holds) = (Scan::NONE, true);
@@ -318,17 +364,22 @@ impl Part {
             let [some0, some1] = &mut some;
             for (i, (&v, room)) in vertices.iter().zip(rooms).enumerate() {
                 (some0[i], some1[i]) = (x0[v as usize], x1[v as usize]);
-                for k in 0..3 {
-                    let (middle, half) = (room[k] as f64 + by[k], room[3] as f64);
-                    let [p, q] = [some0[i][k], some1[i][k]].map(T::to_f64);
-                    // Written so that NaN fails.
-                    holds &= (p - middle).abs() <= half && (q - middle).abs() <= half;
-                }
+                holds &= is_inside(room, by, some0[i]) & is_inside(room, by, some1[i]);
             }
             scan.take_all(&some0[..vertices.len()], &some1[..vertices.len()]);
         }
-        holds.then_some(scan)
+        (scan, holds)
     }
+}
+
+/// Whether a position is in a room that went `by` from where it was. Not if it is NaN.
+#[inline(always)]
+fn is_inside<T: Coordinate>(room: &Room, by: [f64; 3], p: [T; 3]) -> bool {
+    let mut inside = true;
+    for k in 0..3 {
+        inside &= (p[k].to_f64() - (room[k] as f64 + by[k])).abs() <= room[3] as f64;
+    }
+    inside
 }
 
 /// Vertices that are worth a thread.

@@ -1,62 +1,56 @@
 //! What all members look for at once, and what they count.
 //!
-//! To look whether parts hold for positions takes a pass over all of them. So a step is begun as if
-//! they were near those of the last step, and looked at while the devices work. Where that was
-//! wrong, the step is forgotten and made again.
+//! To look whether parts hold for positions takes a pass over all of them. So a step begins with a
+//! guess at what they say, and the pass runs while the devices work. Where the guess was wrong, the
+//! step is forgotten and made again, and the next ones are looked at before they begin.
 
 use super::member::{Asked, InGroup, Member};
 use super::threads::each_alone;
 use super::{Division, Engine};
 use crate::{Kind, Report};
+use ccd_core::backend::quantization::Scan;
 use ccd_core::model::precision::Given;
 
-/// What is known of positions before members look for contacts.
-#[derive(Clone, Copy)]
-pub enum Known {
-    /// They were looked at: parts hold for them.
-    Looked,
-    /// Those of the last step. How far these ones are from them is looked at while devices work.
-    Guessed,
-}
-
-/// By this part of the greatest coordinate vertices may be beyond where they all were in the last
-/// step, so that what was guessed of them holds.
-const LEEWAY: f64 = 1.0 / 64.0;
+/// Steps without a guess after one that was wrong.
+const NO_GUESS: u32 = 8;
 
 impl<E: Member> Engine<E> {
-    /// All parts at once. Returns whether parts hold for these positions; where they do not, or
-    /// there are none yet, members have found nothing that counts.
-    pub(super) fn each(
-        &mut self,
-        given: Given,
-        ask: Asked,
-        known: Known,
-    ) -> Result<bool, E::Error> {
-        let Self { division: Division::Parts(parts), members, threads, .. } = self else {
+    /// A step of all parts that begins with a guess. False if there is none, or if it was wrong:
+    /// members have found nothing that counts then.
+    pub(super) fn find_by_guess(&mut self, given: Given, ask: Asked) -> Result<bool, E::Error> {
+        let Division::Parts(parts) = &mut self.division else { return Ok(false) };
+        let Some(mut guess) = parts.guess(given) else { return Ok(false) };
+        let (parts, threads) = (&*parts, &self.threads);
+        let find = |(member, (p, scan)): (&mut InGroup<E>, (usize, &mut Scan))| {
+            let guessed = *scan;
+            let holds = || {
+                let (found, holds) = parts.look_at(p, threads, given);
+                *scan = found;
+                holds && guessed.covers(&found)
+            };
+            member.find(given, (&parts.all[p], &guessed), ask, holds)
+        };
+        let scans = guess.scans.iter_mut().enumerate();
+        let found = each_alone(self.members.iter_mut().zip(scans), find);
+        let Division::Parts(parts) = &mut self.division else { return Ok(false) };
+        // An error may be due to parts that do not hold.
+        if found.iter().any(|held| matches!(held, Ok(false))) {
+            parts.no_guess = NO_GUESS;
             return Ok(false);
-        };
-        let find = |(member, p): (&mut InGroup<E>, usize)| {
-            let mut scan = match known {
-                Known::Looked => parts.scans[p],
-                Known::Guessed => parts.scans[p].widened(LEEWAY),
-            };
-            let (part, guess) = (&*parts.all[p], scan);
-            let mut holds = || match known {
-                Known::Looked => true,
-                Known::Guessed => parts.look_at(p, threads, given).is_some_and(|found| {
-                    scan = found;
-                    guess.covers(&found)
-                }),
-            };
-            let holds = member.find(given, (part, &guess), ask, &mut holds)?;
-            Ok::<_, E::Error>(holds.then_some(scan))
-        };
-        let found = each_alone(members.iter_mut().zip(0..parts.all.len()), find);
-        match found.into_iter().collect::<Result<Option<Vec<_>>, _>>()? {
-            Some(scans) => parts.scans = scans,
-            None => return Ok(false),
         }
+        found.into_iter().collect::<Result<Vec<_>, _>>()?;
+        parts.last = guess;
         Ok(true)
+    }
+
+    /// All parts at once, whose positions were looked at.
+    pub(super) fn find_each(&mut self, given: Given, ask: Asked) -> Result<(), E::Error> {
+        let Division::Parts(parts) = &self.division else { return Ok(()) };
+        let find = |(member, (part, scan)): (&mut InGroup<E>, _)| {
+            member.find(given, (part, scan), ask, || true).map(|_| ())
+        };
+        let parts = parts.all.iter().map(|part| &**part).zip(&parts.last.scans);
+        each_alone(self.members.iter_mut().zip(parts), find).into_iter().collect()
     }
 }
 

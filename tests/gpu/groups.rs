@@ -38,8 +38,9 @@ fn check_groups(device: &Device) {
     }
 }
 
-/// Two sheets far from each other, then one that goes through the other, and one that is refused:
-/// parts are seen not to hold after the devices have begun.
+/// Two sheets far from each other; then one vertex, which is none of the samples, goes through the
+/// other sheet, so that parts are seen not to hold after the devices have begun; then all of a
+/// sheet does; then a step is refused.
 fn check_parts_that_meet(device: &Device) {
     let n = 12;
     let mut faces = Vec::new();
@@ -55,12 +56,18 @@ fn check_parts_that_meet(device: &Device) {
     group.set_least_share(1);
     let far = |y: f64| sheets([100.0, y, 0.3]);
     let near = |y: f64| sheets([0.3, y, 0.3]);
+    let with_spike = |y: f64| {
+        let mut x = far(0.2);
+        x[1] = [105.3, y, 5.6];
+        x
+    };
     for (x0, x1, parts) in [
         (far(0.0), far(0.1), 1),
         (far(0.1), far(0.2), 1),
-        (near(1.0), near(-1.0), 2),
-        (near(-1.0), near(-1.1), 2),
-        (far(0.2), far(0.1), 3),
+        (with_spike(1.0), with_spike(-1.0), 2),
+        (near(1.0), near(-1.0), 3),
+        (near(-1.0), near(-1.1), 3),
+        (far(0.2), far(0.1), 4),
     ] {
         let want = &one.step(&x0, &x1).unwrap().contacts;
         assert!(&group.step(&x0, &x1).unwrap().contacts == want, "contacts of sheets");

@@ -109,6 +109,22 @@ fn a_small_mesh_stays_whole() {
     assert!(group.report().contacts.is_empty() && group.report().toi.is_none());
 }
 
+/// A vertex that is so far away that boxes in `f32` do not reach it.
+#[test]
+fn one_vertex_may_be_beyond_all_boxes() {
+    let mut step = scenes::crumpled_sheet(12, 1);
+    let last = step.x0.len() - 1;
+    for far in [1e39, -1e99] {
+        (step.x0[last][1], step.x1[last][1]) = (far, far);
+        let options = Options::default();
+        let (mut group, mut session) =
+            (group(3, &step.mesh, &options), Session::new(&step.mesh, options).unwrap());
+        for _ in 0..2 {
+            assert!(same(&mut group, &mut session, &step.x0, &step.x1) > 10);
+        }
+    }
+}
+
 /// Parts are kept while vertices stay near, and made anew where they do not.
 #[test]
 fn parts_follow_a_sequence() {

@@ -106,13 +106,17 @@ impl Scan {
         }
     }
 
-    /// The same with bounds that are wider by a part of the greatest coordinate, unless that is so
-    /// great that an `f32` might not hold them: a guess at what positions near these say.
-    pub fn widened(&self, part: f64) -> Self {
-        let greatest = self.greatest();
-        let by = if greatest < 1e38 { part * greatest } else { 0.0 };
-        let Aabb { min, max } = self.bounds;
-        Self { bounds: Aabb { min: min.map(|c| c - by), max: max.map(|c| c + by) }, ..*self }
+    /// The same with bounds that are moved and then wider by a part of their longest side, and by
+    /// what moving them rounds: a guess at what positions near these say, or near where these go.
+    pub fn guess(&self, by: [f64; 3], part: f64) -> Self {
+        let Aabb { mut min, mut max } = self.bounds;
+        let longest = (0..3).fold(0.0, |longest, k| Num::max(longest, max[k] - min[k]));
+        let wider = part * longest + self.greatest() * f32::UNIT as f64;
+        for k in 0..3 {
+            min[k] += by[k] - wider;
+            max[k] += by[k] + wider;
+        }
+        Self { bounds: Aabb { min, max }, ..*self }
     }
 
     /// Whether a table, a slack and a reach that follow from this hold for positions of which all

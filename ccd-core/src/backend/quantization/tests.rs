@@ -159,14 +159,17 @@ fn a_guess_covers_what_is_near_and_of_the_same_kind() {
         scan.take_all(x, x);
         scan
     };
-    let last = scan(&[[-1.0, 0.5, 2.0], [0.0, 0.0, 1.0]]);
-    let guess = last.widened(1.0 / 64.0);
+    let last = scan(&[[-1.0, 0.5, 3.0], [0.0, 0.0, 1.0]]);
+    let guess = last.guess([0.0; 3], 1.0 / 64.0);
     assert!(last.covers(&last) && guess.covers(&last) && !last.covers(&guess));
     let of = |x: f64| scan(&[[-1.0, 0.5, x], [0.0, 0.0, 1.0]]);
-    // The greatest coordinate is 2.
-    assert!(guess.covers(&of(2.03125)) && !guess.covers(&of(2.0625)));
+    // The longest side is 2.
+    assert!(guess.covers(&of(3.03125)) && !guess.covers(&of(3.0625)));
+    assert!(
+        last.guess([0.0, 0.0, 0.5], 0.0).covers(&scan(&[[-0.5, 0.25, 3.5], [-0.5, 0.25, 2.0]]))
+    );
     for k in 0..3 {
-        for far in [-1.0625, 2.0625, f64::NAN, f64::INFINITY] {
+        for far in [-1.0625, 3.0625, f64::NAN, f64::INFINITY] {
             let mut p = [0.0; 3];
             p[k] = far;
             assert!(!guess.covers(&scan(&[p])), "{p:?}");
@@ -175,6 +178,8 @@ fn a_guess_covers_what_is_near_and_of_the_same_kind() {
     // Exact or not, and as they are or in another unit.
     assert!(!guess.covers(&of(2.0 + 1e-12)) && !of(2.0 + 1e-12).covers(&last));
     assert!(!guess.covers(&scan(&[[1e-30; 3]])));
-    let greatest = scan(&[[f64::from(f32::MAX); 3]]).widened(1.0 / 64.0);
-    assert_eq!(greatest.bounds.max, [f64::from(f32::MAX); 3]);
+    // Far from the origin places are rounded by hardly more than without a guess.
+    let far = scan(&[[1e8 + 0.1, 0.0, 1e8], [1e8 + 1.0, 1.0, 1e8 + 1.1]]);
+    let [before, after] = [far, far.guess([0.0; 3], 1.0 / 64.0)].map(|of| of.table(true).error);
+    assert!(before < after && after < 32.0 * before, "{before:e}, {after:e}");
 }
