@@ -131,9 +131,8 @@ impl Parts {
         Ok(Self { all, min_distance, farthest: greatest, samples, last, no_guess: 0 })
     }
 
-    /// What positions are likely to say that are near the last ones, or that went on with all of
-    /// the scene; none if some that are looked at are not where they may be. The guess covers
-    /// positions, or turns out not to ([`Scan::covers`]).
+    /// What positions are likely to say: what the last ones said, moved with the scene. None if a
+    /// sample is not where it may be, and for some steps after a wrong guess.
     pub fn guess(&mut self, given: Given) -> Option<Known> {
         if self.no_guess > 0 {
             self.no_guess -= 1;
