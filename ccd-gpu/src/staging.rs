@@ -42,7 +42,7 @@ struct Mapped {
 
 /// Items that a buffer is to have.
 pub struct Write<'a> {
-    /// What they are.
+    /// What an error calls them.
     pub what: &'static str,
     /// The buffer, and the byte from which on they stand in it.
     pub to: (&'a wgpu::Buffer, u64),

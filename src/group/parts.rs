@@ -31,7 +31,8 @@ const CHUNK: usize = 64;
 const SLACK: f64 = 1.0 / 128.0;
 /// At most by this part, where they move far in a step.
 const MOST_SLACK: f64 = 1.0 / 16.0;
-/// By this part of its bounds a part may be larger than in the last step for a guess to hold.
+/// By this part of its longest side the bounds of a part may be beyond the last ones, which went
+/// with the scene, for a guess to hold.
 const LEEWAY: f64 = 1.0 / 64.0;
 /// Vertices from which the motion of the whole scene is taken.
 const SAMPLES: usize = 101;

@@ -106,8 +106,8 @@ impl Scan {
         }
     }
 
-    /// The same with bounds that are moved and then wider by a part of their longest side, and by
-    /// what moving them rounds: a guess at what positions near these say, or near where these go.
+    /// A guess at what a scan finds after all positions went `by` this: bounds that went with them
+    /// and are wider on each side by a part of the longest one, and by what rounding takes.
     pub fn guess(&self, by: [f64; 3], part: f64) -> Self {
         let Aabb { mut min, mut max } = self.bounds;
         let longest = (0..3).fold(0.0, |longest, k| Num::max(longest, max[k] - min[k]));
@@ -119,8 +119,8 @@ impl Scan {
         Self { bounds: Aabb { min, max }, ..*self }
     }
 
-    /// Whether a table, a slack and a reach that follow from this hold for positions of which all
-    /// that is found is this.
+    /// Whether a table, a slack and a greatest coordinate that were taken of this guess hold for
+    /// positions of which a scan has `found` this.
     pub fn covers(&self, found: &Self) -> bool {
         let within = (0..3).all(|k| {
             found.bounds.min[k] >= self.bounds.min[k] && found.bounds.max[k] <= self.bounds.max[k]
