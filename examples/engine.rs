@@ -145,7 +145,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
         paths.iter().map(end).map(|[x, y, z, _]| [x, y, z]).collect()
     };
     let positions = [at(|p| p.t0), at(|p| p.t1)];
-    let want = ccd::step(&mesh, &positions[0], &positions[1], &Options::default())?;
+    let want = ccd::step(&mesh, &positions[0], &positions[1], session.options())?;
     assert!(!want.contacts.is_empty(), "the scene has contacts");
     assert_eq!(words[1][0] + words[2][0], 0, "f32 decides every pair of this scene");
     for (c, at) in contacts.iter().zip(&records) {

@@ -159,16 +159,19 @@ typedef uint32_t CcdBackend;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-/// How times of impact are found. Which pairs touch is decided exactly in both modes.
+/// How times of impact are found. Which pairs touch is decided exactly in all modes.
 enum CcdMode
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
+  /// CCD_MODE_EXACT on the CPU, if there is no minimum distance; else, and in sessions on a GPU,
+  /// CCD_MODE_CONSERVATIVE.
+  CCD_MODE_AUTO = 0,
   /// Never late, and early by the tolerance at most.
-  CCD_MODE_CONSERVATIVE = 0,
+  CCD_MODE_CONSERVATIVE = 1,
   /// The true ones, rounded down. Takes no minimum distance.
-  CCD_MODE_EXACT = 1,
+  CCD_MODE_EXACT = 2,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -240,7 +243,7 @@ typedef struct CcdOptions {
   const char *adapter;
   /// A CcdBackend; CCD_BACKEND_AUTO by default.
   uint32_t backend;
-  /// A CcdMode; CCD_MODE_CONSERVATIVE by default.
+  /// A CcdMode; CCD_MODE_AUTO by default.
   uint32_t mode;
   /// Threads of work on the CPU: 0 for all cores, shared by all sessions; 1 for the calling
   /// thread alone; more, up to 1024, for a pool of the session's own.

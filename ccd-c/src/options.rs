@@ -21,14 +21,17 @@ pub enum CcdBackend {
     Gpu = 2,
 }
 
-/// How times of impact are found. Which pairs touch is decided exactly in both modes.
+/// How times of impact are found. Which pairs touch is decided exactly in all modes.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CcdMode {
+    /// CCD_MODE_EXACT on the CPU, if there is no minimum distance; else, and in sessions on a GPU,
+    /// CCD_MODE_CONSERVATIVE.
+    Auto = 0,
     /// Never late, and early by the tolerance at most.
-    Conservative = 0,
+    Conservative = 1,
     /// The true ones, rounded down. Takes no minimum distance.
-    Exact = 1,
+    Exact = 2,
 }
 
 /// What a session looks for and how. Later versions may have more fields at the end:
@@ -49,7 +52,7 @@ pub struct CcdOptions {
     pub adapter: *const c_char,
     /// A CcdBackend; CCD_BACKEND_AUTO by default.
     pub backend: u32,
-    /// A CcdMode; CCD_MODE_CONSERVATIVE by default.
+    /// A CcdMode; CCD_MODE_AUTO by default.
     pub mode: u32,
     /// Threads of work on the CPU: 0 for all cores, shared by all sessions; 1 for the calling
     /// thread alone; more, up to 1024, for a pool of the session's own.
@@ -71,7 +74,7 @@ impl CcdOptions {
             max_memory: 0,
             adapter: std::ptr::null(),
             backend: CcdBackend::Auto as u32,
-            mode: CcdMode::Conservative as u32,
+            mode: CcdMode::Auto as u32,
             threads: 0,
             leave_contact: 0,
         }
@@ -120,6 +123,7 @@ pub(crate) unsafe fn read(
         }
     }
     let mode = match given.mode {
+        mode if mode == CcdMode::Auto as u32 => Mode::Auto,
         mode if mode == CcdMode::Conservative as u32 => Mode::Conservative,
         mode if mode == CcdMode::Exact as u32 => Mode::Exact,
         mode => return Err(Failure::argument(format!("mode is {mode}; it must be a CcdMode"))),

@@ -162,7 +162,8 @@ impl Precision {
     }
 }
 
-const MODES: method::Choices<ccd::Mode, 2> = [
+const MODES: method::Choices<ccd::Mode, 3> = [
+    ("auto", "Exact on the CPU without --min-distance, else conservative", ccd::Mode::Auto),
     ("conservative", "Never late, and early by the tolerance at most", ccd::Mode::Conservative),
     ("exact", "The true ones, rounded down", ccd::Mode::Exact),
 ];
@@ -186,8 +187,8 @@ struct StepOptions {
     min_distance: f64,
     /// How times of impact are found
     ///
-    /// Contacts are the same in both. Exact ones take no --min-distance.
-    #[arg(long, value_parser = method::choice(MODES), default_value = "conservative")]
+    /// Contacts are the same in all. Exact ones take no --min-distance.
+    #[arg(long, value_parser = method::choice(MODES), default_value = "auto")]
     #[arg(help_heading = QUESTION)]
     mode: ccd::Mode,
     /// Leave out contacts at the start whose features separate

@@ -83,7 +83,8 @@ impl session::Engine for Engine {
     type Error = Error;
     type Candidates<'a> = Candidates;
 
-    fn new(device: &Device, state: State) -> Result<Self, Error> {
+    fn new(device: &Device, mut state: State) -> Result<Self, Error> {
+        state.options = changes::of_device(state.options);
         let State { mesh, options, .. } = &state;
         changes::check(options)?;
         let device = device.limited(options.max_memory);

@@ -37,9 +37,9 @@ const OF_TREES: [&str; 3] = ["builder", "traversal", "volume"];
 ///     How early a certain time of impact may be, in units of the step; at least 1e-12. By default
 ///     1e-6.
 /// mode : str
-///     "conservative", the default: times of impact are early by the tolerance at most; or "exact":
-///     they are the true ones, rounded down. Contacts are the same. Exact takes no minimum
-///     distance.
+///     How times of impact are found: "exact", the true ones, rounded down, without a minimum
+///     distance; "conservative", early by the tolerance at most; or "auto", the default, which is
+///     exact on the CPU if there is no minimum distance, else conservative. Contacts are the same.
 /// leave_contact : bool
 ///     Whether features that are in contact at the start may separate: no contact, unless they
 ///     come nearer or touch again.
@@ -98,7 +98,7 @@ impl Options {
         self.inner.tolerance
     }
 
-    /// "conservative" or "exact".
+    /// "auto", "conservative" or "exact".
     #[getter]
     fn mode(&self) -> &'static str {
         self.inner.mode.name()

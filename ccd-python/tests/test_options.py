@@ -19,7 +19,7 @@ def test_options_are_values():
     for name, value in given.items():
         assert getattr(options, name) == value, name
     assert options.method.startswith("tree-ploc-") and options.method.endswith("-obb")
-    assert options.bodies == bodies and options.mode == "conservative"
+    assert options.bodies == bodies and options.mode == "auto"
     copy = pickle.loads(pickle.dumps(options))
     assert copy == options and copy.tolerance == 1 / 3 and copy.bodies.world(3) == 1
     assert copy != Options(**given) and copy != 1

@@ -92,8 +92,10 @@ export interface Bodies {
 export interface Options {
   /** Contact means a distance of at most this; 0 by default. */
   minDistance?: number;
-  /** `exact` decides every pair exactly, and takes no `minDistance`. */
-  mode?: "conservative" | "exact";
+  /** How times of impact are found: `exact`, the true ones rounded down, without `minDistance`;
+      `conservative`, early by the tolerance at most; `auto`, the default, is exact on the CPU if
+      there is no `minDistance`, else conservative. */
+  mode?: "auto" | "conservative" | "exact";
   /** How early a time of impact may be, as a part of the step; 1e-6 by default. */
   tolerance?: number;
   /** Contacts at the start whose features separate do not count. */

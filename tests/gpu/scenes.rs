@@ -121,14 +121,15 @@ fn check_degenerate(device: &Device) {
 fn check_many_contacts(device: &Device) {
     let [many, few] = [120, 20].map(|n| generate::crumpled_sheet(n, 2));
     let mut session = Session::new(device, many.mesh.clone(), Options::default()).unwrap();
-    let cpu = ccd::step(&many.mesh, &many.x0, &many.x1, &Options::default()).unwrap();
+    let options = session.options().clone();
+    let cpu = ccd::step(&many.mesh, &many.x0, &many.x1, &options).unwrap();
     assert!(cpu.contacts.len() > 5000, "{} contacts", cpu.contacts.len());
     let same = device.info().path == ShaderPath::Passthrough && device.info().wide;
     let x0 = &many.x0;
     // Half of the sheet stands still.
     let half: Vec<[f64; 3]> =
         (0..x0.len()).map(|i| if i < x0.len() / 2 { many.x1[i] } else { x0[i] }).collect();
-    let less = ccd::step(&many.mesh, x0, &half, &Options::default()).unwrap();
+    let less = ccd::step(&many.mesh, x0, &half, &options).unwrap();
     let n_less = less.contacts.len();
     assert!(n_less > 4096 / 2 && n_less * 5 / 4 + 256 < cpu.contacts.len(), "{n_less} contacts");
     for (x1, want) in
@@ -137,7 +138,7 @@ fn check_many_contacts(device: &Device) {
         check_reports(want, session.step(x0, x1).unwrap(), same);
     }
     let mut session = Session::new(device, few.mesh.clone(), Options::default()).unwrap();
-    let cpu = ccd::step(&few.mesh, &few.x0, &few.x1, &Options::default()).unwrap();
+    let cpu = ccd::step(&few.mesh, &few.x0, &few.x1, &options).unwrap();
     check_reports(&cpu, session.step(&few.x0, &few.x1).unwrap(), same);
 }
 

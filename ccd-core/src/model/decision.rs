@@ -35,7 +35,7 @@ use crate::narrow_phase::search::{Answer, Search, Verdict};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decider {
     search: Search<f64>,
-    mode: Mode,
+    exact_times: bool,
 }
 
 /// A pair that rounded arithmetic leaves open, as far as it was tried.
@@ -45,7 +45,8 @@ pub struct Open;
 impl Decider {
     /// For the times of a window.
     pub fn new(options: &Options, window: [f64; 2]) -> Self {
-        Self { search: options.search(window), mode: options.mode }
+        let exact_times = options.mode != Mode::Conservative && options.min_distance == 0.0;
+        Self { search: options.search(window), exact_times }
     }
 
     /// The same, but that contacts of a later time of impact than `latest` may be missed.
@@ -85,7 +86,7 @@ impl Decider {
     }
 
     /// The same, but for pairs of a vertex and a face, or of two edges, that are left to integers:
-    /// these take a hundred times as long. In exact mode they are tried at once.
+    /// these take a hundred times as long.
     ///
     /// # Errors
     /// [`Open`]: what is left to [`Decider::contact`].
@@ -113,12 +114,16 @@ impl Decider {
     ) -> Result<Answer<f64>, Answer<f64>> {
         let exactly = self.search.min_distance == 0.0;
         let patch = kind.patch();
-        if exactly && self.mode == Mode::Exact {
-            let [x0, x1] = x.map(|x| gather(ids, x));
-            if let Some(found) = exact::of_patch(patch, [&x0, &x1], self.window()) {
-                return Ok(self.exact(found));
-            }
-        } else if exactly
+        if self.exact_times {
+            let (x0, x1) = (gather(ids, x[0]), gather(ids, x[1]));
+            let wanted = Search { latest: self.search.latest, ..exact::searching(self.window()) };
+            // The rounded answer is that of pairs which integers do not hold.
+            return match exact::quick(patch, [&x0, &x1], &wanted) {
+                Some(found) => Ok(self.exact(found)),
+                None => Err(pair_verdict::pair(kind, ids, x, &self.search)),
+            };
+        }
+        if exactly
             && self.search.from == 0.0
             && shares_a_point(patch, ids.map(|v| &x[0][v as usize]))
         {
@@ -137,12 +142,12 @@ impl Decider {
         x: [&[[T; 3]]; 2],
         answer: Answer<f64>,
     ) -> Answer<f64> {
-        let [x0, x1] = x.map(|x| gather(ids, x));
+        let (x0, x1) = (gather(ids, x[0]), gather(ids, x[1]));
         let found = exact::left_open(patch, [&x0, &x1], self.window());
         found.map_or(answer, |found| self.settled(answer, found))
     }
 
-    /// The answer for a vertex and an edge, or two vertices: exact if the mode wants it or the
+    /// The answer for a vertex and an edge, or two vertices: exact if exact times are wanted or the
     /// search leaves the pair open, and integers hold it; else that of the search.
     fn codimensional(
         &self,
@@ -150,8 +155,7 @@ impl Decider {
         exact: impl Fn([f64; 2]) -> Option<Exact>,
     ) -> Answer<f64> {
         let exactly = self.search.min_distance == 0.0;
-        if exactly
-            && self.mode == Mode::Exact
+        if self.exact_times
             && let Some(found) = exact(self.window())
         {
             return self.exact(found);
@@ -161,11 +165,13 @@ impl Decider {
         found.map_or(answer, |found| self.settled(answer, found))
     }
 
-    /// What the search left open, decided: a contact keeps its time if that is early by the
-    /// tolerance at most, because the features are then mostly still apart.
+    /// What the search left open, decided: unless exact times are wanted, a contact keeps its time
+    /// if that is early by the tolerance at most, because the features are then mostly still apart.
     fn settled(&self, answer: Answer<f64>, found: Exact) -> Answer<f64> {
         match (answer.verdict.toi(), found) {
-            (Some(toi), Exact::Contact([exact, _])) if exact - toi <= self.search.tolerance => {
+            (Some(toi), Exact::Contact([exact, _]))
+                if !self.exact_times && exact - toi <= self.search.tolerance =>
+            {
                 Answer { verdict: Verdict::Hit { toi }, ..answer }
             }
             _ => self.exact(found),

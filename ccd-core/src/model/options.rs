@@ -9,26 +9,29 @@ use super::scheduling::Scheduling;
 use crate::narrow_phase::query::{LEAST_TOLERANCE, TOI_TOLERANCE};
 use crate::narrow_phase::search::Search;
 
-/// How times of impact are found. Which pairs touch is decided exactly in both modes.
+/// How times of impact are found. Which pairs touch is decided exactly in all modes.
 ///
 /// ```
 /// use ccd::Mode;
 ///
 /// let names: Vec<&str> = Mode::ALL.iter().map(Mode::name).collect();
-/// assert_eq!(names, ["conservative", "exact"]);
+/// assert_eq!(names, ["auto", "conservative", "exact"]);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Mode {
+    /// [`Mode::Exact`] on the CPU, if there is no minimum distance; else, and in sessions on a GPU
+    /// also for what they leave to the CPU, [`Mode::Conservative`].
+    #[default]
+    Auto,
     /// A time of impact is never late, and early by the tolerance at most.
     ///
     /// A pair that `f64` certifies neither as a contact nor as none is decided exactly, on the CPU:
     /// also its time is early by the tolerance at most. With a minimum distance, and where integers
     /// do not hold the pair, it is a contact of state
     /// [`State::Undecided`](super::contact::State::Undecided) instead.
-    #[default]
     Conservative,
     /// Every time of impact is the true one rounded down, of the coordinates as they are: see
     /// [`narrow_phase::exact`](crate::narrow_phase::exact). Of a GPU, the filters run on the device
@@ -42,14 +45,21 @@ pub enum Mode {
 
 impl Mode {
     /// All, the default first.
-    pub const ALL: [Mode; 2] = [Mode::Conservative, Mode::Exact];
+    pub const ALL: [Mode; 3] = [Mode::Auto, Mode::Conservative, Mode::Exact];
 
     /// Its name, as a command takes it.
     pub fn name(&self) -> &'static str {
         match self {
+            Mode::Auto => "auto",
             Mode::Conservative => "conservative",
             Mode::Exact => "exact",
         }
+    }
+
+    /// What it is in a session on a GPU.
+    #[must_use]
+    pub fn on_device(self) -> Self {
+        if self == Mode::Auto { Mode::Conservative } else { self }
     }
 
     /// Checks that the mode takes a minimum distance.
@@ -99,7 +109,7 @@ pub struct Options {
     /// How early a certain time of impact may be, in units of the step, from
     /// [`Options::LEAST_TOLERANCE`] to 1. A pair that cannot be certified within it is treated as
     /// undecided, see [`Mode::Conservative`]. With one near 1 the pipeline of triangles with
-    /// oriented boxes leaves fewer pairs undecided than others do. [`Mode::Exact`] does not use it.
+    /// oriented boxes leaves fewer pairs undecided than others do. Exact times do not use it.
     pub tolerance: f64,
     /// How times of impact are found.
     pub mode: Mode,

@@ -18,10 +18,17 @@ pub(super) fn check(options: &Options) -> Result<(), Error> {
     method::check_scheduling(options.broad_phase, options.scheduling)
 }
 
+/// As this backend takes them.
+pub(super) fn of_device(options: Options) -> Options {
+    let mode = options.mode.on_device();
+    options.with_mode(mode)
+}
+
 impl Engine {
     /// Methods other than blocks, and triangles, keep their lists alone. The next step sorts anew.
     #[inline(never)]
     pub(super) fn take_mesh(&mut self, mesh: Arc<Mesh>, options: Options) -> Result<(), Error> {
+        let options = of_device(options);
         check(&options)?;
         let device = self.device.limited(options.max_memory);
         let codimensional = Codimensional::new(&device, &mesh, &options)?;

@@ -150,7 +150,7 @@ class Options:
         self_contact: bool | None = None,
         max_memory: int | None = None,
         tolerance: float | None = None,
-        mode: Literal["conservative", "exact"] | None = None,
+        mode: Literal["auto", "conservative", "exact"] | None = None,
         leave_contact: bool | None = None,
         method: str | None = None,
         builder: str | None = None,
@@ -177,7 +177,7 @@ class Options:
         """How early a certain time of impact may be."""
     @property
     def mode(self) -> str:
-        """Conservative or exact."""
+        """Auto, conservative or exact."""
     @property
     def leave_contact(self) -> bool:
         """Whether features that are in contact at the start may separate."""
@@ -229,7 +229,7 @@ class Session:
         self_contact: bool | None = None,
         max_memory: int | None = None,
         tolerance: float | None = None,
-        mode: Literal["conservative", "exact"] | None = None,
+        mode: Literal["auto", "conservative", "exact"] | None = None,
         leave_contact: bool | None = None,
         method: str | None = None,
         builder: str | None = None,
@@ -315,7 +315,7 @@ class Session:
         self_contact: bool | None = None,
         max_memory: int | None = None,
         tolerance: float | None = None,
-        mode: Literal["conservative", "exact"] | None = None,
+        mode: Literal["auto", "conservative", "exact"] | None = None,
         leave_contact: bool | None = None,
         method: str | None = None,
         builder: str | None = None,

@@ -124,7 +124,7 @@ fn on_gpu(device: &Device, input: &Input, runs: usize) -> Result<Value, gpu::Err
         grown = session.grown() - before;
     }
     let mut exact = gpu::Session::new(device, mesh.clone(), options().with_mode(Mode::Exact))?;
-    let [usual, exact] =
+    let [early, exact] =
         in_turn(runs, || session.step(x0, x1).map(|_| ()), || exact.step(x0, x1).map(|_| ()))?;
     let narrow = DeviceOptions { narrow: true, ..DeviceOptions::default() };
     let mut narrow = gpu::Session::new(&Device::open(&narrow)?, mesh.clone(), options())?;
@@ -139,7 +139,7 @@ fn on_gpu(device: &Device, input: &Input, runs: usize) -> Result<Value, gpu::Err
         "earliest ms": earliest.device, "earliest wall": earliest.wall,
         "order": stage(&step, "order"), "decide": stage(&step, "decide"),
         "again": median(again), "kept": median(kept), "runs": grown,
-        "usual": usual, "exact": exact, "narrow": without,
+        "early": early, "exact": exact, "narrow": without,
     }))
 }
 
@@ -157,13 +157,13 @@ fn on_cpu(threads: usize, input: &Input, runs: usize) -> Result<Value, ccd::Erro
     })?;
     let [step, order] = [median(steps.iter().map(|s| s.0)), median(steps.iter().map(|s| s.1))];
     let (earliest, toi) = median_of(runs, || session.earliest_toi(x0, x1))?;
-    let mut exact = Session::new(mesh.clone(), options.with_mode(Mode::Exact))?;
-    let [usual, exact] =
-        in_turn(runs, || session.step(x0, x1).map(|_| ()), || exact.step(x0, x1).map(|_| ()))?;
+    let mut early = Session::new(mesh.clone(), options.with_mode(Mode::Conservative))?;
+    let [early, exact] =
+        in_turn(runs, || early.step(x0, x1).map(|_| ()), || session.step(x0, x1).map(|_| ()))?;
     Ok(json!({
         "candidates": candidates, "contacts": contacts, "toi": toi, "candidates wall": all,
         "step wall": step, "earliest wall": earliest, "order": order,
-        "usual": usual, "exact": exact,
+        "early": early, "exact": exact,
     }))
 }
 
@@ -275,13 +275,13 @@ pub fn completeness(all: &[Results]) -> String {
         table.row([*scene, &n, &open, &decided, &contacts]);
     }
     text += &format!("{table}\n");
-    let mut table = Table::new(["scene", "where", "step, wall", "`Mode::Exact`, wall", "ratio"]);
+    let mut table = Table::new(["scene", "where", "conservative, wall", "exact, wall", "ratio"]);
     for Results { scene, gpu, cpu, .. } in all {
         let on_gpu = gpu.as_ref().map(|cell| ("GPU", cell));
         for (place, cell) in on_gpu.into_iter().chain([("CPU", cpu)]) {
-            let [step, exact] = ["usual", "exact"].map(|of| number(cell, of).unwrap_or(f64::NAN));
-            let ratio = format!("{:.2}", exact / step);
-            table.row([*scene, place, &digits(step), &digits(exact), &ratio]);
+            let [early, exact] = ["early", "exact"].map(|of| number(cell, of).unwrap_or(f64::NAN));
+            let ratio = format!("{:.2}", exact / early);
+            table.row([*scene, place, &digits(early), &digits(exact), &ratio]);
         }
     }
     text + &table.to_string()

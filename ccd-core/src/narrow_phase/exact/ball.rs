@@ -1,9 +1,52 @@
 //! Numbers in double-double with a bound of how far off they are.
 
-use super::refine::Double;
 use super::vector::{Number, Vector};
 use crate::math::expansion;
 use crate::math::real::Num;
+use core::ops::{Add, Mul, Sub};
+
+/// An unevaluated sum of a number and what rounding took away from it.
+#[derive(Clone, Copy, Debug)]
+struct Double {
+    high: f64,
+    low: f64,
+}
+
+impl Double {
+    /// From a sum or product of [`expansion`] and its rest.
+    fn of((high, low): (f64, f64)) -> Self {
+        Self { high, low }
+    }
+}
+
+impl Add for Double {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let (high, below) = expansion::sum(self.high, other.high);
+        let (low, lowest) = expansion::sum(self.low, other.low);
+        let (high, below) = expansion::sum(high, below + low);
+        Self::of(expansion::sum(high, below + lowest))
+    }
+}
+
+impl Sub for Double {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + Self { high: -other.high, low: -other.low }
+    }
+}
+
+impl Mul for Double {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let (high, below) = expansion::product(self.high, other.high);
+        let across = self.high * other.low + self.low * other.high;
+        Self::of(expansion::sum(high, below + across))
+    }
+}
 
 /// A number and a bound of its error.
 ///

@@ -45,12 +45,12 @@ pub fn meeting(patch: Patch, x: [&[[f64; 3]; 4]; 2], toi: f64) -> Option<Meeting
     let window = [toi, toi.next_up().min(1.0)];
     let moderate = checked([x[0], x[1]], window)?;
     if moderate {
+        if let Some(found) = by_pairs(patch, x, window) {
+            return found;
+        }
         let motion = Motion::new(patch, x[0], x[1], 0.0);
         if search(&motion, patch, &searching(window)).verdict == Verdict::Miss {
             return None;
-        }
-        if let Some(meeting) = by_pairs(patch, x, window) {
-            return Some(meeting);
         }
     }
     // At an end of the step that takes integers of the coordinates alone, as it has no unit.
@@ -63,17 +63,17 @@ pub fn meeting(patch: Patch, x: [&[[f64; 3]; 4]; 2], toi: f64) -> Option<Meeting
 }
 
 /// In double-double; `None` if that does not tell all of it.
-fn by_pairs(patch: Patch, [t0, t1]: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> Option<Meeting> {
-    // Of a window without a zero it means nothing, but vectors are of moderate sizes.
+fn by_pairs(
+    patch: Patch,
+    [t0, t1]: [&[[f64; 3]; 4]; 2],
+    window: [f64; 2],
+) -> Option<Option<Meeting>> {
     let zero = refine::zero(vectors(patch, [t0, t1]), window)?;
-    let at =
-        |time: &Ball| Features::new(patch, &[0, 1, 2, 3].map(|i| ball::at(&t0[i], &t1[i], time)));
-    let [before, after] = window.map(|t| at(&Ball::sum(t, 0.0)).coplanarity().sign());
-    let before = before?;
-    if after? == before {
-        return None;
+    if !zero.is_between(window)? {
+        return Some(None);
     }
-    let there = at(&Ball::sum(zero.t, zero.correction).off_by(zero.off));
+    let time = Ball::sum(zero.t, zero.correction).off_by(zero.off);
+    let there = Features::new(patch, &[0, 1, 2, 3].map(|i| ball::at(&t0[i], &t1[i], &time)));
     let [s, r, one] = there.weights();
     let rest = one.minus(&s);
     // That none is 0 also shows that features touch.
@@ -86,8 +86,9 @@ fn by_pairs(patch: Patch, [t0, t1]: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> Op
     if !there.normal().iter().all(|x| x.is_tight(max_abs(n))) {
         return None;
     }
+    let before = if zero.rises { -1 } else { 1 };
     let side = before * towards(patch);
-    Some(Meeting { weights, normal: Some(unit_vector(n).map(|x| side as f64 * x)) })
+    Some(Some(Meeting { weights, normal: Some(unit_vector(n).map(|x| side as f64 * x)) }))
 }
 
 /// From the patch to `a`: for edges that is from the first to the second.

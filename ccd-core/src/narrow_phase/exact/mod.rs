@@ -207,25 +207,31 @@ pub fn vertex_vertex(query: &VertexVertex<f64>, window: [f64; 2]) -> Option<Exac
 
 /// Whether two features touch, `v f0 f1 f2` or `ea0 ea1 eb0 eb1` at both ends of the step: as `f64`
 /// certifies it, else by integers.
-pub(crate) fn of_patch(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> Option<Exact> {
-    let moderate = checked([x[0], x[1]], window)?;
-    let [from, until] = window;
-    if at_begin_of(x, window).is_some_and(|x| shares_a_point(patch, x.each_ref())) {
+fn of_patch(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> Option<Exact> {
+    checked([x[0], x[1]], window)?;
+    quick(patch, x, &searching(window)).or_else(|| left_open(patch, x, window))
+}
+
+/// As far as `f64` certifies it; `None`: see [`left_open`]. Where they first touch after
+/// [`Search::latest`], it may be a miss.
+pub(crate) fn quick(patch: Patch, x: [&[[f64; 3]; 4]; 2], wanted: &Search<f64>) -> Option<Exact> {
+    let &Search { from, until, .. } = wanted;
+    let moderate = checked([x[0], x[1]], [from, until])?;
+    if at_begin_of(x, [from, until]).is_some_and(|x| shares_a_point(patch, x.each_ref())) {
         return Some(Exact::Contact([from; 2]));
     }
-    let wanted = searching(window);
-    let motion = Motion::new(patch, x[0], x[1], 0.0);
-    match moderate.then(|| search(&motion, patch, &wanted).verdict) {
-        Some(Verdict::Miss) => return Some(Exact::Miss),
-        Some(Verdict::Hit { toi }) => {
-            let last = (toi + wanted.tolerance).min(until);
-            if let Some(time) = refine::rounded_down(vectors(patch, x), [toi, last]) {
-                return Some(Exact::Contact([time, time.next_up()]));
-            }
-        }
-        _ => (),
+    if !moderate {
+        return None;
     }
-    left_open(patch, x, window)
+    match search(&Motion::new(patch, x[0], x[1], 0.0), patch, wanted).verdict {
+        Verdict::Miss => Some(Exact::Miss),
+        Verdict::Hit { toi } => {
+            let last = (toi + wanted.tolerance).min(until);
+            let time = refine::rounded_down(vectors(patch, x), [toi, last])?;
+            Some(Exact::Contact([time, time.next_up()]))
+        }
+        Verdict::Undecided { .. } => None,
+    }
 }
 
 /// The same of finite coordinates and a window in `[0, 1]`, of which `f64` has certified nothing.
@@ -257,7 +263,7 @@ fn at_begin_of([x0, x1]: [&[[f64; 3]; 4]; 2], [from, _]: [f64; 2]) -> Option<&[[
 const MAX_COORDINATE: f64 = 1e100;
 
 /// What `f64` is asked first.
-fn searching([from, until]: [f64; 2]) -> Search<f64> {
+pub(crate) fn searching([from, until]: [f64; 2]) -> Search<f64> {
     Search { from, until, ..Search::whole(0.0) }
 }
 
@@ -267,16 +273,18 @@ fn checked(ends: [&[[f64; 3]]; 2], [from, until]: [f64; 2]) -> Option<bool> {
     if !(0.0 <= from && from <= until && until <= 1.0) {
         return None;
     }
-    let mut most = 0.0f64;
-    for points in ends {
-        for &[x, y, z] in points {
-            if !(x.is_finite() && y.is_finite() && z.is_finite()) {
-                return None;
+    // Without branches: every pair of a step comes here.
+    let within = |most: f64| {
+        let mut all = true;
+        for points in ends {
+            for [x, y, z] in points {
+                all &= (x.abs() <= most) & (y.abs() <= most) & (z.abs() <= most);
             }
-            most = most.max(x.abs()).max(y.abs()).max(z.abs());
         }
-    }
-    Some(most <= MAX_COORDINATE)
+        all
+    };
+    let moderate = within(MAX_COORDINATE);
+    (moderate || within(f64::MAX)).then_some(moderate)
 }
 
 /// Within numbers of `N` words.

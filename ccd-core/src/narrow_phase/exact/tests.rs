@@ -26,6 +26,12 @@ fn certified_contacts_are_those_of_integers() {
         let found = of_patch(patch, [&t0, &t1], window);
         let want = by_integers::<96>(patch, [&t0, &t1], window);
         assert_eq!(found, want, "{patch:?} {window:?}: {t0:?} {t1:?}");
+        if let Some(Exact::Contact([lo, hi])) = found {
+            // Its geometry is there from its time on, and before the next; elsewhere there is none.
+            let has_geometry = |t: f64| geometry::meeting(patch, [&t0, &t1], t).is_some();
+            assert!(has_geometry(lo) && !has_geometry(hi), "{patch:?} {lo}: {t0:?} {t1:?}");
+            assert!(lo == window[0] || !has_geometry(lo.next_down()), "{patch:?}: {t0:?} {t1:?}");
+        }
         refined += matches!(found, Some(Exact::Contact([lo, _])) if lo > window[0]) as usize;
     }
     assert!(refined > 500, "{refined}");
