@@ -2,7 +2,7 @@
 
 use ccd::method::BroadPhaseMethod;
 use ccd::scenes::{Random, Step, crumpled_sheet, debris_boxes, triangle_soup, uniform_boxes};
-use ccd::{Aabb, Contact, Digest, Options};
+use ccd::{Aabb, Contact, Digest, Mode, Options};
 use ccd_core::reference;
 use ccd_testkit::compare::{agree, recorded_step};
 use ccd_testkit::{brute, data};
@@ -25,9 +25,9 @@ pub struct Motion {
 pub enum Want {
     /// Candidates of brute force, and contacts of the sequential step of the core.
     Reference([Digest; 2], Vec<Contact>),
-    /// What is recorded of a real scene, the contacts that one thread of the CPU finds, and the
-    /// published answers, where there are any.
-    Recorded(String, Vec<Contact>, Option<[Vec<data::Truth>; 2]>),
+    /// What is recorded of a real scene, the contacts that one thread of the CPU finds with exact
+    /// and with conservative times, and the published answers, where there are any.
+    Recorded(String, [Vec<Contact>; 2], Option<[Vec<data::Truth>; 2]>),
 }
 
 /// What is loaded once for all rows of a scene.
@@ -119,11 +119,14 @@ pub fn load_motion(source: Source) -> Motion {
     match source {
         Source::Real(scene) => {
             let step = load_step(scene);
-            let options = Options::default().with_threads(1);
-            let one = ccd::step(&step.mesh, &step.x0, &step.x1, &options).expect("a valid step");
+            let by_mode = [Mode::Exact, Mode::Conservative].map(|mode| {
+                let options = Options::default().with_threads(1).with_mode(mode);
+                let report = ccd::step(&step.mesh, &step.x0, &step.x1, &options);
+                report.expect("a valid step").contacts
+            });
             let dir = data::data_dir().expect("the row is ignored without the data");
             let truth = scene.truth.map(|_| ["vf", "ee"].map(|kind| scene.contacts(&dir, kind)));
-            let want = Want::Recorded(recorded_step(scene.name), one.contacts, truth);
+            let want = Want::Recorded(recorded_step(scene.name), by_mode, truth);
             Motion { step, want }
         }
         Source::Step(make) => {
