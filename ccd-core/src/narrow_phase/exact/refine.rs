@@ -11,18 +11,18 @@
 //! Everything is a number and what rounding took away from it, its rest; terms of higher order than
 //! `u^2` are left out.
 //!
-//! *A component at `t`.* Differences of coordinates are exact. The rest of what it travels is off by
-//! `6 u^2 A` and at most `4 u A`. At `t`, four roundings of the rest are off by `20 u^2 A` more: in
-//! all `26 u^2 A`. Six products of three such numbers: `6 x 3 x 26 u^2 = 468 u^2 A B C`.
+//! *A component at `t`.* Differences of coordinates are exact. The rest of what it travels is off
+//! by `6 u^2 A` and at most `4 u A`. At `t`, four roundings of the rest are off by `20 u^2 A` more:
+//! in all `26 u^2 A`. Six products of three such numbers: `6 x 3 x 26 u^2 = 468 u^2 A B C`.
 //!
 //! *`f(t)`.* A component of `b x c`: its two products and their difference are exact but for a rest
 //! off by `6 u^2 B C`; products with a rest add `12 u^2`, their sum `8 u^2`, and products of two
-//! rests, left out, `2 u^2`: `28 u^2`, with a rest of at most `8 u B C`. Its product with a component
-//! of `a`: `8 u^2` and `2 u^2` of products with a rest, `10 u^2` and `12 u^2` of their sums, `8 u^2`
-//! of the product of two rests, left out. Three of these: `3 x (28 + 40) u^2 = 204 u^2 A B C`. Four
-//! sums of rests of at most `24 u`, `36 u`, `40 u` and `46 u`: `146 u^2`. With the components `818
-//! u^2 A B C`, where the code has `1024 u^2`. With `A`, `B` and `C` from `2^-100` to `2^100`, what
-//! underflows is less than `2^-860`, and the bound at least `2^-396`.
+//! rests, left out, `2 u^2`: `28 u^2`, with a rest of at most `8 u B C`. Its product with a
+//! component of `a`: `8 u^2` and `2 u^2` of products with a rest, `10 u^2` and `12 u^2` of their
+//! sums, `8 u^2` of the product of two rests, left out. Three of these: `3 x (28 + 40) u^2 = 204
+//! u^2 A B C`. Four sums of rests, of at most `24 u`, `36 u`, `40 u` and `46 u`: `146 u^2`. With
+//! the components `818 u^2 A B C`, where the code has `1024 u^2`. With `A`, `B` and `C` from
+//! `2^-100` to `2^100`, what underflows is less than `2^-860`, and the bound at least `2^-396`.
 //!
 //! *`f'(t)`* is a sum of 18 products of at most `2 A B C`, of factors off by `u` each: `36 x 5 u`
 //! and at most 17 roundings of sums of at most `36 A B C`: `792 u`, where the code has `1024 u`. It
@@ -105,8 +105,8 @@ fn value([a, b, c]: &[Vector; 3]) -> f64 {
     all + (((x.1 + y.1 + z.1) + first) + second)
 }
 
-/// Where a zero of `f` in an interval is, if there is one: at `t + correction`, off by at most `off`.
-/// There are no two.
+/// Where the zero of `f` in an interval is, if there is one: at `t + correction`, off by at most
+/// `off`. There are no two.
 pub struct Zero {
     /// A time of the interval.
     pub t: f64,
