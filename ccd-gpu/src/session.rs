@@ -8,12 +8,12 @@ use crate::error::Error;
 use crate::recorder::Timing;
 use crate::step::Goal;
 use crate::step::codimensional::Codimensional;
-use crate::step::cpu_fallback::{self, Host, Summary};
+use crate::step::cpu_fallback::{self, Host};
 use crate::step::frame::{Found, Frames};
 use crate::step::upload::Input;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
-use ccd_core::model::contact::{Kind, PerKind};
+use ccd_core::model::contact::PerKind;
 use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Mode;
 use ccd_core::model::positions::Gathered;
@@ -311,15 +311,9 @@ impl Engine {
         let State { mesh, options, report, .. } = &mut self.state;
         let decider = &Decider::new(options, window);
         let contacts = &mut report.contacts;
-        let mut open = std::mem::take(&mut found.open);
-        if options.mode == Mode::Exact {
-            // The device rejects; what it does not is decided here.
-            found.summary = Summary::default();
-            for contact in contacts.drain(..) {
-                let of_kind = &mut open[(contact.kind == Kind::EdgeEdge) as usize];
-                of_kind.push(Pair { a: contact.a, b: contact.b });
-            }
-        }
+        let open = std::mem::take(&mut found.open);
+        // The last digits of times are not the device's.
+        let exact_times = options.mode == Mode::Exact;
         self.left_open = PerKind::new(open[0].len() as u64, open[1].len() as u64);
         report.rebuilt = found.sorted;
         report.candidates = found.candidates;
@@ -329,10 +323,12 @@ impl Engine {
         let (distance, summary) = (options.min_distance, &mut found.summary);
         match given {
             Precision::F32(x) => {
-                Host { mesh, x, decider }.finish(distance, &open, (contacts, summary))
+                let host = Host { mesh, x, decider, exact_times };
+                host.finish(distance, &open, (contacts, summary))
             }
             Precision::F64(x) => {
-                Host { mesh, x, decider }.finish(distance, &open, (contacts, summary))
+                let host = Host { mesh, x, decider, exact_times };
+                host.finish(distance, &open, (contacts, summary))
             }
         }
         let undecided = summary.undecided.iter().map(|&at| contacts[at as usize].toi);

@@ -89,7 +89,8 @@ fn check_tolerances(device: &Device) {
     }
 }
 
-/// In exact mode a device rejects and the host decides: the same bits as on the CPU alone.
+/// In exact mode the host finds the last digits of what a device decides, and decides what it does
+/// not: the same bits as on the CPU alone.
 fn check_exact_mode(device: &Device) {
     let mut resting = generate::triangle_soup(150, 0.2, 11);
     // On a lattice, and not all of it moves.

@@ -104,6 +104,24 @@ impl Decider {
         Ok(Contact::of(kind, pair, answer))
     }
 
+    /// A certain contact of a vertex and a face, or of two edges, whose time is early by the
+    /// tolerance of the options at most, with its exact time, as far as `f64` finds that.
+    pub fn with_exact_time<T: Real>(
+        &self,
+        mesh: &Mesh,
+        contact: &Contact,
+        x: [&[[T; 3]]; 2],
+    ) -> Option<Contact> {
+        let &Contact { kind, a, b, toi, .. } = contact;
+        let pair = Pair { a, b };
+        let ids = mesh.vertices_of(kind, pair);
+        let (x0, x1) = (gather(ids, x[0]), gather(ids, x[1]));
+        // A device may have rounded its time down to an `f32`.
+        let last = (toi + 1.5 * self.search.tolerance + 1e-6).min(self.search.until);
+        let found = exact::first_between(kind.patch(), [&x0, &x1], [toi, last])?;
+        Contact::of(kind, pair, self.exact(found))
+    }
+
     /// The answer for a vertex and a face, or two edges; an error: what integers are to decide.
     #[inline]
     fn of_patch<T: Real>(

@@ -225,11 +225,7 @@ pub(crate) fn quick(patch: Patch, x: [&[[f64; 3]; 4]; 2], wanted: &Search<f64>) 
     }
     match search(&Motion::new(patch, x[0], x[1], 0.0), patch, wanted).verdict {
         Verdict::Miss => Some(Exact::Miss),
-        Verdict::Hit { toi } => {
-            let last = (toi + wanted.tolerance).min(until);
-            let time = refine::rounded_down(vectors(patch, x), [toi, last])?;
-            Some(Exact::Contact([time, time.next_up()]))
-        }
+        Verdict::Hit { toi } => first_between(patch, x, [toi, (toi + wanted.tolerance).min(until)]),
         Verdict::Undecided { .. } => None,
     }
 }
@@ -245,6 +241,16 @@ pub(crate) fn left_open(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) 
     by_integers::<8>(patch, x, window)
         .or_else(|| by_integers::<24>(patch, x, window))
         .or_else(|| by_integers::<96>(patch, x, window))
+}
+
+/// The first contact, which certainly is between two times, as far as `f64` finds it.
+pub(crate) fn first_between(
+    patch: Patch,
+    x: [&[[f64; 3]; 4]; 2],
+    times: [f64; 2],
+) -> Option<Exact> {
+    let time = refine::rounded_down(vectors(patch, x), times)?;
+    Some(Exact::Contact([time, time.next_up()]))
 }
 
 /// Both points of each difference `a b c`, at both ends of the step.
