@@ -34,8 +34,8 @@ pub enum Mode {
     /// [`State::Undecided`](super::contact::State::Undecided) instead.
     Conservative,
     /// Every time of impact is the true one rounded down, of the coordinates as they are: see
-    /// [`narrow_phase::exact`](crate::narrow_phase::exact). A GPU decides pairs, and the CPU finds the
-    /// last digits of the times, and all of what the device leaves open.
+    /// [`narrow_phase::exact`](crate::narrow_phase::exact). A GPU decides pairs, and the CPU finds
+    /// the last digits of the times, and all of what the device leaves open.
     ///
     /// Refused with a minimum distance, [`Error::ExactDistance`]; [`Options::leave_contact`] has no
     /// effect. What its integers of 6,144 bits do not hold keeps its conservative answer: pairs of
