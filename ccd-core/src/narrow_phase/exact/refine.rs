@@ -143,7 +143,7 @@ pub fn rounded_down(vectors: [[[[f64; 3]; 2]; 2]; 3], [lo, hi]: [f64; 2]) -> Opt
     };
     let found = from_t(Real::next_down(correction - off));
     let same = found == from_t(Real::next_up(correction + off));
-    (same && found >= lo).then_some(found)
+    (same && lo <= found && found <= hi).then_some(found)
 }
 
 /// The same, not rounded.
