@@ -46,7 +46,7 @@
 //! | particles and rods | [`Mesh::with_edges`]; [`Kind`] says what touches what |
 //! | the candidate pairs of a step | [`Session::candidates`] |
 //! | candidates for many steps, of a line search | [`CandidateSet`] |
-//! | every pair decided exactly | [`Mode::Exact`]; [`exact`] for one pair |
+//! | true times of impact, on a GPU too | [`Mode::Exact`]; [`exact`] for one pair |
 //! | boxes in, overlapping pairs out | [`BroadPhase`], by a [`method::BroadPhaseMethod`] |
 //! | on a GPU where there is one, else on the CPU | [`any`]: `any::Session`, `any::BroadPhase` |
 //! | on a GPU | `gpu` (feature `gpu`): `gpu::Device`, `gpu::Session`, `gpu::BroadPhase` |

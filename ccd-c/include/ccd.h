@@ -165,8 +165,8 @@ enum CcdMode
   : uint32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-  /// CCD_MODE_EXACT on the CPU, if there is no minimum distance; else, and in sessions on a GPU,
-  /// CCD_MODE_CONSERVATIVE.
+  /// CCD_MODE_EXACT on the CPU, if there is no minimum distance; else, and in sessions on a GPU
+  /// also for what they leave to the CPU, CCD_MODE_CONSERVATIVE.
   CCD_MODE_AUTO = 0,
   /// Never late, and early by the tolerance at most.
   CCD_MODE_CONSERVATIVE = 1,

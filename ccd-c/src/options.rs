@@ -25,8 +25,8 @@ pub enum CcdBackend {
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CcdMode {
-    /// CCD_MODE_EXACT on the CPU, if there is no minimum distance; else, and in sessions on a GPU,
-    /// CCD_MODE_CONSERVATIVE.
+    /// CCD_MODE_EXACT on the CPU, if there is no minimum distance; else, and in sessions on a GPU
+    /// also for what they leave to the CPU, CCD_MODE_CONSERVATIVE.
     Auto = 0,
     /// Never late, and early by the tolerance at most.
     Conservative = 1,

@@ -94,7 +94,8 @@ export interface Options {
   minDistance?: number;
   /** How times of impact are found: `exact`, the true ones rounded down, without `minDistance`;
       `conservative`, early by the tolerance at most; `auto`, the default, is exact on the CPU if
-      there is no `minDistance`, else conservative. */
+      there is no `minDistance`, else conservative. Name one if `step` and `stepAsync` on a GPU are
+      to agree: normals on sides and corners follow from the time, too. */
   mode?: "auto" | "conservative" | "exact";
   /** How early a time of impact may be, as a part of the step; 1e-6 by default. */
   tolerance?: number;

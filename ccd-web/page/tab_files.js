@@ -47,7 +47,7 @@ export function filesTab(view, isShown) {
     $("result").setAttribute("aria-busy", "true");
     try {
       const minDistance = exact ? 0 : Number($("distance").value);
-      const mode = exact ? "exact" : "conservative";
+      const mode = exact ? "exact" : "auto";
       const device = $("gpu").checked ? "gpu" : "cpu";
       const given = { check: mine, files: asked, minDistance, mode, device };
       const found = await ask("check", given);

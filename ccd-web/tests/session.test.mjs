@@ -55,7 +55,7 @@ test("candidates are those of brute force", () => {
 });
 
 test("the earliest time is never later than a contact, nor a contact than in exact mode", () => {
-  const session = new Session(mesh);
+  const session = new Session(mesh, { mode: "conservative" });
   const { contacts, undecided } = session.step(a, b);
   assert.ok(session.earliestToi(a, b) <= Math.min(...contacts.toi));
   const exact = new Session(mesh, { mode: "exact" }).step(a, b);
@@ -64,6 +64,7 @@ test("the earliest time is never later than a contact, nor a contact than in exa
   assert.deepEqual([contacts.kind, contacts.ids], [exact.contacts.kind, exact.contacts.ids]);
   const early = exact.contacts.toi.map((toi, i) => toi - contacts.toi[i]);
   assert.ok(early.every((by) => by >= 0 && by <= 1e-6) && early.some((by) => by > 0));
+  assert.deepEqual(new Session(mesh).step(a, b).contacts, exact.contacts);
 });
 
 test("a step in f32 is that of the numbers rounded to f32", () => {

@@ -5,6 +5,8 @@
 import { scene } from "../page/example.js";
 import { readMesh } from "../page/read.js";
 
+/** A session of which both have the same mode: by default times on the CPU are exact. */
+const GPU = { device: "gpu", mode: "conservative" };
 /** How far times of both may be apart: the tolerance of options, by which each may be early. */
 const TIME = 1e-6;
 /** How far points, normals and weights may be: what moves within that time, in these scenes. */
@@ -65,7 +67,7 @@ export async function compareExample({ Mesh, Session }, { lower = 0 } = {}) {
   for (const [name, given] of Object.entries(CALLS)) {
     const { Type = Float64Array, options = {}, call = {}, turn } = given;
     const bodies = options.bodies && { ofVertex, ...options.bodies };
-    const session = await Session.open(mesh, { device: "gpu", ...options, bodies });
+    const session = await Session.open(mesh, { ...GPU, ...options, bodies });
     const frames = [x0, x1].map((x) => Type.from(x));
     const [p, q] = turn ? frames.toReversed() : frames;
     const want = session.step(p, q, call);
@@ -91,7 +93,7 @@ export async function compareSessions({ Mesh, Session }) {
   const mesh = new Mesh(x0.length / 3, null, faces);
   const frames = [x0, x1].map((x) => Float64Array.from(x));
   const sessions = await Promise.all([0, 0.01].map((minDistance) => (
-    Session.open(mesh, { device: "gpu", minDistance })
+    Session.open(mesh, { ...GPU, minDistance })
   )));
   const differences = [];
   const compare = async (name) => {
@@ -138,7 +140,7 @@ export async function compareServed(meshccd, addresses) {
 export async function compareFrames({ Mesh, Session }, files) {
   const [p, q] = files.map((bytes) => readMesh(bytes, "frame.ply"));
   const mesh = new Mesh(p.x.length / 3, null, p.faces);
-  const gpu = await Session.open(mesh, { device: "gpu" });
+  const gpu = await Session.open(mesh, GPU);
   const timed = async (call) => {
     const begun = performance.now();
     return [await call(), performance.now() - begun];

@@ -12,7 +12,7 @@ mod step;
 mod threads;
 
 use crate::positions::Precision;
-use crate::{CancelToken, Contact, Error, Kind, Mesh, Options, Pair};
+use crate::{CancelToken, Contact, Error, Kind, Mesh, Mode, Options, Pair};
 use ccd_core::model::precision::Given;
 use ccd_core::model::session::{self, Ask, Candidates, Change, Filter, Kept, Moved, State};
 use elements::Elements;
@@ -88,7 +88,7 @@ impl<E: Member> session::Engine for Engine<E> {
     where
         E: 'a;
 
-    fn new(on: &Vec<E::On>, state: State) -> Result<Self, E::Error> {
+    fn new(on: &Vec<E::On>, mut state: State) -> Result<Self, E::Error> {
         if on.is_empty() {
             let (name, greatest) = ("devices of a group", u64::MAX);
             return Err(Error::Setting { name, value: 0, least: 1, greatest }.into());
@@ -97,7 +97,8 @@ impl<E: Member> session::Engine for Engine<E> {
             let state = State::new(Arc::new(Mesh::default()), without_bodies(&state.options));
             E::new(on, state).map(InGroup::new)
         };
-        let members = on.iter().map(member).collect::<Result<_, E::Error>>()?;
+        let members = on.iter().map(member).collect::<Result<Vec<_>, E::Error>>()?;
+        state.options.mode = mode_of(&members);
         Ok(Self {
             state,
             members,
@@ -194,6 +195,7 @@ impl<E: Member> session::Engine for Engine<E> {
                 let none = Change::Mesh(Arc::new(Mesh::default()), without_bodies(&options));
                 self.change_each(|_| none.clone())?;
                 (self.state.mesh, self.state.options) = (mesh, options);
+                self.state.options.mode = mode_of(&self.members);
             }
             Change::Bodies(bodies) => {
                 match &division {
@@ -343,6 +345,11 @@ impl<E: Member> Engine<E> {
 
 /// Elements from which on another device pays: below, it is idle for most of a step.
 const LEAST_SHARE: usize = 500_000;
+
+/// What the default is on the devices of a group.
+fn mode_of<E: Member>(members: &[InGroup<E>]) -> Mode {
+    members.first().map_or_else(Mode::default, |first| first.engine.state().options.mode)
+}
 
 fn without_bodies(options: &Options) -> Options {
     options.clone().with_bodies(None)

@@ -147,7 +147,8 @@ def map_frames(
         Where shards are written, `steps-BEGIN-END.npz`; made if it is not there. A shard has the
         columns of reports, and digests of mesh, options and positions.
     options : Options, optional
-        Its `threads`: of each worker; 0 for an equal share of the cores.
+        Its `threads`: of each worker; 0 for an equal share of the cores. Its `mode` "auto": exact
+        if no worker has a GPU and there is no minimum distance, else conservative.
     runner : str or executor
         "processes" of this machine, begun by spawn: a script that calls this needs
         `if __name__ == "__main__":`. "ray": actors. Or an executor of submitit, which has the
@@ -205,6 +206,7 @@ def map_frames(
     # A worker that has its machine for itself counts the cores there.
     if not is_executor and n_workers > 1:
         options = _of_one_worker(options, runner, n_workers)
+    options = _in_one_mode(options, devices)
     job = Job(mesh, options, Path(os.path.abspath(folder)))
     job.folder.mkdir(parents=True, exist_ok=True)
     ranges = _ranges(len(source), steps_per_shard, index, of)
@@ -271,8 +273,19 @@ def _of_one_worker(options: Options, runner: Any, n_workers: int) -> Options:
     if options.threads:
         return options
     cores, most = _cores(runner)
-    threads = max(min(cores // n_workers, most), 1)
-    return Options.from_json(json.dumps({**json.loads(options.to_json()), "threads": threads}))
+    return _with(options, threads=max(min(cores // n_workers, most), 1))
+
+
+def _in_one_mode(options: Options, devices: Sequence[str | None]) -> Options:
+    """Options whose mode does not depend on where a worker runs: all shards are of one."""
+    if options.mode != "auto":
+        return options
+    on_cpu = all(device in (None, "cpu") for device in devices)
+    return _with(options, mode="exact" if on_cpu and not options.min_distance else "conservative")
+
+
+def _with(options: Options, **given: Any) -> Options:
+    return Options.from_json(json.dumps({**json.loads(options.to_json()), **given}))
 
 
 if __name__ == "__main__":

@@ -48,7 +48,8 @@ class Scene:
     comm : MPI.Intracomm, optional
         By default `MPI.COMM_WORLD`.
     device : str, optional
-        As of a `Session`: one a rank, such as "gpu:0000:3b:00.0".
+        As of a `Session`: one a rank, such as "gpu:0000:3b:00.0". Where some ranks have a GPU and
+        others none, name the `mode` of the options: by default times are exact on a CPU alone.
 
     Raises
     ------

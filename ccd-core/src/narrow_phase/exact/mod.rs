@@ -208,7 +208,6 @@ pub fn vertex_vertex(query: &VertexVertex<f64>, window: [f64; 2]) -> Option<Exac
 /// Whether two features touch, `v f0 f1 f2` or `ea0 ea1 eb0 eb1` at both ends of the step: as `f64`
 /// certifies it, else by integers.
 fn of_patch(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> Option<Exact> {
-    checked([x[0], x[1]], window)?;
     quick(patch, x, &searching(window)).or_else(|| left_open(patch, x, window))
 }
 
@@ -230,8 +229,9 @@ pub(crate) fn quick(patch: Patch, x: [&[[f64; 3]; 4]; 2], wanted: &Search<f64>) 
     }
 }
 
-/// The same of finite coordinates and a window in `[0, 1]`, of which `f64` has certified nothing.
+/// The same of which `f64` has certified nothing; `None` as of [`vertex_face`].
 pub(crate) fn left_open(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) -> Option<Exact> {
+    checked([x[0], x[1]], window)?;
     let [from, until] = window;
     match at_begin_of(x, window).map(|x| moment::touch(patch, x)) {
         Some(Some(true)) => return Some(Exact::Contact([from; 2])),
