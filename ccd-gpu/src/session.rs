@@ -312,8 +312,6 @@ impl Engine {
         let decider = &Decider::new(options, window);
         let contacts = &mut report.contacts;
         let open = std::mem::take(&mut found.open);
-        // The last digits of times are not the device's.
-        let exact_times = options.mode == Mode::Exact;
         self.left_open = PerKind::new(open[0].len() as u64, open[1].len() as u64);
         report.rebuilt = found.sorted;
         report.candidates = found.candidates;
@@ -323,12 +321,10 @@ impl Engine {
         let (distance, summary) = (options.min_distance, &mut found.summary);
         match given {
             Precision::F32(x) => {
-                let host = Host { mesh, x, decider, exact_times };
-                host.finish(distance, &open, (contacts, summary))
+                Host { mesh, x, decider }.finish(distance, &open, (contacts, summary))
             }
             Precision::F64(x) => {
-                let host = Host { mesh, x, decider, exact_times };
-                host.finish(distance, &open, (contacts, summary))
+                Host { mesh, x, decider }.finish(distance, &open, (contacts, summary))
             }
         }
         let undecided = summary.undecided.iter().map(|&at| contacts[at as usize].toi);

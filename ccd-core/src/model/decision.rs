@@ -49,6 +49,11 @@ impl Decider {
         Self { search: options.search(window), exact_times }
     }
 
+    /// Whether it finds exact times.
+    pub fn has_exact_times(&self) -> bool {
+        self.exact_times
+    }
+
     /// The same, but that contacts of a later time of impact than `latest` may be missed.
     pub fn up_to(&self, latest: f64) -> Self {
         Self { search: Search { latest, ..self.search }, ..*self }

@@ -90,15 +90,13 @@ pub struct Host<'a, T> {
     /// Positions as they were given.
     pub x: [&'a [[T; 3]]; 2],
     pub decider: &'a Decider,
-    /// Whether times are exact.
-    pub exact_times: bool,
 }
 
 impl<T: Real> Host<'_, T> {
     /// Finds exact times, if they are wanted, and decides what a device left open: contacts that it
     /// wrote as undecided, unless there is a minimum distance, and pairs of both kinds.
     pub fn finish(&self, min_distance: f64, open: &[Vec<Pair>; 2], (contacts, summary): Listed) {
-        if self.exact_times {
+        if self.decider.has_exact_times() {
             self.time((contacts, summary));
         }
         if min_distance == 0.0 {
