@@ -283,7 +283,8 @@ pub fn method(
 
 /// The choices of methods: dicts with what is chosen ("method", "builder", "traversal", "volume",
 /// "pipeline", "scheduler" or "front"), its name, a line about it, its source (None: this project),
-/// and the backends that have it.
+/// the backends that have it, and whether it is of the feature `catalogue`, without which a module
+/// may have been built.
 #[pyfunction]
 pub fn methods(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
     let mut all = rows::<BroadPhaseMethod>(py, "method")?;
@@ -304,6 +305,7 @@ fn rows<'py, T: Catalogued>(py: Python<'py>, what: &str) -> PyResult<Vec<Bound<'
         all.set_item("about", row.about)?;
         all.set_item("source", row.source)?;
         all.set_item("backends", row.backends)?;
+        all.set_item("catalogue", !T::ALWAYS.contains(&row.name))?;
         Ok(all)
     };
     T::ROWS.iter().map(row).collect()

@@ -78,5 +78,18 @@ def scene(request):
 
 
 @pytest.fixture
+def catalogue():
+    """Methods of the feature `catalogue`, without which a module may have been built: then a test
+    is skipped, with the reason."""
+    try:
+        meshccd.BroadPhase(method="brute-force").self_pairs(np.zeros((1, 2, 3)))
+    except ValueError as why:
+        assert "build with the feature `catalogue`" in str(why)
+        if os.environ.get("CCD_CATALOGUE") == "require":
+            raise
+        pytest.skip(str(why))
+
+
+@pytest.fixture
 def cloth_ball():
     return named("cloth-ball")

@@ -46,7 +46,7 @@ def test_options_change_between_steps():
     other = session.step(x0, x1)
     want = Session(mesh, bodies=of_vertex, self_contact=False).step(x0, x1)
     assert same(other, want) and len(other) < len(found)
-    session.set_options(Options(mode="exact"), method="brute-force")
+    session.set_options(Options(mode="exact"), method="tree")
     exact = session.step(x0, x1)
     assert session.options.bodies is None and exact.n_undecided == 0
     assert same(exact, Session(mesh, mode="exact").step(x0, x1))
@@ -92,13 +92,20 @@ def test_reports_have_all_figures():
     assert sum(report.n_filtered) < sum(report.n_candidates)
     assert report.rebuilt and not session.step(x0, x1).rebuilt
     assert report.triangles is None and report.front is None
+    report = Session(mesh, pipeline="triangles").step(x0, x1)
+    assert report.triangles["pairs"] > 0
+    copy = pickle.loads(pickle.dumps(report))
+    assert copy.triangles == report.triangles and copy.n_filtered == report.n_filtered
+
+
+def test_reports_tell_of_a_front(catalogue):
+    mesh, _, x0, x1 = pieces(200)
     session = Session(mesh, traversal="simultaneous", pipeline="triangles", front="on")
     assert session.step(x0, x1).triangles["pairs"] > 0
     # It is kept from the second step on.
     report = session.step(x0, x1)
     assert report.front["pairs"] > 0
-    copy = pickle.loads(pickle.dumps(report))
-    assert copy.triangles == report.triangles and copy.n_filtered == report.n_filtered
+    assert pickle.loads(pickle.dumps(report)).front == report.front
 
 
 @pytest.mark.parametrize(("dy", "want"), [(1.0, Approach.SEPARATING), (-1, Approach.APPROACHING)])
@@ -129,10 +136,13 @@ def test_calls_end_when_they_are_cancelled():
     assert len(session.step(X0, X1)) == 1
 
 
-def test_methods_are_listed():
+def test_methods_are_listed(catalogue):
     all_methods = methods()
     names = {row["name"] for row in all_methods if row["what"] == "method"}
     assert {"blocks", "tree", "brute-force", "sweep-and-prune"} <= names
+    always = {row["name"] for row in all_methods if row["what"] == "method"
+              and not row["catalogue"]}
+    assert always == {"blocks", "tree"}
     mesh, _, x0, x1 = pieces(40)
     want, n_refused = Session(mesh).step(x0, x1), 0
     for row in all_methods:

@@ -247,7 +247,7 @@ def test_bodies_have_any_numbers():
     assert Session(Mesh(FACES), bodies=Bodies(names, fixed=[True])).step(X0, X1)
 
 
-def test_every_method_finds_the_same():
+def test_every_method_finds_the_same(catalogue):
     mesh, _, x0, x1 = pieces(100)
     want = Session(mesh).step(x0, x1)
     for options in (

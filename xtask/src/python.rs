@@ -35,8 +35,14 @@ pub fn run(root: &Path, wheel: bool) -> Result<(), String> {
     let site = if wheel { install_wheel(&folder, &target, python)? } else { assemble(root)? };
     let cache = target.join("python/mypy");
     let (site, cache) = (text(&site)?, text(&cache)?);
-    let env =
-        [("PYTHONPATH", site), ("MYPYPATH", site), ("MYPY_CACHE_DIR", cache), ("PATH", &path)];
+    let env = [
+        ("PYTHONPATH", site),
+        ("MYPYPATH", site),
+        ("MYPY_CACHE_DIR", cache),
+        ("PATH", &path),
+        // A module without it is a mistake of the build here.
+        ("CCD_CATALOGUE", "require"),
+    ];
     if let Err(why) = output(Command::new("mpirun").arg("--version")) {
         skipped(&format!("meshccd.mpi was not tested: {why}"));
     }
@@ -107,7 +113,8 @@ fn install_wheel(folder: &Path, target: &Path, python: &str) -> Result<PathBuf, 
     let _ = std::fs::remove_dir_all(&wheels);
     let env = [("CARGO_TARGET_DIR", text(target)?)];
     // With the profile of pyproject.toml, as pip builds it.
-    let build = [python, "-m", "maturin", "build", "--locked", "--out", text(&wheels)?];
+    let build = [python, "-m", "maturin", "build", "--locked", "--features", "catalogue"];
+    let build = [&build[..], &["--out", text(&wheels)?]].concat();
     command_with(folder, &build, &env)?;
     let wheel = only_wheel(&wheels)?;
     let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--force-reinstall"];

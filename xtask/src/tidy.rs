@@ -33,6 +33,7 @@ const UNSAFE_FILES: [&str; 29] = [
     "ccd-cpu/src/simd/mod.rs",
     "ccd-cpu/src/simd/neon.rs",
     "ccd-cpu/src/simd/simd128.rs",
+    "ccd-cpu/src/simd/sse2.rs",
     "ccd-cpu/src/simd/tests.rs",
     "ccd-cpu/src/threads.rs",
     "ccd-gpu/src/device.rs",

@@ -4,6 +4,7 @@
 //! | set | rows of eight boxes | filters |
 //! |---|---|---|
 //! | portable | arrays of 8 | arrays of 8 |
+//! | SSE2 (x86-64) | 8 in two registers | 8 in two registers |
 //! | AVX2 (x86-64) | 8 in one register | 8 in one register |
 //! | AVX-512 (x86-64) | those of AVX2 | 16 in one register |
 //! | NEON (AArch64) | 8 in two registers | 8 in two registers |
@@ -11,6 +12,9 @@
 //!
 //! All give the same bits: every operation rounds as IEEE 754 says, nothing is contracted, and the
 //! greater or smaller of two numbers is chosen by one comparison, as `Num` for `f32` does.
+//!
+//! x86-64 has no use for the arrays: to make vectors of them takes a compiler as long as all else
+//! in this crate.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
@@ -21,6 +25,8 @@ mod neon;
 mod portable;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod simd128;
+#[cfg(target_arch = "x86_64")]
+mod sse2;
 #[cfg(test)]
 mod tests;
 
@@ -33,6 +39,8 @@ pub use neon::Neon;
 pub use portable::{F32x8, Portable};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use simd128::Simd128;
+#[cfg(target_arch = "x86_64")]
+pub use sse2::Sse2;
 
 use ccd_core::backend::broad_phase::candidate::overlap_surely;
 use ccd_core::backend::layout::Pair;
@@ -122,6 +130,32 @@ pub trait RowSimd: Simd {
     }
 }
 
+/// The rows `ids` of a table, transposed, where eight numbers are two vectors: `load` reads a row,
+/// and `quads` transposes 4 x 4.
+#[cfg(any(
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    all(target_arch = "wasm32", target_feature = "simd128")
+))]
+#[inline(always)]
+fn transposed<V: Copy>(
+    table: &[[f32; WIDTH]],
+    ids: &[u32],
+    load: impl Fn(&[f32; WIDTH]) -> [V; 2],
+    quads: impl Fn([V; 4]) -> [V; 4],
+) -> [[V; 2]; WIDTH] {
+    let ids = &ids[..WIDTH];
+    let row = |i: usize| load(&table[ids[i] as usize]);
+    let (r0, r1, r2, r3) = (row(0), row(1), row(2), row(3));
+    let (r4, r5, r6, r7) = (row(4), row(5), row(6), row(7));
+    let a = quads([r0[0], r1[0], r2[0], r3[0]]);
+    let b = quads([r4[0], r5[0], r6[0], r7[0]]);
+    let c = quads([r0[1], r1[1], r2[1], r3[1]]);
+    let d = quads([r4[1], r5[1], r6[1], r7[1]]);
+    let (low, high) = ([0, 1, 2, 3].map(|k| [a[k], b[k]]), [0, 1, 2, 3].map(|k| [c[k], d[k]]));
+    [low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]]
+}
+
 /// `[min, max]`.
 #[inline(always)]
 fn bounds<N>(aabb: Aabb<N>) -> [[N; 3]; 2] {
@@ -145,7 +179,7 @@ macro_rules! run_rows {
             if let Some(simd) = $crate::simd::Avx2::new() {
                 $crate::simd::Simd::run(simd, $work)
             } else {
-                $crate::simd::Simd::run($crate::simd::Portable, $work)
+                $crate::simd::Simd::run($crate::simd::Sse2, $work)
             }
         }
         #[cfg(target_arch = "aarch64")]
@@ -187,11 +221,12 @@ macro_rules! run {
 }
 pub(crate) use run;
 
-/// The widest instruction set of this processor that the filters use: `AVX-512`, `AVX2`, `NEON`,
-/// `simd128` or `portable`.
+/// The widest instruction set of this processor that the filters use: `AVX-512`, `AVX2`, `SSE2`,
+/// `NEON`, `simd128` or `portable`.
 ///
 /// ```
-/// assert!(["AVX-512", "AVX2", "NEON", "portable"].contains(&ccd::instruction_set()));
+/// let all = ["AVX-512", "AVX2", "SSE2", "NEON", "portable"];
+/// assert!(all.contains(&ccd::instruction_set()));
 /// ```
 pub fn instruction_set() -> &'static str {
     struct Name;

@@ -1,6 +1,6 @@
 //! NEON: eight `f32` in two registers. Every AArch64 processor has it.
 
-use super::{F32x8, Portable, RowSimd, Simd, WIDTH, Work};
+use super::{F32x8, Portable, RowSimd, Simd, WIDTH, Work, transposed};
 use ccd_core::backend::layout::Pair;
 use std::arch::aarch64::*;
 
@@ -106,30 +106,13 @@ fn equals(lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
 #[inline]
 #[target_feature(enable = "neon")]
 fn gather(table: &[[f32; WIDTH]], ids: &[u32]) -> [V8; WIDTH] {
-    let ids = &ids[..WIDTH];
-    let row = |i: usize| load(&table[ids[i] as usize]).0;
-    let (r0, r1, r2, r3) = (row(0), row(1), row(2), row(3));
-    let (r4, r5, r6, r7) = (row(4), row(5), row(6), row(7));
-    let a = quads(r0[0], r1[0], r2[0], r3[0]);
-    let b = quads(r4[0], r5[0], r6[0], r7[0]);
-    let c = quads(r0[1], r1[1], r2[1], r3[1]);
-    let d = quads(r4[1], r5[1], r6[1], r7[1]);
-    [
-        V8([a[0], b[0]]),
-        V8([a[1], b[1]]),
-        V8([a[2], b[2]]),
-        V8([a[3], b[3]]),
-        V8([c[0], d[0]]),
-        V8([c[1], d[1]]),
-        V8([c[2], d[2]]),
-        V8([c[3], d[3]]),
-    ]
+    transposed(table, ids, |row| load(row).0, |rows| quads(rows)).map(V8)
 }
 
 /// Transpose of 4 x 4: interleave rows 0 and 2, 1 and 3, then the results.
 #[inline]
 #[target_feature(enable = "neon")]
-fn quads(r0: float32x4_t, r1: float32x4_t, r2: float32x4_t, r3: float32x4_t) -> [float32x4_t; 4] {
+fn quads([r0, r1, r2, r3]: [float32x4_t; 4]) -> [float32x4_t; 4] {
     let (p, q) = (vzip1q_f32(r0, r2), vzip2q_f32(r0, r2));
     let (s, t) = (vzip1q_f32(r1, r3), vzip2q_f32(r1, r3));
     [vzip1q_f32(p, s), vzip2q_f32(p, s), vzip1q_f32(q, t), vzip2q_f32(q, t)]

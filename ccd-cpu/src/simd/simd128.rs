@@ -1,7 +1,7 @@
 //! SIMD of WebAssembly: eight `f32` in two vectors, in modules built with `simd128`.
 #![allow(unused_unsafe, reason = "other sets need it in the macro `num`; calls here are safe")]
 
-use super::{F32x8, Portable, RowSimd, Simd, WIDTH, Work};
+use super::{F32x8, Portable, RowSimd, Simd, WIDTH, Work, transposed};
 use ccd_core::backend::layout::Pair;
 use std::arch::wasm32::*;
 
@@ -69,7 +69,7 @@ fn load<T: Copy>(x: &[T; WIDTH]) -> [v128; 2] {
 
 /// Transpose of 4 x 4: interleave rows 0 and 2, 1 and 3, then the results.
 #[inline(always)]
-fn quads(r0: v128, r1: v128, r2: v128, r3: v128) -> [v128; 4] {
+fn quads([r0, r1, r2, r3]: [v128; 4]) -> [v128; 4] {
     let (p, q) = (low(r0, r2), high(r0, r2));
     let (s, t) = (low(r1, r3), high(r1, r3));
     [low(p, s), high(p, s), low(q, t), high(q, t)]
@@ -94,24 +94,7 @@ impl Simd for Simd128 {
 
     #[inline(always)]
     fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [V8; WIDTH] {
-        let ids = &ids[..WIDTH];
-        let row = |i: usize| load(&table[ids[i] as usize]);
-        let (r0, r1, r2, r3) = (row(0), row(1), row(2), row(3));
-        let (r4, r5, r6, r7) = (row(4), row(5), row(6), row(7));
-        let a = quads(r0[0], r1[0], r2[0], r3[0]);
-        let b = quads(r4[0], r5[0], r6[0], r7[0]);
-        let c = quads(r0[1], r1[1], r2[1], r3[1]);
-        let d = quads(r4[1], r5[1], r6[1], r7[1]);
-        [
-            V8([a[0], b[0]]),
-            V8([a[1], b[1]]),
-            V8([a[2], b[2]]),
-            V8([a[3], b[3]]),
-            V8([c[0], d[0]]),
-            V8([c[1], d[1]]),
-            V8([c[2], d[2]]),
-            V8([c[3], d[3]]),
-        ]
+        transposed(table, ids, load, quads).map(V8)
     }
     #[inline(always)]
     fn run<W: Work<Self>>(self, work: W) -> W::Out {

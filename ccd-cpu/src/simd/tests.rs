@@ -177,9 +177,12 @@ fn rows_are_the_same_by_every_set() {
     let n_overlaps = want.iter().filter(|&&word| word > 0 && word < 256).count();
     assert!(n_overlaps > 1000, "{n_overlaps} masks show little");
     #[cfg(target_arch = "x86_64")]
-    match Avx2::new() {
-        Some(simd) => check_same("AVX2", &simd.run(Rows), &want),
-        None => println!("no AVX2 here: nothing to compare"),
+    {
+        check_same("SSE2", &Sse2.run(Rows), &want);
+        match Avx2::new() {
+            Some(simd) => check_same("AVX2", &simd.run(Rows), &want),
+            None => println!("no AVX2 here: nothing to compare"),
+        }
     }
     #[cfg(target_arch = "aarch64")]
     check_same("NEON", &Neon::new().run(Rows), &want);
@@ -192,6 +195,7 @@ fn filters_are_the_same_by_every_set() {
     assert!(rejected > 1000, "{rejected} rejections show little");
     #[cfg(target_arch = "x86_64")]
     {
+        check_same("SSE2", &Sse2.run(Filters), &want);
         match Avx2::new() {
             Some(simd) => check_same("AVX2", &simd.run(Filters), &want),
             None => println!("no AVX2 here: nothing to compare"),

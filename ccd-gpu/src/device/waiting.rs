@@ -102,6 +102,15 @@ impl Device {
         bytes: u64,
         work: impl FnOnce() -> T,
     ) -> Result<T, Error> {
+        let scopes = self.begin_guard()?;
+        let out = work();
+        self.end_guard(what, bytes, scopes)?;
+        Ok(out)
+    }
+
+    /// Scopes for what the device reports, the outermost first. Apart from [`Self::guarded`], as
+    /// [`Self::end_guard`] is, so that it is compiled once.
+    fn begin_guard(&self) -> Result<[wgpu::ErrorScopeGuard; 3], Error> {
         self.check_lost()?;
         let (fault, late) = {
             let mut faults = self.faults();
@@ -112,25 +121,30 @@ impl Device {
             Some(fault) => return Err(fault),
             None => {}
         }
-        let scopes = [
+        let filters = [
             wgpu::ErrorFilter::Internal,
             wgpu::ErrorFilter::Validation,
             wgpu::ErrorFilter::OutOfMemory,
-        ]
-        .map(|f| self.wgpu().push_error_scope(f));
-        let out = work();
-        let [internal, validation, memory] = scopes;
+        ];
+        Ok(filters.map(|filter| self.wgpu().push_error_scope(filter)))
+    }
+
+    fn end_guard(
+        &self,
+        what: &'static str,
+        bytes: u64,
+        [internal, validation, memory]: [wgpu::ErrorScopeGuard; 3],
+    ) -> Result<(), Error> {
         let context = &mut Context::from_waker(Waker::noop());
         let scopes = [memory.pop(), validation.pop(), internal.pop()];
         let scopes = scopes.map(|pop| Scope::new(pop, context));
         self.check_lost()?;
         let mut check = Check::Scopes { what, bytes, scopes };
         if check.poll(context) {
-            check.result()?;
-        } else {
-            self.unchecked.lock().checks.push(check);
+            return check.result();
         }
-        Ok(out)
+        self.unchecked.lock().checks.push(check);
+        Ok(())
     }
 
     /// Runs what may fail without harm.

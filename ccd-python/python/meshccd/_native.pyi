@@ -593,7 +593,7 @@ def gpus() -> list[str]:
     """Names of the GPUs of this machine."""
 
 def methods() -> list[dict[str, object]]:
-    """The choices of methods: what, name, about, source, backends."""
+    """The choices of methods: what, name, about, source, backends, catalogue."""
 
 def read_mesh(
     path: str | PathLike[str], first: str | PathLike[str] | None = None
