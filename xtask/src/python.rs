@@ -112,9 +112,9 @@ fn install_wheel(folder: &Path, target: &Path, python: &str) -> Result<PathBuf, 
     let wheels = target.join("python/wheels");
     let _ = std::fs::remove_dir_all(&wheels);
     let env = [("CARGO_TARGET_DIR", text(target)?)];
-    // With the profile of pyproject.toml, as pip builds it.
-    let build = [python, "-m", "maturin", "build", "--locked", "--features", "catalogue"];
-    let build = [&build[..], &["--out", text(&wheels)?]].concat();
+    // As wheels are handed out, not as pip builds a checkout.
+    let build = [python, "-m", "maturin", "build", "--locked", "--profile", "release"];
+    let build = [&build[..], &["--features", "catalogue", "--out", text(&wheels)?]].concat();
     command_with(folder, &build, &env)?;
     let wheel = only_wheel(&wheels)?;
     let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--force-reinstall"];
