@@ -13,8 +13,8 @@
 //! All give the same bits: every operation rounds as IEEE 754 says, nothing is contracted, and the
 //! greater or smaller of two numbers is chosen by one comparison, as `Num` for `f32` does.
 //!
-//! x86-64 has no use for the arrays: to make vectors of them takes a compiler as long as all else
-//! in this crate.
+//! On x86-64 only tests use the portable set: vectorizing it took the compiler as long as all the
+//! rest of this crate.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
