@@ -55,8 +55,8 @@ impl<T: Number> Features<T> {
         let (ab, ac) = (minus(a, b), minus(a, c));
         // In the order of a way around it.
         let (corners, n) = match patch {
-            Patch::Triangle => ([*a, ab, ac, ac], 3),
-            Patch::Parallelogram => ([*a, ab, minus(&ab, c), ac], 4),
+            Patch::Triangle => ([a.clone(), ab, ac.clone(), ac], 3),
+            Patch::Parallelogram => ([a.clone(), ab.clone(), minus(&ab, c), ac], 4),
         };
         (0..n).map(move |i| OnEdge::new(&corners[i], &corners[(i + 1) % n]))
     }

@@ -4,28 +4,30 @@
 //! These are Bernstein coefficients times binomial ones, which are positive: signs and their
 //! variations are the same [Farouki 2012], but products are convolutions and nothing is divided.
 
-use super::integer::Fixed;
+use super::integer::Integer;
+use super::words::Words;
 
 /// The highest degree: of an inside sign, `(a x b) . n`.
 pub const DEGREE: usize = 4;
 
 /// A binary form.
-#[derive(Clone, Copy, Debug)]
-pub struct Form<const N: usize> {
-    c: [Fixed<N>; DEGREE + 1],
+#[derive(Clone, Debug)]
+pub struct Form<W> {
+    c: [Integer<W>; DEGREE + 1],
     degree: usize,
 }
 
-impl<const N: usize> Form<N> {
+impl<W: Words> Form<W> {
     /// The form `u c_0 + v c_1`: a number that moves from one to the other.
-    pub fn linear(c: [Fixed<N>; 2]) -> Self {
+    pub fn linear(c: [Integer<W>; 2]) -> Self {
         let mut out = Self::zero(1);
-        out.c[..2].copy_from_slice(&c);
+        let [c0, c1] = c;
+        (out.c[0], out.c[1]) = (c0, c1);
         out
     }
 
     fn zero(degree: usize) -> Self {
-        Self { c: [Fixed::ZERO; DEGREE + 1], degree }
+        Self { c: [Integer::ZERO; DEGREE + 1], degree }
     }
 
     /// Its degree, where leading coefficients may be 0.
@@ -34,13 +36,13 @@ impl<const N: usize> Form<N> {
     }
 
     /// Its coefficients.
-    pub fn coefficients(&self) -> &[Fixed<N>] {
+    pub fn coefficients(&self) -> &[Integer<W>] {
         &self.c[..=self.degree]
     }
 
     /// Whether nothing was lost.
     pub fn is_exact(&self) -> bool {
-        self.coefficients().iter().all(Fixed::is_exact)
+        self.coefficients().iter().all(Integer::is_exact)
     }
 
     /// The form, if nothing was lost: signs mean nothing otherwise.
@@ -55,7 +57,7 @@ impl<const N: usize> Form<N> {
 
     /// The sign next to the beginning, or at it if it is not 0 there.
     pub fn first_sign(&self) -> i32 {
-        self.coefficients().iter().map(Fixed::sign).find(|&s| s != 0).unwrap_or(0)
+        self.coefficients().iter().map(Integer::sign).find(|&s| s != 0).unwrap_or(0)
     }
 
     /// The sign that it has everywhere between the ends, as far as coefficients show it; 0 of what
@@ -69,57 +71,65 @@ impl<const N: usize> Form<N> {
     /// How often coefficients change their sign: as many zeros as there are between the ends, or
     /// more by an even number.
     pub fn variations(&self) -> usize {
-        let mut signs = self.coefficients().iter().map(Fixed::sign).filter(|&s| s != 0);
+        let mut signs = self.coefficients().iter().map(Integer::sign).filter(|&s| s != 0);
         let Some(mut last) = signs.next() else { return 0 };
         signs.filter(|&s| core::mem::replace(&mut last, s) != s).count()
     }
 
     /// The sum of two forms of one degree.
     pub fn plus(&self, other: &Self) -> Self {
-        debug_assert_eq!(self.degree, other.degree);
-        let mut out = *self;
-        (0..=self.degree).for_each(|i| out.c[i] = self.c[i] + other.c[i]);
-        out
+        self.by_coefficients(other, |a, b| a + b)
     }
 
     /// The difference of two forms of one degree.
     pub fn minus(&self, other: &Self) -> Self {
-        self.plus(&other.times_number(Fixed::new(-1, 0)))
+        self.by_coefficients(other, |a, b| a - b)
+    }
+
+    fn by_coefficients(
+        &self,
+        other: &Self,
+        result: impl Fn(&Integer<W>, &Integer<W>) -> Integer<W>,
+    ) -> Self {
+        debug_assert_eq!(self.degree, other.degree);
+        let mut out = Self::zero(self.degree);
+        (0..=self.degree).for_each(|i| out.c[i] = result(&self.c[i], &other.c[i]));
+        out
     }
 
     /// The product.
     pub fn times(&self, other: &Self) -> Self {
         let mut out = Self::zero(self.degree + other.degree);
-        for (i, &a) in self.coefficients().iter().enumerate() {
-            for (j, &b) in other.coefficients().iter().enumerate() {
-                out.c[i + j] = out.c[i + j] + a * b;
+        for (i, a) in self.coefficients().iter().enumerate() {
+            for (j, b) in other.coefficients().iter().enumerate() {
+                out.c[i + j] = &out.c[i + j] + a * b;
             }
         }
         out
     }
 
-    fn times_number(&self, x: Fixed<N>) -> Self {
-        let mut out = *self;
-        out.c[..=self.degree].iter_mut().for_each(|c| *c = *c * x);
+    fn times_number(&self, x: &Integer<W>) -> Self {
+        let mut out = Self::zero(self.degree);
+        (0..=self.degree).for_each(|i| out.c[i] = &self.c[i] * x);
         out
     }
 
     /// Its value where `u` and `v` are these.
-    pub fn at(&self, [u, v]: [Fixed<N>; 2]) -> Fixed<N> {
-        let (mut out, mut power) = (Fixed::ZERO, Fixed::new(1, 0));
-        for &c in self.coefficients() {
-            out = out * u + c * power;
+    pub fn at(&self, [u, v]: &[Integer<W>; 2]) -> Integer<W> {
+        let (mut out, mut power) = (Integer::ZERO, Integer::new(1, 0));
+        for c in self.coefficients() {
+            out = out * u + c * &power;
             power = power * v;
         }
         out
     }
 
     /// As a form over a part of the step: `from` and `to` are `u` and `v` at its ends.
-    pub fn over(&self, from: [Fixed<N>; 2], to: [Fixed<N>; 2]) -> Self {
-        let [u, v] = [0, 1].map(|k| Self::linear([from[k], to[k]]));
-        let constant = |c| Self { degree: 0, ..Self::linear([c, Fixed::ZERO]) };
-        let (mut out, mut power) = (constant(self.c[0]), constant(Fixed::new(1, 0)));
-        for &c in &self.coefficients()[1..] {
+    pub fn over(&self, from: &[Integer<W>; 2], to: &[Integer<W>; 2]) -> Self {
+        let [u, v] = [0, 1].map(|k| Self::linear([from[k].clone(), to[k].clone()]));
+        let constant = |c| Self { degree: 0, ..Self::linear([c, Integer::ZERO]) };
+        let (mut out, mut power) = (constant(self.c[0].clone()), constant(Integer::new(1, 0)));
+        for c in &self.coefficients()[1..] {
             power = power.times(&v);
             out = out.times(&u).plus(&power.times_number(c));
         }
@@ -130,24 +140,24 @@ impl<const N: usize> Form<N> {
     pub fn derivative(&self) -> Self {
         let n = self.degree;
         let mut out = Self::zero(n.saturating_sub(1));
-        let times = |c: Fixed<N>, k: usize| c * Fixed::new(k as i64, 0);
+        let times = |c: &Integer<W>, k: usize| c * Integer::new(k as i64, 0);
         for i in 0..n {
-            out.c[i] = times(self.c[i + 1], i + 1) - times(self.c[i], n - i);
+            out.c[i] = times(&self.c[i + 1], i + 1) - times(&self.c[i], n - i);
         }
         out
     }
 
     /// The least and the greatest of its Bernstein coefficients, between which its values are, and
     /// both times 12.
-    pub fn range(&self) -> [Fixed<N>; 2] {
+    pub fn range(&self) -> [Integer<W>; 2] {
         let binomial = |n: usize, k: usize| (0..k).fold(1, |b, i| b * (n - i) / (i + 1));
-        let at = |i: usize| self.c[i] * Fixed::new(12 / binomial(self.degree, i) as i64, 0);
-        let [mut least, mut most] = [at(0); 2];
+        let at = |i: usize| &self.c[i] * Integer::new(12 / binomial(self.degree, i) as i64, 0);
+        let (mut least, mut most) = (at(0), at(0));
         for c in (1..=self.degree).map(at) {
-            if (c - least).sign() < 0 || !c.is_exact() {
-                least = c;
+            if (&c - &least).sign() < 0 || !c.is_exact() {
+                least = c.clone();
             }
-            if (c - most).sign() > 0 || !c.is_exact() {
+            if (&c - &most).sign() > 0 || !c.is_exact() {
                 most = c;
             }
         }
@@ -156,8 +166,8 @@ impl<const N: usize> Form<N> {
 
     /// About where it is 0 between its ends, of which it has different signs next to them.
     pub fn guess(&self) -> f64 {
-        let bits = self.coefficients().iter().map(Fixed::bits).max().unwrap_or(0);
-        let rounded = self.c.map(|c| c.rounded(bits));
+        let bits = self.coefficients().iter().map(Integer::bits).max().unwrap_or(0);
+        let rounded = self.c.each_ref().map(|c| c.rounded(bits));
         let value = |v: f64| {
             let (u, mut power, mut sum) = (1.0 - v, 1.0, 0.0);
             for &c in &rounded[..=self.degree] {
@@ -181,13 +191,13 @@ impl<const N: usize> Form<N> {
     /// Without factors `u + v`, which are 1 at all times: those of a form whose degree in time is
     /// less than it could be, where something stands still.
     pub fn reduced(&self) -> Self {
-        let mut out = *self;
+        let mut out = self.clone();
         while out.degree > 0 {
             let mut quotient = Self::zero(out.degree - 1);
-            let mut rest = out.c[0];
+            let mut rest = out.c[0].clone();
             for i in 0..out.degree {
-                quotient.c[i] = rest;
-                rest = out.c[i + 1] - rest;
+                let next = &out.c[i + 1] - &rest;
+                quotient.c[i] = core::mem::replace(&mut rest, next);
             }
             if rest.sign() != 0 || !rest.is_exact() {
                 break;
@@ -203,7 +213,7 @@ impl<const N: usize> Form<N> {
         let first = c.iter().take_while(|c| c.sign() == 0).count();
         let last = c.iter().rev().take_while(|c| c.sign() == 0).count();
         let mut out = Self::zero(self.degree - first.min(self.degree) - last.min(self.degree));
-        out.c[..=out.degree].copy_from_slice(&c[first..=first + out.degree]);
+        out.c[..=out.degree].clone_from_slice(&c[first..=first + out.degree]);
         (out, [first, last])
     }
 
@@ -211,12 +221,15 @@ impl<const N: usize> Form<N> {
     /// is [`Form::trimmed`], of at least degree 1.
     fn remainder(&self, by: &Self) -> Self {
         let mut out = self.trimmed();
-        let lead = by.c[by.degree];
+        let lead = &by.c[by.degree];
+        let negative = lead.sign() < 0;
+        let positive = |x: &Integer<W>| if negative { -x.clone() } else { x.clone() };
         while out.degree >= by.degree && out.is_exact() {
-            let (top, shift) = (out.c[out.degree], out.degree - by.degree);
-            let (factor, lead) = if lead.sign() < 0 { (-top, -lead) } else { (top, lead) };
-            out = out.times_number(lead);
-            (0..=by.degree).for_each(|i| out.c[i + shift] = out.c[i + shift] - by.c[i] * factor);
+            let (factor, shift) = (positive(&out.c[out.degree]), out.degree - by.degree);
+            out = out.times_number(&positive(lead));
+            for i in 0..=by.degree {
+                out.c[i + shift] = &out.c[i + shift] - &by.c[i] * &factor;
+            }
             out = out.trimmed();
         }
         out
@@ -224,8 +237,8 @@ impl<const N: usize> Form<N> {
 
     /// Of the least degree in `v / u`.
     fn trimmed(&self) -> Self {
-        let is_zero = |c: &Fixed<N>| c.sign() == 0 && c.is_exact();
-        let mut out = *self;
+        let is_zero = |c: &Integer<W>| c.sign() == 0 && c.is_exact();
+        let mut out = self.clone();
         while out.degree > 0 && is_zero(&out.c[out.degree]) {
             out.degree -= 1;
         }
@@ -244,7 +257,7 @@ impl<const N: usize> Form<N> {
             return Some(a);
         }
         let resultant = match b.degree {
-            1 => a.at([b.c[1], -b.c[0]]),
+            1 => a.at(&[b.c[1].clone(), -b.c[0].clone()]),
             _ => a.bezout(&b),
         };
         if !resultant.is_exact() {
@@ -267,15 +280,15 @@ impl<const N: usize> Form<N> {
 
     /// The determinant of the matrix of Bezout with a form of no higher degree [Basu 2006]: the
     /// resultant, times a power of the leading coefficient.
-    fn bezout(&self, other: &Self) -> Fixed<N> {
-        let (p, q, n) = (&self.c, &other.c, self.degree);
-        let q = |i: usize| if i <= other.degree { q[i] } else { Fixed::ZERO };
-        let mut rows = [[Fixed::ZERO; DEGREE]; DEGREE];
+    fn bezout(&self, other: &Self) -> Integer<W> {
+        let (p, q, n, zero) = (&self.c, &other.c, self.degree, Integer::ZERO);
+        let q = |i: usize| if i <= other.degree { &q[i] } else { &zero };
+        let mut rows: [[_; DEGREE]; DEGREE] = core::array::from_fn(|_| [Integer::ZERO; DEGREE]);
         for (i, row) in rows.iter_mut().enumerate().take(n) {
             for (j, entry) in row.iter_mut().enumerate().take(n) {
                 for k in 0..=i.min(n - 1 - j) {
                     let (low, high) = (i - k, j + k + 1);
-                    *entry = *entry + (p[high] * q(low) - p[low] * q(high));
+                    *entry = &*entry + (&p[high] * q(low) - &p[low] * q(high));
                 }
             }
         }
@@ -284,23 +297,23 @@ impl<const N: usize> Form<N> {
 }
 
 /// The determinant of the rows from `row` on and the first columns of a list, of an `n x n` matrix.
-fn determinant<const N: usize>(
-    rows: &[[Fixed<N>; DEGREE]; DEGREE],
+fn determinant<W: Words>(
+    rows: &[[Integer<W>; DEGREE]; DEGREE],
     n: usize,
     row: usize,
     columns: [usize; DEGREE],
-) -> Fixed<N> {
+) -> Integer<W> {
     let left = n - row;
-    let mut sum = Fixed::ZERO;
+    let mut sum = Integer::ZERO;
     for k in 0..left {
-        let entry = rows[row][columns[k]];
+        let entry = &rows[row][columns[k]];
         if entry.sign() == 0 && entry.is_exact() {
             continue;
         }
         let mut others = columns;
         others.copy_within(k + 1.., k);
         let minor =
-            if left == 1 { Fixed::new(1, 0) } else { determinant(rows, n, row + 1, others) };
+            if left == 1 { Integer::new(1, 0) } else { determinant(rows, n, row + 1, others) };
         let term = entry * minor;
         sum = sum + if k % 2 == 0 { term } else { -term };
     }

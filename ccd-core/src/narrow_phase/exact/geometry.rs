@@ -17,8 +17,9 @@
 use super::ball::{self, Ball};
 use super::features::Features;
 use super::form::Form;
-use super::integer::{Fixed, power_of_two};
+use super::integer::{Integer, power_of_two};
 use super::vector::Number;
+use super::words::{Longest, Words};
 use super::zeros::{Time, Window, zeros};
 use super::{at_begin_of, checked, moment, never_zero, points, refine, searching, units, vectors};
 use crate::math::expansion;
@@ -56,9 +57,9 @@ pub fn meeting(patch: Patch, x: [&[[f64; 3]; 4]; 2], toi: f64) -> Option<Meeting
     // At an end of the step that takes integers of the coordinates alone, as it has no unit.
     let at_begin = at_begin_of(x, window).and_then(|x| moment::touch(patch, x));
     let window = if at_begin == Some(true) { [toi; 2] } else { window };
-    by_integers::<8>(patch, x, window)
-        .or_else(|| by_integers::<24>(patch, x, window))
-        .or_else(|| by_integers::<96>(patch, x, window))
+    by_integers::<[u64; 8]>(patch, x, window)
+        .or_else(|| by_integers::<[u64; 24]>(patch, x, window))
+        .or_else(|| by_integers::<Longest>(patch, x, window))
         .flatten()
 }
 
@@ -96,14 +97,14 @@ fn towards(patch: Patch) -> i32 {
     if patch == Patch::Triangle { 1 } else { -1 }
 }
 
-/// Within numbers of `N` words; `None` if they do not fit.
-fn by_integers<const N: usize>(
+/// Within as many words as there are; `None` if they are too few.
+fn by_integers<W: Words>(
     patch: Patch,
     [t0, t1]: [&[[f64; 3]; 4]; 2],
     window: [f64; 2],
 ) -> Option<Option<Meeting>> {
     let features = Features::new(patch, &points(t0, t1));
-    let window = Window::<N>::new(window)?;
+    let window = Window::<W>::new(window)?;
     let coplanarity = features.coplanarity().checked()?;
     let part = window.part(&coplanarity)?;
     if never_zero(&part) {
@@ -114,7 +115,7 @@ fn by_integers<const N: usize>(
     if part.coefficients()[0].sign() == 0 && features.touch(&mut |form| time.sign(form))? {
         first = Some(time);
     } else if !coplanarity.vanishes() {
-        for zero in zeros(&coplanarity, &window)?.as_mut_slice() {
+        for zero in zeros(&coplanarity, &window)?.iter_mut().flatten() {
             if features.touch(&mut |form| zero.sign(form))? {
                 first = Some(earlier(first, zero)?);
             }
@@ -122,7 +123,7 @@ fn by_integers<const N: usize>(
     } else {
         // What is coplanar all the time first touches in the boundary, where weights are forms too.
         for edge in features.boundary() {
-            for zero in zeros(edge.zero_at_contact(), &window)?.as_mut_slice() {
+            for zero in zeros(edge.zero_at_contact(), &window)?.iter_mut().flatten() {
                 if edge.touches(&mut |form| zero.sign(form))? {
                     first = Some(earlier(first, zero)?);
                 }
@@ -159,13 +160,13 @@ fn by_integers<const N: usize>(
 
 /// The earlier of two times: between a time rounded down and the next one features may touch more
 /// than once.
-fn earlier<const N: usize>(first: Option<Time<N>>, time: &mut Time<N>) -> Option<Time<N>> {
-    let Some(mut first) = first else { return Some(*time) };
-    Some(if time.is_before(&mut first)? { *time } else { first })
+fn earlier<W: Words>(first: Option<Time<W>>, time: &mut Time<W>) -> Option<Time<W>> {
+    let Some(mut first) = first else { return Some(time.clone()) };
+    Some(if time.is_before(&mut first)? { time.clone() } else { first })
 }
 
 /// The sign that a form has just before one of its zeros; 0 of what vanishes.
-fn side_before<const N: usize>(time: &mut Time<N>, form: Form<N>) -> Option<i32> {
+fn side_before<W: Words>(time: &mut Time<W>, form: Form<W>) -> Option<i32> {
     let (mut derivative, mut sign) = (form, 1);
     while derivative.degree() > 0 {
         (derivative, sign) = (derivative.derivative(), -sign);
@@ -178,10 +179,10 @@ fn side_before<const N: usize>(time: &mut Time<N>, form: Form<N>) -> Option<i32>
 }
 
 /// Quotients of forms of one degree, in `[0, 1]`, at a time.
-fn quotients<const N: usize, const K: usize>(
-    time: &mut Time<N>,
-    of: [&Form<N>; K],
-    by: &Form<N>,
+fn quotients<W: Words, const K: usize>(
+    time: &mut Time<W>,
+    of: [&Form<W>; K],
+    by: &Form<W>,
 ) -> Option<[f64; K]> {
     let mut out = [0.0; K];
     for (out, of) in out.iter_mut().zip(of) {
@@ -195,19 +196,19 @@ fn quotients<const N: usize, const K: usize>(
 
 /// Values of forms of one degree at a time at which none is 0, all times one positive number, each
 /// off by at most `2^-62` of itself.
-fn values<const N: usize, const K: usize>(
-    time: &mut Time<N>,
-    forms: [&Form<N>; K],
-) -> Option<[Fixed<N>; K]> {
+fn values<W: Words, const K: usize>(
+    time: &mut Time<W>,
+    forms: [&Form<W>; K],
+) -> Option<[Integer<W>; K]> {
     loop {
-        let mut out = [Fixed::ZERO; K];
+        let mut out = [const { Integer::ZERO }; K];
         let mut tight = true;
         for (out, form) in out.iter_mut().zip(forms) {
             let [least, most] = match time {
-                Time::At(time) => [form.at(*time); 2],
-                Time::Between(_, [from, to], _) => form.over(*from, *to).range(),
+                Time::At(time) => [form.at(time), form.at(time)],
+                Time::Between(_, [from, to], _) => form.over(from, to).range(),
             };
-            let width = most - least;
+            let width = &most - &least;
             if !(least.is_exact() && width.is_exact()) {
                 return None;
             }
@@ -223,7 +224,7 @@ fn values<const N: usize, const K: usize>(
 }
 
 /// The quotient of two positive numbers, to 0.51 units in the last place if that is a normal one.
-fn quotient<const N: usize>(of: &Fixed<N>, by: &Fixed<N>) -> f64 {
+fn quotient<W: Words>(of: &Integer<W>, by: &Integer<W>) -> f64 {
     let ([p, p_low], p_unit) = of.in_two();
     let ([q, q_low], q_unit) = by.in_two();
     let first = p / q;
@@ -244,9 +245,9 @@ fn scaled(mut x: f64, mut e: i32) -> f64 {
 
 /// The direction of a vector of forms, of which not all are 0: what is computed in a unit of each
 /// axis, in one unit again.
-fn direction<const N: usize>(
-    time: &mut Time<N>,
-    n: &[Form<N>; 3],
+fn direction<W: Words>(
+    time: &mut Time<W>,
+    n: &[Form<W>; 3],
     is_zero: [bool; 3],
     units: [i32; 3],
 ) -> Option<[f64; 3]> {

@@ -1,8 +1,9 @@
-//! Integers of a fixed number of words on the stack, as sign and magnitude.
+//! Integers as sign and magnitude, of a fixed number of words on the stack, or of any on the heap.
 //!
 //! What does not fit is not wrong: it is marked, and so is all that comes of it
-//! ([`Fixed::is_exact`]), so that a caller takes more words.
+//! ([`Integer::is_exact`]), so that a caller takes more words.
 
+use super::words::Words;
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -20,34 +21,47 @@ pub fn parts(x: f64) -> (i64, i32) {
     (if x < 0.0 { -magnitude } else { magnitude }, exponent)
 }
 
-/// An integer of at most `64 N` bits.
-#[derive(Clone, Copy, Debug)]
-pub struct Fixed<const N: usize> {
+/// An integer.
+#[derive(Clone, Debug)]
+pub struct Integer<W> {
     /// The lowest first; those from `len` on are 0.
-    words: [u64; N],
+    words: W,
     /// Words in use: the last of them is not 0.
     len: usize,
     negative: bool,
     lost: bool,
 }
 
-impl<const N: usize> Fixed<N> {
+impl<W: Words> Integer<W> {
     /// Nothing.
-    pub const ZERO: Self = Self { words: [0; N], len: 0, negative: false, lost: false };
+    pub const ZERO: Self = Self { words: W::NONE, len: 0, negative: false, lost: false };
     /// A number that did not fit.
-    const LOST: Self = Self { lost: true, ..Self::ZERO };
+    const LOST: Self = Self { words: W::NONE, len: 0, negative: false, lost: true };
+
+    /// 0, with room for `len` words or as many as there may be.
+    fn with_room(len: usize, negative: bool) -> Self {
+        Self { words: W::zeros(len.min(W::MOST)), negative, ..Self::ZERO }
+    }
 
     /// `x * 2^shift`.
     pub fn new(x: i64, shift: u32) -> Self {
-        let mut out = Self::ZERO;
-        (out.words[0], out.len, out.negative) = (x.unsigned_abs(), (x != 0) as usize, x < 0);
-        out.shifted(shift)
+        if x == 0 {
+            return Self::ZERO;
+        }
+        let mut out = Self::with_room(1, x < 0);
+        (out.words.as_mut()[0], out.len) = (x.unsigned_abs(), 1);
+        if shift == 0 { out } else { out.shifted(shift) }
     }
 
     /// An `f64` in units of `2^unit`, of which it is a multiple.
     pub fn of(x: f64, unit: i32) -> Self {
         let (mantissa, exponent) = parts(x);
         Self::new(mantissa, if mantissa == 0 { 0 } else { (exponent - unit) as u32 })
+    }
+
+    /// The words in use.
+    fn words(&self) -> &[u64] {
+        &self.words.as_ref()[..self.len]
     }
 
     /// Whether nothing was lost: else the number means nothing.
@@ -66,7 +80,7 @@ impl<const N: usize> Fixed<N> {
 
     /// Bits of the magnitude.
     pub fn bits(&self) -> u32 {
-        self.words[..self.len].last().map_or(0, |w| self.len as u32 * 64 - w.leading_zeros())
+        self.words().last().map_or(0, |w| self.len as u32 * 64 - w.leading_zeros())
     }
 
     /// The highest 53 bits of the magnitude, whether there are others that are not 0, and the power
@@ -74,9 +88,10 @@ impl<const N: usize> Fixed<N> {
     pub fn leading(&self) -> (u64, bool, u32) {
         let below = self.bits().saturating_sub(53);
         let (whole, part) = ((below / 64) as usize, below % 64);
-        let word = |i: usize| if i < self.len { self.words[i] } else { 0 };
+        let words = self.words();
+        let word = |i: usize| words.get(i).copied().unwrap_or(0);
         let high = if part > 0 { word(whole + 1) << (64 - part) } else { 0 };
-        let rest = self.words[..whole.min(self.len)].iter().any(|&w| w != 0);
+        let rest = words[..whole.min(self.len)].iter().any(|&w| w != 0);
         let rest = rest || word(whole) & ((1 << part) - 1) != 0;
         (word(whole) >> part | high, rest, below)
     }
@@ -86,7 +101,7 @@ impl<const N: usize> Fixed<N> {
     pub fn in_two(&self) -> ([f64; 2], i32) {
         let (mantissa, _, unit) = self.leading();
         let whole = Self { negative: self.negative, ..Self::new(mantissa as i64, unit) };
-        let (low, _, low_unit) = (*self - whole).leading();
+        let (low, _, low_unit) = (self - whole).leading();
         let below = unit - low_unit.min(unit);
         let low = if below > 1022 { 0.0 } else { low as f64 * power_of_two(-(below as i32)) };
         ([mantissa as f64, low], unit as i32)
@@ -106,146 +121,93 @@ impl<const N: usize> Fixed<N> {
     /// `self * 2^k`.
     pub fn shifted(&self, k: u32) -> Self {
         if self.len == 0 || k == 0 {
-            return *self;
+            return self.clone();
         }
-        if self.lost || self.bits() as u64 + k as u64 > 64 * N as u64 {
+        let len = (self.bits() as u64 + k as u64).div_ceil(64) as usize;
+        if self.lost || len > W::MOST {
             return Self::LOST;
         }
         let (whole, part) = ((k / 64) as usize, k % 64);
-        let mut out = Self { negative: self.negative, ..Self::ZERO };
-        for i in 0..self.len {
-            out.words[i + whole] |= self.words[i] << part;
-            if part > 0 && i + whole + 1 < N {
-                out.words[i + whole + 1] |= self.words[i] >> (64 - part);
+        let mut out = Self::with_room(len, self.negative);
+        let words = out.words.as_mut();
+        for (i, word) in self.words().iter().enumerate() {
+            words[i + whole] |= word << part;
+            if part > 0 && i + whole + 1 < len {
+                words[i + whole + 1] = word >> (64 - part);
             }
         }
-        out.trimmed((self.len + whole + 1).min(N))
+        out.trimmed(len)
     }
 
     /// With the last of `len` words not 0.
     fn trimmed(mut self, len: usize) -> Self {
-        self.len = len;
-        while self.len > 0 && self.words[self.len - 1] == 0 {
-            self.len -= 1;
-        }
+        let words = &self.words.as_ref()[..len];
+        self.len = words.iter().rposition(|&word| word != 0).map_or(0, |last| last + 1);
         self
     }
 
     /// Of magnitudes.
     fn compared(&self, other: &Self) -> Ordering {
-        self.len.cmp(&other.len).then_with(|| {
-            let pairs = self.words[..self.len].iter().zip(&other.words[..other.len]).rev();
-            pairs.map(|(a, b)| a.cmp(b)).find(|o| o.is_ne()).unwrap_or(Ordering::Equal)
-        })
+        let by_words = || self.words().iter().rev().cmp(other.words().iter().rev());
+        self.len.cmp(&other.len).then_with(by_words)
     }
 
-    /// The sum of two magnitudes, with the sign of the first.
-    fn sum(&self, other: &Self) -> Self {
+    /// The sum of two magnitudes, with a sign.
+    fn sum(&self, other: &Self, negative: bool) -> Self {
         let (a, b) = if self.len < other.len { (other, self) } else { (self, other) };
-        let mut out = Self { negative: self.negative, ..*a };
+        let mut out = Self::with_room(a.len + 1, negative);
+        let words = out.words.as_mut();
         let mut carry = false;
-        for i in 0..a.len {
-            if i >= b.len && !carry {
-                break;
-            }
-            let (word, over) = a.words[i].overflowing_add(if i < b.len { b.words[i] } else { 0 });
+        for (i, word) in a.words().iter().enumerate() {
+            let (word, over) =
+                word.overflowing_add(if i < b.len { b.words.as_ref()[i] } else { 0 });
             let (word, more) = word.overflowing_add(carry as u64);
-            (out.words[i], carry) = (word, over || more);
+            (words[i], carry) = (word, over || more);
         }
         if carry {
-            if a.len == N {
+            if a.len == W::MOST {
                 return Self::LOST;
             }
-            out.words[a.len] = 1;
-            out.len = a.len + 1;
+            words[a.len] = 1;
         }
+        out.len = a.len + carry as usize;
         out
     }
 
-    /// The greater magnitude minus the lesser, with the sign of the greater.
-    fn difference(&self, lesser: &Self) -> Self {
-        let mut out = *self;
+    /// The greater magnitude minus the lesser, with a sign.
+    fn difference(&self, lesser: &Self, negative: bool) -> Self {
+        let mut out = Self::with_room(self.len, negative);
+        let words = out.words.as_mut();
         let mut borrow = false;
-        for i in 0..self.len {
-            if i >= lesser.len && !borrow {
-                break;
-            }
-            let b = if i < lesser.len { lesser.words[i] } else { 0 };
-            let (word, under) = self.words[i].overflowing_sub(b);
+        for (i, word) in self.words().iter().enumerate() {
+            let b = if i < lesser.len { lesser.words.as_ref()[i] } else { 0 };
+            let (word, under) = word.overflowing_sub(b);
             let (word, more) = word.overflowing_sub(borrow as u64);
-            (out.words[i], borrow) = (word, under || more);
+            (words[i], borrow) = (word, under || more);
         }
         out.trimmed(self.len)
     }
 
-    /// Quotient and remainder of magnitudes; `by` is not 0.
-    fn divided(&self, by: &Self) -> (Self, Self) {
-        let [mut rest, by] = [self, by].map(|x| Self { negative: false, ..*x });
-        let mut quotient = Self::ZERO;
-        while rest.compared(&by).is_ge() {
-            let k = rest.bits() - by.bits();
-            let fits = by.shifted(k).compared(&rest).is_le();
-            let k = if fits { k } else { k - 1 };
-            rest = rest.difference(&by.shifted(k));
-            quotient = quotient.sum(&Self::new(1, k));
-        }
-        (quotient, rest)
-    }
-
-    /// Two numbers, not both 0, without their greatest common divisor.
-    pub fn coprime([a, b]: [Self; 2]) -> [Self; 2] {
-        if a.lost || b.lost {
-            return [a, b];
-        }
-        let (mut divisor, mut rest) = (a, b);
-        while rest.len > 0 {
-            (divisor, rest) = (rest, divisor.divided(&rest).1);
-        }
-        [a, b].map(|x| Self { negative: x.negative, ..x.divided(&divisor).0 })
-    }
-}
-
-impl<const N: usize> Neg for Fixed<N> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Self { negative: !self.negative, ..self }
-    }
-}
-
-impl<const N: usize> Add for Fixed<N> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
+    /// The sum with another, or its negative.
+    fn signed_sum(&self, other: &Self, negated: bool) -> Self {
         if self.lost || other.lost {
             return Self::LOST;
         }
+        let negative = other.negative != negated;
         if self.len == 0 {
-            return other;
+            return Self { negative, ..other.clone() };
         }
-        if self.negative == other.negative || other.len == 0 {
-            return self.sum(&other);
+        if self.negative == negative || other.len == 0 {
+            return self.sum(other, self.negative);
         }
-        match self.compared(&other) {
+        match self.compared(other) {
             Ordering::Equal => Self::ZERO,
-            Ordering::Less => other.difference(&self),
-            Ordering::Greater => self.difference(&other),
+            Ordering::Less => other.difference(self, negative),
+            Ordering::Greater => self.difference(other, self.negative),
         }
     }
-}
 
-impl<const N: usize> Sub for Fixed<N> {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl<const N: usize> Mul for Fixed<N> {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
+    fn product(&self, other: &Self) -> Self {
         if self.lost || other.lost {
             return Self::LOST;
         }
@@ -253,31 +215,109 @@ impl<const N: usize> Mul for Fixed<N> {
             return Self::ZERO;
         }
         let len = self.len + other.len;
-        if len > N + 1 {
+        let room = len.min(W::MOST);
+        if len > room + 1 {
             return Self::LOST;
         }
-        let mut out = Self { negative: self.negative != other.negative, ..Self::ZERO };
-        for i in 0..self.len {
+        let mut out = Self::with_room(len, self.negative != other.negative);
+        let words = &mut out.words.as_mut()[..room];
+        for (i, &a) in self.words().iter().enumerate() {
             let mut carry = 0u128;
-            for j in 0..other.len {
-                let word = if i + j < N { out.words[i + j] } else { 0 };
-                carry += self.words[i] as u128 * other.words[j] as u128 + word as u128;
-                if i + j < N {
-                    out.words[i + j] = carry as u64;
+            for (j, &b) in other.words().iter().enumerate() {
+                let word = if i + j < room { words[i + j] } else { 0 };
+                carry += a as u128 * b as u128 + word as u128;
+                if i + j < room {
+                    words[i + j] = carry as u64;
                 } else if carry as u64 != 0 {
                     return Self::LOST;
                 }
                 carry >>= 64;
             }
             match i + other.len {
-                at if at < N => out.words[at] = carry as u64,
+                at if at < room => words[at] = carry as u64,
                 _ if carry != 0 => return Self::LOST,
                 _ => (),
             }
         }
-        out.trimmed(len.min(N))
+        out.trimmed(room)
+    }
+
+    /// Quotient and remainder of magnitudes; `by` is not 0.
+    fn divided(&self, by: &Self) -> [Self; 2] {
+        let (mut quotient, mut rest) = (Self::ZERO, Self { negative: false, ..self.clone() });
+        while rest.compared(by).is_ge() {
+            let k = rest.bits() - by.bits();
+            let fits = by.shifted(k).compared(&rest).is_le();
+            let k = if fits { k } else { k - 1 };
+            rest = rest.difference(&by.shifted(k), false);
+            quotient = quotient.sum(&Self::new(1, k), false);
+        }
+        [quotient, rest]
+    }
+
+    /// Two numbers, not both 0, without their greatest common divisor.
+    pub fn coprime([a, b]: [Self; 2]) -> [Self; 2] {
+        if a.lost || b.lost {
+            return [a, b];
+        }
+        let (mut divisor, mut rest) = (a.clone(), b.clone());
+        while rest.len > 0 {
+            let [_, next] = divisor.divided(&rest);
+            (divisor, rest) = (rest, next);
+        }
+        [a, b].map(|x| {
+            let [quotient, _] = x.divided(&divisor);
+            Self { negative: x.negative, ..quotient }
+        })
     }
 }
+
+impl<W: Words> Neg for Integer<W> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { negative: !self.negative, ..self }
+    }
+}
+
+/// An operator for integers and references to them.
+macro_rules! operator {
+    ($name:ident, $method:ident, |$a:ident, $b:ident| $result:expr) => {
+        impl<W: Words> $name for &Integer<W> {
+            type Output = Integer<W>;
+
+            fn $method(self, other: Self) -> Integer<W> {
+                let ($a, $b) = (self, other);
+                $result
+            }
+        }
+        impl<W: Words> $name for Integer<W> {
+            type Output = Integer<W>;
+
+            fn $method(self, other: Self) -> Integer<W> {
+                (&self).$method(&other)
+            }
+        }
+        impl<W: Words> $name<&Integer<W>> for Integer<W> {
+            type Output = Integer<W>;
+
+            fn $method(self, other: &Self) -> Integer<W> {
+                (&self).$method(other)
+            }
+        }
+        impl<W: Words> $name<Integer<W>> for &Integer<W> {
+            type Output = Integer<W>;
+
+            fn $method(self, other: Integer<W>) -> Integer<W> {
+                self.$method(&other)
+            }
+        }
+    };
+}
+
+operator!(Add, add, |a, b| a.signed_sum(b, false));
+operator!(Sub, sub, |a, b| a.signed_sum(b, true));
+operator!(Mul, mul, |a, b| a.product(b));
 
 /// `2^e`, a normal number.
 pub fn power_of_two(e: i32) -> f64 {
@@ -288,77 +328,97 @@ pub fn power_of_two(e: i32) -> f64 {
 mod tests {
     use super::*;
     use crate::random::Random;
+    use alloc::vec::Vec;
+    use num_bigint::{BigInt, Sign};
+    use num_traits::{One, Signed};
 
-    fn value<const N: usize>(x: &Fixed<N>) -> i128 {
-        let magnitude = x.words[0] as i128 | (if N > 1 { x.words[1] as i128 } else { 0 }) << 64;
-        if x.negative { -magnitude } else { magnitude }
+    type Fixed<const N: usize> = Integer<[u64; N]>;
+
+    fn value<W: Words>(x: &Integer<W>) -> BigInt {
+        assert!(x.words().last() != Some(&0) && x.is_exact());
+        let bytes: Vec<u8> = x.words().iter().flat_map(|word| word.to_le_bytes()).collect();
+        let sign = if x.negative { Sign::Minus } else { Sign::Plus };
+        BigInt::from_bytes_le(sign, &bytes)
     }
 
-    #[test]
-    fn it_computes_as_machine_integers_do() {
-        let mut random = Random::new(5);
-        for _ in 0..20_000 {
-            let mut one = || (random.bits() as i64) >> random.below(64);
-            let (a, b) = (one(), one());
-            let [x, y] = [a, b].map(|x| Fixed::<2>::new(x, 0));
-            assert_eq!(value(&(x + y)), a as i128 + b as i128);
-            assert_eq!(value(&(x - y)), a as i128 - b as i128);
-            let product = x * y;
-            assert!(product.is_exact());
-            assert_eq!(value(&product), a as i128 * b as i128);
-            assert_eq!(product.sign(), (a as i128 * b as i128).signum() as i32);
-            assert_eq!((product - product).sign(), 0);
-            let shift = random.below(64);
-            assert_eq!(value(&x.shifted(shift)), (a as i128) << shift);
-            // Through sums and differences of many words.
-            let [p, q, r] = [product, x, y].map(|x| widened::<2, 6>(&x));
-            let t = (p + q.shifted(70)) * (r + p);
-            let u = p * r + p * p + q.shifted(70) * r + q.shifted(70) * p;
-            assert_eq!((t - u).sign(), 0);
-            assert!(t.is_exact() && u.is_exact());
+    /// Sums of products of up to 4 words with random ones, and the same as `num-bigint` has them.
+    fn check_operations<W: Words>(mut random: Random) {
+        for _ in 0..2000 {
+            let mut one = || {
+                let parts = [(); 2].map(|()| (random.bits() as i64) >> random.below(64));
+                let shifts = [(); 2].map(|()| random.below(70));
+                let x = Integer::<W>::new(parts[0], shifts[0]) + Integer::new(parts[1], shifts[1]);
+                let [p, q] = [0, 1].map(|i| BigInt::from(parts[i]) << shifts[i]);
+                assert_eq!(value(&x), &p + &q);
+                (x, p + q)
+            };
+            let [(a, p), (b, q), (c, r)] = [one(), one(), one()];
+            assert_eq!(value(&(&a * &b)), &p * &q);
+            assert_eq!(value(&(&a * &b + &c)), &p * &q + &r);
+            assert_eq!(value(&(&a * &b - &c)), &p * &q - &r);
+            assert_eq!(value(&(&a - &b * &c)), &p - &q * &r);
+            let square = &a * &a - &b * &b;
+            assert_eq!(value(&square), (&p + &q) * (&p - &q));
+            assert_eq!(value(&(square - (&a + &b) * (&a - &b))), BigInt::ZERO);
+            let product = &a * &b;
+            assert_eq!(BigInt::from(product.sign()), (&p * &q).signum());
+            assert_eq!(product.bits() as u64, (&p * &q).bits());
+            if b.sign() != 0 {
+                let (of, by) = (&product + &c, b);
+                let [quotient, rest] = of.divided(&by);
+                let (of, by) = (value(&of).abs(), value(&by).abs());
+                assert_eq!((value(&quotient), value(&rest)), (&of / &by, &of % &by));
+            }
         }
     }
 
-    fn widened<const N: usize, const M: usize>(x: &Fixed<N>) -> Fixed<M> {
-        let mut out = Fixed { negative: x.negative, ..Fixed::<M>::ZERO };
-        out.words[..x.len].copy_from_slice(&x.words[..x.len]);
-        out.trimmed(x.len)
+    #[test]
+    fn it_computes_as_others_do() {
+        check_operations::<[u64; 8]>(Random::new(5));
+        #[cfg(feature = "alloc")]
+        check_operations::<Vec<u64>>(Random::new(7));
+    }
+
+    /// Thousands of bits.
+    #[cfg(feature = "alloc")]
+    #[test]
+    fn long_ones_are_as_others_are() {
+        let (mut x, mut y) = (Integer::<Vec<u64>>::new(-3, 0), BigInt::from(-3));
+        for k in 0..10 {
+            x = &x * &x - x.shifted(1000 * k) + Integer::new(1, k);
+            y = &y * &y - (&y << (1000 * k)) + (BigInt::one() << k);
+            assert_eq!(value(&x), y);
+        }
+        assert!(x.bits() > 100_000);
     }
 
     #[test]
     fn what_does_not_fit_is_marked() {
-        let most = Fixed::<1>::new(i64::MIN, 0);
-        let one = Fixed::<1>::new(1, 0);
-        assert!((most + -one).is_exact() && !(most + most).is_exact());
-        assert!(!(most * most).is_exact() && !most.shifted(1).is_exact());
-        assert!((most * one).is_exact());
-        assert!(!((most + most) - (most + most)).is_exact());
-        assert!(!(Fixed::<1>::new(1, 32) * Fixed::<1>::new(1, 32)).is_exact());
-        assert!((Fixed::<1>::new(1, 32) * Fixed::<1>::new(1, 31)).is_exact());
+        let most = || Fixed::<1>::new(i64::MIN, 0);
+        let power = |k: u32| Fixed::<1>::new(1, k);
+        assert!((most() + -power(0)).is_exact() && !(most() + most()).is_exact());
+        assert!(!(most() * most()).is_exact() && !most().shifted(1).is_exact());
+        assert!((most() * power(0)).is_exact());
+        assert!(!((most() + most()) - (most() + most())).is_exact());
+        assert!(!(power(32) * power(32)).is_exact());
+        assert!((power(32) * power(31)).is_exact());
     }
 
     #[test]
-    fn numbers_are_divided() {
+    fn numbers_lose_their_common_divisor() {
         let mut random = Random::new(6);
         for _ in 0..2000 {
             let mut one = || (random.bits() as i64 | 1) >> random.below(63);
             let [a, b, c, d] = [one(), one(), one(), one()].map(|x| Fixed::<6>::new(x, 0));
-            let of = a * b * c;
-            let (by, more) = (c * d, b * d);
-            if by.sign() == 0 || of.sign() == 0 {
+            let (of, more) = (&a * &b * &c, &b * &d);
+            if more.sign() == 0 || of.sign() == 0 {
                 continue;
             }
-            let (quotient, rest) = of.divided(&by);
-            let magnitude = Fixed { negative: false, ..of };
-            let by_magnitude = Fixed { negative: false, ..by };
-            assert_eq!((quotient * by_magnitude + rest - magnitude).sign(), 0);
-            assert!(rest.compared(&by).is_lt());
-            // The same quotient, by numbers with no common divisor.
-            let [p, q] = Fixed::coprime([of, more]);
-            assert_eq!((p * more - q * of).sign(), 0);
-            let [r, s] = Fixed::coprime([p, q]);
-            assert!((r - p).sign() == 0 && (s - q).sign() == 0);
+            let [p, q] = Integer::coprime([of.clone(), more.clone()]);
+            assert_eq!((&p * &more - &q * &of).sign(), 0);
             assert!(p.bits() + b.bits() <= of.bits() + 2 && p.sign() == of.sign());
+            let [r, s] = Integer::coprime([p.clone(), q.clone()]);
+            assert!((r - p).sign() == 0 && (s - q).sign() == 0);
         }
     }
 

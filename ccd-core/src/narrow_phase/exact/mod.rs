@@ -31,6 +31,7 @@ mod integer;
 mod moment;
 mod refine;
 mod vector;
+mod words;
 mod zeros;
 
 use crate::narrow_phase::codimensional::{VertexEdge, VertexVertex, search_vertex_edge};
@@ -40,9 +41,10 @@ use crate::narrow_phase::search::{Search, Verdict};
 use features::{Features, OnEdge, differences};
 use form::Form;
 pub(crate) use geometry::{Meeting, meeting};
-use integer::{Fixed, parts};
+use integer::{Integer, parts};
 pub(crate) use moment::shares_a_point;
 use vector::{Vector, minus};
+use words::{Longest, Words};
 use zeros::{Time, Window, zeros};
 
 /// The exact answer of a query.
@@ -68,13 +70,13 @@ impl Exact {
 }
 
 /// The first time among the zeros of a form at which features touch.
-fn first<const N: usize>(
-    form: &Form<N>,
-    window: &Window<N>,
-    touches: impl Fn(&mut Time<N>) -> Option<bool>,
+fn first<W: Words>(
+    form: &Form<W>,
+    window: &Window<W>,
+    touches: impl Fn(&mut Time<W>) -> Option<bool>,
 ) -> Option<Exact> {
     let mut first = Exact::Miss;
-    for time in zeros(form, window)?.as_mut_slice() {
+    for time in zeros(form, window)?.iter_mut().flatten() {
         if touches(time)? {
             first = first.or(Exact::Contact(time.enclosure()?));
         }
@@ -83,18 +85,18 @@ fn first<const N: usize>(
 }
 
 /// A contact at the beginning.
-fn at_begin<const N: usize>(
-    window: &Window<N>,
-    touches: impl Fn(&mut Time<N>) -> Option<bool>,
+fn at_begin<W: Words>(
+    window: &Window<W>,
+    touches: impl Fn(&mut Time<W>) -> Option<bool>,
 ) -> Option<Exact> {
     let mut time = Time::At(window.begin());
     let touches = touches(&mut time)?;
     Some(if touches { Exact::Contact(time.enclosure()?) } else { Exact::Miss })
 }
 
-impl<const N: usize> OnEdge<Form<N>> {
-    fn contact(&self, window: &Window<N>) -> Option<Exact> {
-        let touches = |time: &mut Time<N>| self.touches(&mut |form| time.sign(form));
+impl<W: Words> OnEdge<Form<W>> {
+    fn contact(&self, window: &Window<W>) -> Option<Exact> {
+        let touches = |time: &mut Time<W>| self.touches(&mut |form| time.sign(form));
         let at_begin = at_begin(window, touches)?;
         if at_begin != Exact::Miss {
             return Some(at_begin);
@@ -103,21 +105,21 @@ impl<const N: usize> OnEdge<Form<N>> {
     }
 
     /// A form that is 0 at the first contact, if that is not at the beginning.
-    fn zero_at_contact(&self) -> &Form<N> {
+    fn zero_at_contact(&self) -> &Form<W> {
         // If all three points stay on one line, the first contact is with an end of the edge,
         // where `sides` is 0.
         self.span.iter().find(|form| !form.vanishes()).unwrap_or(&self.sides)
     }
 }
 
-impl<const N: usize> Features<Form<N>> {
-    fn contact(&self, window: &Window<N>) -> Option<Exact> {
+impl<W: Words> Features<Form<W>> {
+    fn contact(&self, window: &Window<W>) -> Option<Exact> {
         let coplanarity = self.coplanarity().checked()?;
         let part = window.part(&coplanarity)?;
         if never_zero(&part) {
             return Some(Exact::Miss);
         }
-        let touches = |time: &mut Time<N>| self.touch(&mut |form| time.sign(form));
+        let touches = |time: &mut Time<W>| self.touch(&mut |form| time.sign(form));
         if part.coefficients()[0].sign() == 0 {
             let at_begin = at_begin(window, touches)?;
             if at_begin != Exact::Miss {
@@ -133,12 +135,12 @@ impl<const N: usize> Features<Form<N>> {
 
 /// Points that move over a step, in a unit of each axis of which all its coordinates are whole
 /// multiples: whether features touch does not depend on how axes are scaled.
-fn points<const N: usize, const K: usize>(
+fn points<W: Words, const K: usize>(
     t0: &[[f64; 3]; K],
     t1: &[[f64; 3]; K],
-) -> [Vector<Form<N>>; K] {
+) -> [Vector<Form<W>>; K] {
     let units = units(t0.iter().chain(t1));
-    let at = |x: f64, k: usize| Fixed::of(x, units[k]);
+    let at = |x: f64, k: usize| Integer::of(x, units[k]);
     let point = |i: usize| [0, 1, 2].map(|k| Form::linear([at(t0[i][k], k), at(t1[i][k], k)]));
     core::array::from_fn(point)
 }
@@ -150,7 +152,7 @@ fn units<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> [i32; 3] {
 }
 
 /// Whether a form is certainly not 0 from the beginning to the end.
-fn never_zero<const N: usize>(form: &Form<N>) -> bool {
+fn never_zero<W: Words>(form: &Form<W>) -> bool {
     let c = form.coefficients();
     c[0].sign() != 0 && c[form.degree()].sign() != 0 && form.variations() == 0
 }
@@ -193,9 +195,9 @@ pub fn vertex_edge(query: &VertexEdge<f64>, window: [f64; 2]) -> Option<Exact> {
     if moderate && search_vertex_edge(query, &searching(window)).verdict == Verdict::Miss {
         return Some(Exact::Miss);
     }
-    on_edge_by_integers::<8>([t0, t1], window)
-        .or_else(|| on_edge_by_integers::<24>([t0, t1], window))
-        .or_else(|| on_edge_by_integers::<96>([t0, t1], window))
+    on_edge_by_integers::<[u64; 8]>([t0, t1], window)
+        .or_else(|| on_edge_by_integers::<[u64; 24]>([t0, t1], window))
+        .or_else(|| on_edge_by_integers::<Longest>([t0, t1], window))
 }
 
 /// The same of two vertices.
@@ -238,9 +240,9 @@ pub(crate) fn left_open(patch: Patch, x: [&[[f64; 3]; 4]; 2], window: [f64; 2]) 
         Some(Some(false)) if x[0] == x[1] || from == until => return Some(Exact::Miss),
         _ => (),
     }
-    by_integers::<8>(patch, x, window)
-        .or_else(|| by_integers::<24>(patch, x, window))
-        .or_else(|| by_integers::<96>(patch, x, window))
+    by_integers::<[u64; 8]>(patch, x, window)
+        .or_else(|| by_integers::<[u64; 24]>(patch, x, window))
+        .or_else(|| by_integers::<Longest>(patch, x, window))
 }
 
 /// The first contact, which certainly is between two times, as far as `f64` finds it.
@@ -293,22 +295,19 @@ fn checked(ends: [&[[f64; 3]]; 2], [from, until]: [f64; 2]) -> Option<bool> {
     (moderate || within(f64::MAX)).then_some(moderate)
 }
 
-/// Within numbers of `N` words.
-fn by_integers<const N: usize>(
+/// Within as many words as there are; `None` if they are too few.
+fn by_integers<W: Words>(
     patch: Patch,
     [t0, t1]: [&[[f64; 3]; 4]; 2],
     window: [f64; 2],
 ) -> Option<Exact> {
-    Features::new(patch, &points(t0, t1)).contact(&Window::<N>::new(window)?)
+    Features::new(patch, &points(t0, t1)).contact(&Window::<W>::new(window)?)
 }
 
 /// The same of a vertex and an edge.
-fn on_edge_by_integers<const N: usize>(
-    [t0, t1]: [&[[f64; 3]; 3]; 2],
-    window: [f64; 2],
-) -> Option<Exact> {
+fn on_edge_by_integers<W: Words>([t0, t1]: [&[[f64; 3]; 3]; 2], window: [f64; 2]) -> Option<Exact> {
     let [p, a, b] = points(t0, t1);
-    OnEdge::new(&minus(&a, &p), &minus(&b, &p)).contact(&Window::<N>::new(window)?)
+    OnEdge::new(&minus(&a, &p), &minus(&b, &p)).contact(&Window::<W>::new(window)?)
 }
 
 #[cfg(test)]

@@ -1,8 +1,9 @@
 //! Whether two features touch at one moment: signs of integers, at first of 128 bits.
 
 use super::features::Features;
-use super::integer::{Fixed, parts};
+use super::integer::{Integer, parts};
 use super::vector::{Number, Vector};
+use super::words::{Longest, Words};
 use crate::math::real::Num;
 use crate::narrow_phase::relative_motion::Patch;
 
@@ -15,9 +16,9 @@ pub fn touch(patch: Patch, x: &[[f64; 3]; 4]) -> Option<bool> {
     let units = super::units(x.iter());
     short(x, units)
         .and_then(|x| of_numbers(patch, &x, Short::sign))
-        .or_else(|| by_integers::<6>(patch, x, units))
-        .or_else(|| by_integers::<24>(patch, x, units))
-        .or_else(|| by_integers::<96>(patch, x, units))
+        .or_else(|| by_integers::<[u64; 6]>(patch, x, units))
+        .or_else(|| by_integers::<[u64; 24]>(patch, x, units))
+        .or_else(|| by_integers::<Longest>(patch, x, units))
 }
 
 /// Whether a vertex is at a corner of the face, or an end of an edge at one of the other: meshes
@@ -30,8 +31,8 @@ pub fn shares_a_point<P: PartialEq>(patch: Patch, [p, q, r, s]: [&P; 4]) -> bool
     }
 }
 
-fn by_integers<const N: usize>(patch: Patch, x: &[[f64; 3]; 4], units: [i32; 3]) -> Option<bool> {
-    let x = x.map(|p| [0, 1, 2].map(|k| Fixed::<N>::of(p[k], units[k])));
+fn by_integers<W: Words>(patch: Patch, x: &[[f64; 3]; 4], units: [i32; 3]) -> Option<bool> {
+    let x = x.map(|p| [0, 1, 2].map(|k| Integer::<W>::of(p[k], units[k])));
     of_numbers(patch, &x, |x| x.is_exact().then(|| x.sign()))
 }
 
@@ -177,7 +178,7 @@ mod tests {
                 bits >> (2 + random.below(if i % 2 == 0 { 61 } else { 20 }))
             };
             let x = [(); 8].map(|()| one());
-            let of_integers = value(x.map(|x| Fixed::<8>::new(x, 0)));
+            let of_integers = value(x.map(|x| Integer::<[u64; 8]>::new(x, 0)));
             let found = value(x.map(|x| Short::Whole(x as i128)));
             whole += matches!(found, Short::Whole(_)) as usize;
             match found.sign() {

@@ -24,7 +24,7 @@ fn certified_contacts_are_those_of_integers() {
         let patch = if i % 4 < 2 { Patch::Triangle } else { Patch::Parallelogram };
         let window = [WHOLE, [0.1, 0.9]][i % 3 / 2];
         let found = of_patch(patch, [&t0, &t1], window);
-        let want = by_integers::<96>(patch, [&t0, &t1], window);
+        let want = by_integers::<Longest>(patch, [&t0, &t1], window);
         assert_eq!(found, want, "{patch:?} {window:?}: {t0:?} {t1:?}");
         if let Some(Exact::Contact([lo, hi])) = found {
             // Its geometry is there from its time on, and before the next; elsewhere there is none.
@@ -47,7 +47,8 @@ fn a_moment_is_the_beginning() {
         let x = [(); 4].map(|()| [(); 3].map(|()| random.below(3) as f64 * scale));
         for patch in [Patch::Triangle, Patch::Parallelogram] {
             let found = moment::touch(patch, &x);
-            let want = by_integers::<96>(patch, [&x, &x], WHOLE).map(|found| found != Exact::Miss);
+            let want =
+                by_integers::<Longest>(patch, [&x, &x], WHOLE).map(|found| found != Exact::Miss);
             assert_eq!(found, want, "{patch:?} {x:?}");
             touching += found.unwrap() as usize;
         }
@@ -84,7 +85,7 @@ fn times_that_are_numbers_are_found_in_any_window() {
     let query = VertexFace { t0: at(1.0), t1: at(-1.0) };
     for window in [WHOLE, [0.1, 0.9], [0.3, 0.7], [0.5, 0.9], [0.1, 0.5], [0.5; 2]] {
         assert_eq!(vertex_face(&query, window), Some(Exact::Contact([0.5; 2])), "{window:?}");
-        let found = by_integers::<8>(Patch::Triangle, [&query.t0, &query.t1], window);
+        let found = by_integers::<[u64; 8]>(Patch::Triangle, [&query.t0, &query.t1], window);
         assert_eq!(found, Some(Exact::Contact([0.5; 2])), "{window:?}");
     }
 }
@@ -122,8 +123,8 @@ fn axes_of_unlike_sizes_are_decided() {
 fn windows_that_do_not_fit_are_none() {
     let least = f64::from_bits(1);
     for window in [[0.0, least], [least, 1.0], [least, least], [0.0, 2f64.powi(-600)]] {
-        assert!(Window::<8>::new(window).is_none(), "{window:?}");
-        assert!(Window::<24>::new(window).is_some(), "{window:?}");
+        assert!(Window::<[u64; 8]>::new(window).is_none(), "{window:?}");
+        assert!(Window::<[u64; 24]>::new(window).is_some(), "{window:?}");
     }
 }
 
@@ -173,17 +174,18 @@ fn geometry_at_the_beginning_needs_no_times() {
 /// Times of zeros in order, equal ones of different forms too.
 #[test]
 fn times_have_an_order() {
-    let window = zeros::Window::<24>::new(WHOLE).expect("a window");
-    let number = |x: i64| integer::Fixed::<24>::new(x, 0);
+    let window = zeros::Window::<[u64; 24]>::new(WHOLE).expect("a window");
+    let number = |x: i64| integer::Integer::<[u64; 24]>::new(x, 0);
     let third = form::Form::linear([number(-1), number(2)]);
     let half = form::Form::linear([number(-1), number(1)]);
     let other = form::Form::linear([number(-3), number(5)]);
     let thirds = third.times(&other);
-    let time = |form: &form::Form<24>| {
-        *zeros::zeros(form, &window).expect("zeros").as_mut_slice().first().expect("one")
+    let time = |form: &form::Form<[u64; 24]>| {
+        let [first, ..] = zeros::zeros(form, &window).expect("zeros");
+        first.expect("one")
     };
     let mut of = zeros::zeros(&thirds, &window).expect("zeros");
-    let [a, b] = of.as_mut_slice() else { panic!("two zeros") };
+    let [Some(a), Some(b), None] = &mut of else { panic!("two zeros") };
     if b.is_before(a).expect("an order") {
         std::mem::swap(a, b);
     }

@@ -1,10 +1,11 @@
 //! Vectors of numbers whose signs are certain: integers at a moment, forms over a step.
 
 use super::form::Form;
-use super::integer::Fixed;
+use super::integer::Integer;
+use super::words::Words;
 
 /// What polynomials of coordinates are computed with.
-pub trait Number: Copy {
+pub trait Number: Clone {
     /// The sum.
     fn plus(&self, other: &Self) -> Self;
     /// The difference.
@@ -13,19 +14,19 @@ pub trait Number: Copy {
     fn times(&self, other: &Self) -> Self;
 }
 
-impl<const N: usize> Number for Fixed<N> {
+impl<W: Words> Number for Integer<W> {
     fn plus(&self, other: &Self) -> Self {
-        *self + *other
+        self + other
     }
     fn minus(&self, other: &Self) -> Self {
-        *self - *other
+        self - other
     }
     fn times(&self, other: &Self) -> Self {
-        *self * *other
+        self * other
     }
 }
 
-impl<const N: usize> Number for Form<N> {
+impl<W: Words> Number for Form<W> {
     fn plus(&self, other: &Self) -> Self {
         Form::plus(self, other)
     }

@@ -13,7 +13,8 @@
 //! divisor of both forms.
 
 use super::form::Form;
-use super::integer::{Fixed, parts, power_of_two};
+use super::integer::{Integer, parts, power_of_two};
+use super::words::Words;
 
 /// A cubic has no more, counted once each.
 const MAX_ZEROS: usize = 3;
@@ -24,61 +25,51 @@ const PATIENCE: u32 = 2;
 const STEPS: u32 = 30;
 
 /// `u` and `v` of a dyadic time; their sum is a power of two.
-pub type Dyadic<const N: usize> = [Fixed<N>; 2];
+pub type Dyadic<W> = [Integer<W>; 2];
 
 /// A time.
-#[derive(Clone, Copy, Debug)]
-pub enum Time<const N: usize> {
+#[derive(Clone, Debug)]
+pub enum Time<W> {
     /// A dyadic one.
-    At(Dyadic<N>),
+    At(Dyadic<W>),
     /// The only zero between two dyadic times, whose sums of `u` and `v` are the same, of a form
     /// without double zeros, and the sign of that form between the first and the zero.
-    Between(Form<N>, [Dyadic<N>; 2], i32),
+    Between(Form<W>, [Dyadic<W>; 2], i32),
 }
 
 /// The sign of the difference of two times.
-fn order<const N: usize>(p: &Dyadic<N>, q: &Dyadic<N>) -> Option<i32> {
-    let difference = p[1] * q[0] - q[1] * p[0];
+fn order<W: Words>(p: &Dyadic<W>, q: &Dyadic<W>) -> Option<i32> {
+    let difference = &p[1] * &q[0] - &q[1] * &p[0];
     difference.is_exact().then(|| difference.sign())
 }
 
 /// Half of the way, and the ends in its unit.
-fn halved<const N: usize>([from, to]: [Dyadic<N>; 2]) -> [Dyadic<N>; 3] {
-    let twice = |[u, v]: Dyadic<N>| [u.shifted(1), v.shifted(1)];
-    [twice(from), [from[0] + to[0], from[1] + to[1]], twice(to)]
+fn halved<W: Words>([from, to]: &[Dyadic<W>; 2]) -> [Dyadic<W>; 3] {
+    let twice = |[u, v]: &Dyadic<W>| [u.shifted(1), v.shifted(1)];
+    [twice(from), [&from[0] + &to[0], &from[1] + &to[1]], twice(to)]
 }
 
-/// Some zeros.
-#[derive(Clone, Copy, Debug)]
-pub struct Zeros<const N: usize> {
-    all: [Time<N>; MAX_ZEROS],
-    len: usize,
-}
+/// Some zeros, in no order.
+pub type Zeros<W> = [Option<Time<W>>; MAX_ZEROS];
 
-impl<const N: usize> Zeros<N> {
-    fn push(&mut self, time: Time<N>) {
-        self.all[self.len] = time;
-        self.len += 1;
-    }
-
-    /// Them, in no order.
-    pub fn as_mut_slice(&mut self) -> &mut [Time<N>] {
-        &mut self.all[..self.len]
+fn push<W>(zeros: &mut Zeros<W>, time: Time<W>) {
+    if let Some(next) = zeros.iter_mut().find(|zero| zero.is_none()) {
+        *next = Some(time);
     }
 }
 
 /// The zeros in a window of a form of degree 1 to 3 that does not vanish; `None` if a number does
 /// not fit.
-pub fn zeros<const N: usize>(form: &Form<N>, window: &Window<N>) -> Option<Zeros<N>> {
-    let [begin, end] = window.ends;
-    let mut out = Zeros { all: [Time::At(begin); MAX_ZEROS], len: 0 };
+pub fn zeros<W: Words>(form: &Form<W>, window: &Window<W>) -> Option<Zeros<W>> {
+    let [begin, end] = &window.ends;
+    let mut out = [const { None }; MAX_ZEROS];
     let part = window.part(form)?;
     let c = part.coefficients();
     if c[0].sign() == 0 {
-        out.push(Time::At(begin));
+        push(&mut out, Time::At(begin.clone()));
     }
     if c[part.degree()].sign() == 0 && !window.is_moment() {
-        out.push(Time::At(end));
+        push(&mut out, Time::At(end.clone()));
     }
     if part.variations() == 0 {
         return Some(out);
@@ -95,15 +86,15 @@ const LONG: u32 = 768;
 
 /// Forms without double zeros that have the zeros of a form of degree 1 to 3, whose first and last
 /// coefficients are not 0.
-fn simple_factors<const N: usize>(form: &Form<N>) -> Option<[Option<Form<N>>; 2]> {
-    let (c, k) = (form.coefficients(), |x: i64| Fixed::<N>::new(x, 0));
-    let linear = |c0: Fixed<N>, c1: Fixed<N>| Form::linear([c0, c1]).checked();
-    match *c {
+fn simple_factors<W: Words>(form: &Form<W>) -> Option<[Option<Form<W>>; 2]> {
+    let k = |x: i64| Integer::<W>::new(x, 0);
+    let linear = |c0: Integer<W>, c1: Integer<W>| Form::linear([c0, c1]).checked();
+    match form.coefficients() {
         [c0, c1, c2] => {
             let discriminant = c1 * c1 - k(4) * c0 * c2;
             match discriminant.is_exact().then(|| discriminant.sign())? {
-                0 => Some([linear(c1, k(2) * c2), None]),
-                _ => Some([Some(*form), None]),
+                0 => Some([linear(c1.clone(), k(2) * c2), None]),
+                _ => Some([Some(form.clone()), None]),
             }
         }
         [d, c, b, a] => {
@@ -116,50 +107,50 @@ fn simple_factors<const N: usize>(form: &Form<N>) -> Option<[Option<Form<N>>; 2]
                 return None;
             }
             match (discriminant.sign(), apart.sign()) {
-                (0, 0) => Some([linear(b, k(3) * a), None]),
+                (0, 0) => Some([linear(b.clone(), k(3) * a), None]),
                 (0, _) => {
-                    let twice = linear(b * c - k(9) * a * d, k(2) * apart)?;
+                    let twice = linear(b * c - k(9) * a * d, k(2) * &apart)?;
                     // A factor of the cubic has no more bits than the cubic, but these have three
                     // times as many, and more may not fit where another form is asked at the zero.
                     let once = [b * b * b + k(9) * a * a * d - k(4) * a * b * c, a * apart];
                     let is_long = once.iter().any(|c| c.bits() > LONG);
-                    let [c0, c1] = if is_long { Fixed::coprime(once) } else { once };
+                    let [c0, c1] = if is_long { Integer::coprime(once) } else { once };
                     let once = linear(c0, c1)?;
                     Some([Some(twice), Some(once)])
                 }
-                _ => Some([Some(*form), None]),
+                _ => Some([Some(form.clone()), None]),
             }
         }
-        _ => Some([Some(*form), None]),
+        _ => Some([Some(form.clone()), None]),
     }
 }
 
 /// Adds the zeros between the ends of a window of a form without double zeros.
-fn isolate<const N: usize>(form: &Form<N>, window: &Window<N>, out: &mut Zeros<N>) -> Option<()> {
+fn isolate<W: Words>(form: &Form<W>, window: &Window<W>, out: &mut Zeros<W>) -> Option<()> {
     // Variations of both halves are at most those of the whole, three: one half has several.
     let whole = window.part(form)?;
     let mut open = match whole.variations() {
         0 => None,
         1 => {
-            out.push(Time::Between(*form, window.ends, whole.first_sign()));
+            push(out, Time::Between(form.clone(), window.ends.clone(), whole.first_sign()));
             None
         }
-        _ => Some(window.ends),
+        _ => Some(window.ends.clone()),
     };
     while let Some(part) = open.take() {
-        let [from, middle, to] = halved(part);
-        let value = form.at(middle);
+        let [from, middle, to] = halved(&part);
+        let value = form.at(&middle);
         if !value.is_exact() {
             return None;
         }
         if value.sign() == 0 {
-            out.push(Time::At(middle));
+            push(out, Time::At(middle.clone()));
         }
-        for half in [[from, middle], [middle, to]] {
-            let local = form.over(half[0], half[1]).checked()?;
+        for half in [[from, middle.clone()], [middle, to]] {
+            let local = form.over(&half[0], &half[1]).checked()?;
             match local.variations() {
                 0 => (),
-                1 => out.push(Time::Between(*form, half, local.first_sign())),
+                1 => push(out, Time::Between(form.clone(), half, local.first_sign())),
                 _ => open = Some(half),
             }
         }
@@ -167,12 +158,12 @@ fn isolate<const N: usize>(form: &Form<N>, window: &Window<N>, out: &mut Zeros<N
     Some(())
 }
 
-impl<const N: usize> Time<N> {
+impl<W: Words> Time<W> {
     /// Halves the interval.
     fn halve(&mut self) -> Option<()> {
         if let Time::Between(form, part, sign) = self {
-            let [from, middle, to] = halved(*part);
-            let value = form.at(middle);
+            let [from, middle, to] = halved(part);
+            let value = form.at(&middle);
             if !value.is_exact() {
                 return None;
             }
@@ -189,27 +180,28 @@ impl<const N: usize> Time<N> {
     /// rounded arithmetic guesses; else a half.
     pub fn narrow(&mut self) -> Option<()> {
         if let Time::Between(form, part, sign) = self {
-            let [from, to] = *part;
+            let [from, to] = &*part;
             let guess = form.over(from, to).checked()?.guess();
             let steps = 1u64 << STEPS;
             let step = (guess * steps as f64 + 0.5) as u64;
-            let at = |k: u64| -> Dyadic<N> {
-                let [a, b] = [steps - k, k].map(|k| Fixed::new(k as i64, 0));
-                [from[0] * a + to[0] * b, from[1] * a + to[1] * b]
+            let at = |k: u64| -> Dyadic<W> {
+                let [a, b] = [steps - k, k].map(|k| Integer::new(k as i64, 0));
+                [&from[0] * &a + &to[0] * &b, &from[1] * &a + &to[1] * &b]
             };
             // Times that are few halves of the interval are found as they are.
             let times = [step.saturating_sub(1), step, (step + 1).min(steps)].map(at);
-            let values = times.map(|time| form.at(time));
-            if !values.iter().all(Fixed::is_exact) {
+            let values = times.each_ref().map(|time| form.at(time));
+            if !values.iter().all(Integer::is_exact) {
                 return None;
             }
+            let [first, middle, last] = times;
             let [before, there, after] = values.map(|value| value.sign());
             if there == 0 && 0 < step && step < steps {
-                *self = Time::At(times[1]);
+                *self = Time::At(middle);
                 return Some(());
             }
             if [before, after] == [*sign, -*sign] {
-                *part = [times[0], times[2]];
+                *part = [first, last];
                 return Some(());
             }
         }
@@ -217,10 +209,10 @@ impl<const N: usize> Time<N> {
     }
 
     /// The dyadic times that it is between, or it itself twice.
-    fn ends(&self) -> [Dyadic<N>; 2] {
+    fn ends(&self) -> [&Dyadic<W>; 2] {
         match self {
-            Time::At(time) => [*time; 2],
-            Time::Between(_, ends, _) => *ends,
+            Time::At(time) => [time; 2],
+            Time::Between(_, [from, to], _) => [from, to],
         }
     }
 
@@ -235,15 +227,15 @@ impl<const N: usize> Time<N> {
         };
         loop {
             let ([a, b], [c, d]) = (self.ends(), other.ends());
-            let (before, after) = (order(&b, &c)?, order(&d, &a)?);
+            let (before, after) = (order(b, c)?, order(d, a)?);
             if let (Time::At(_), Time::At(_)) = (&*self, &*other) {
                 return Some(before < 0);
             }
             if before <= 0 {
                 return Some(true);
             }
-            let is_within = order(&c, &a)? <= 0 && order(&b, &d)? <= 0;
-            let has_within = order(&a, &c)? <= 0 && order(&d, &b)? <= 0;
+            let is_within = order(c, a)? <= 0 && order(b, d)? <= 0;
+            let has_within = order(a, c)? <= 0 && order(d, b)? <= 0;
             let other_is_dyadic = matches!(other, Time::At(_));
             if after <= 0 || shared && (is_within || other_is_dyadic && has_within) {
                 return Some(false);
@@ -256,24 +248,27 @@ impl<const N: usize> Time<N> {
     }
 
     /// The sign of a form at this time.
-    pub fn sign(&mut self, of: &Form<N>) -> Option<i32> {
-        let of = of.checked()?.reduced();
+    pub fn sign(&mut self, of: &Form<W>) -> Option<i32> {
+        if !of.is_exact() {
+            return None;
+        }
+        let of = of.reduced();
         let mut turns = 0;
         loop {
             match self {
                 Time::At(time) => {
-                    let value = of.at(*time);
+                    let value = of.at(time);
                     return value.is_exact().then_some(value.sign());
                 }
                 Time::Between(form, [from, to], _) => {
-                    if let Some(sign) = of.over(*from, *to).checked()?.sign() {
+                    if let Some(sign) = of.over(from, to).checked()?.sign() {
                         return Some(sign);
                     }
                     // It is 0 if the common divisor has a zero there, and that has one or none.
                     turns += 1;
                     if turns == PATIENCE {
                         let common = form.common(&of)?;
-                        let local = common.over(*from, *to).checked()?;
+                        let local = common.over(from, to).checked()?;
                         if local.variations() % 2 == 1 {
                             return Some(0);
                         }
@@ -289,16 +284,16 @@ impl<const N: usize> Time<N> {
         loop {
             let (form, [from, to], before) = match self {
                 Time::At(time) => return Window::rounded(time),
-                Time::Between(form, ends, sign) => (*form, *ends, *sign),
+                Time::Between(form, ends, sign) => (form, ends, *sign),
             };
-            let [lo, hi] = [Window::rounded(&from)?[0], Window::rounded(&to)?[1]];
+            let [lo, hi] = [Window::rounded(from)?[0], Window::rounded(to)?[1]];
             let between = lo.next_up();
             if between >= hi {
                 return Some([lo, hi]);
             }
             if between.next_up() >= hi {
                 // One number in between: the zero is there, or on one side of it.
-                let value = form.at(Window::new([between; 2])?.begin());
+                let value = form.at(&Window::new([between; 2])?.begin());
                 let sign = value.is_exact().then(|| value.sign())?;
                 return Some(match sign {
                     0 => [between; 2],
@@ -312,43 +307,43 @@ impl<const N: usize> Time<N> {
 }
 
 /// A window of time.
-#[derive(Clone, Copy, Debug)]
-pub struct Window<const N: usize> {
-    ends: [Dyadic<N>; 2],
+#[derive(Clone, Debug)]
+pub struct Window<W> {
+    ends: [Dyadic<W>; 2],
 }
 
-impl<const N: usize> Window<N> {
+impl<W: Words> Window<W> {
     /// From one time of `[0, 1]` to another; `None` if a number does not fit, for signs of the ends
     /// are read below.
     pub fn new(times: [f64; 2]) -> Option<Self> {
         // The greatest power of two of which both are whole multiples.
         let unit = times.iter().map(|&t| parts(t).1).fold(0, i32::min);
-        let one = Fixed::new(1, unit.unsigned_abs());
-        let ends = times.map(|t| Fixed::of(t, unit)).map(|t| [one - t, t]);
-        ends.as_flattened().iter().all(Fixed::is_exact).then_some(Self { ends })
+        let one = Integer::new(1, unit.unsigned_abs());
+        let ends = times.map(|t| Integer::of(t, unit)).map(|t| [&one - &t, t]);
+        ends.as_flattened().iter().all(Integer::is_exact).then_some(Self { ends })
     }
 
     /// The first time.
-    pub fn begin(&self) -> Dyadic<N> {
-        self.ends[0]
+    pub fn begin(&self) -> Dyadic<W> {
+        self.ends[0].clone()
     }
 
     /// Whether it is one time alone.
     fn is_moment(&self) -> bool {
-        let [begin, end] = self.ends;
-        (begin[1] - end[1]).sign() == 0
+        let [begin, end] = &self.ends;
+        (&begin[1] - &end[1]).sign() == 0
     }
 
     /// A form over the window alone; `None` if a number does not fit.
-    pub fn part(&self, form: &Form<N>) -> Option<Form<N>> {
-        let [begin, end] = self.ends;
+    pub fn part(&self, form: &Form<W>) -> Option<Form<W>> {
+        let [begin, end] = &self.ends;
         let is_step = begin[1].sign() == 0 && end[0].sign() == 0;
-        if is_step { form.checked() } else { form.over(begin, end).checked() }
+        if is_step { form.clone().checked() } else { form.over(begin, end).checked() }
     }
 
     /// A time, rounded down and up.
-    fn rounded([u, v]: &Dyadic<N>) -> Option<[f64; 2]> {
-        let one = *u + *v;
+    fn rounded([u, v]: &Dyadic<W>) -> Option<[f64; 2]> {
+        let one = u + v;
         if !(one.is_exact() && v.is_exact()) {
             return None;
         }
