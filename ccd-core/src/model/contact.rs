@@ -68,8 +68,7 @@ pub enum State {
     /// [`crate::TOI_TOLERANCE`] by default.
     Hit,
     /// Not decided: to be treated as a contact, may be none; certainly none before its time of
-    /// impact. With a minimum distance, or of coordinates that integers do not hold: see
-    /// [`Mode`](super::options::Mode).
+    /// impact. With a minimum distance only: see [`Mode`](super::options::Mode).
     Undecided,
 }
 

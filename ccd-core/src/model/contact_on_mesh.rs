@@ -66,8 +66,7 @@ impl Contact {
     ///
     /// # Of exact times
     /// Of a hit that begins between its `toi` and the next `f64`, as all do in
-    /// [`Mode::Exact`](super::options::Mode), geometry is that of the true time, by integers, where
-    /// 6,144 bits hold it (else it is rounded, as of other contacts):
+    /// [`Mode::Exact`](super::options::Mode), geometry is that of the true time, by integers:
     ///
     /// - each weight is off by at most 0.51 units in the last place, and 0 or 1 if it is that;
     /// - `on_a` and `on_b` are the positions at `toi`, weighted: off by at most `16 u` of the

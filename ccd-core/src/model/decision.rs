@@ -12,7 +12,6 @@ use crate::narrow_phase::codimensional::{
 };
 use crate::narrow_phase::exact::{self, Exact, shares_a_point};
 use crate::narrow_phase::pair_verdict::{self, gather};
-use crate::narrow_phase::relative_motion::Patch;
 use crate::narrow_phase::search::{Answer, Search, Verdict};
 
 /// What decides pairs of a step.
@@ -69,9 +68,9 @@ impl Decider {
     ) -> Option<Contact> {
         let ids = mesh.vertices_of(kind, pair);
         let answer = match kind {
-            Kind::VertexFace | Kind::EdgeEdge => self
-                .of_patch(kind, ids, x)
-                .unwrap_or_else(|open| self.of_open(kind.patch(), ids, x, open)),
+            Kind::VertexFace | Kind::EdgeEdge => {
+                self.of_patch(kind, ids, x).unwrap_or_else(|open| self.of_open(kind, ids, x, open))
+            }
             Kind::VertexEdge => {
                 let query = vertex_edge(ids, x);
                 self.codimensional(
@@ -127,24 +126,22 @@ impl Decider {
         Contact::of(kind, pair, self.exact(found))
     }
 
-    /// The answer for a vertex and a face, or two edges; an error: what integers are to decide.
+    /// The answer for a vertex and a face, or two edges; an error: what integers are to decide, with
+    /// the answer of the search if one was made for it.
     #[inline]
     fn of_patch<T: Real>(
         &self,
         kind: Kind,
         ids: [u32; 4],
         x: [&[[T; 3]]; 2],
-    ) -> Result<Answer<f64>, Answer<f64>> {
+    ) -> Result<Answer<f64>, Option<Answer<f64>>> {
         let exactly = self.search.min_distance == 0.0;
         let patch = kind.patch();
         if self.exact_times {
             let (x0, x1) = (gather(ids, x[0]), gather(ids, x[1]));
             let wanted = Search { latest: self.search.latest, ..exact::searching(self.window()) };
-            // The rounded answer is that of pairs which integers do not hold.
-            return match exact::quick(patch, [&x0, &x1], &wanted) {
-                Some(found) => Ok(self.exact(found)),
-                None => Err(pair_verdict::pair(kind, ids, x, &self.search)),
-            };
+            let found = exact::quick(patch, [&x0, &x1], &wanted);
+            return found.map(|found| self.exact(found)).ok_or(None);
         }
         if exactly
             && self.search.from == 0.0
@@ -153,25 +150,30 @@ impl Decider {
             return Ok(self.exact(Exact::Contact([0.0; 2])));
         }
         let answer = pair_verdict::pair(kind, ids, x, &self.search);
-        if exactly && answer.is_open() { Err(answer) } else { Ok(answer) }
+        if exactly && answer.is_open() { Err(Some(answer)) } else { Ok(answer) }
     }
 
-    /// What the search left open, decided if integers hold it.
+    /// What the search left open, decided; without a heap, only if integers hold it.
     #[cold]
     fn of_open<T: Real>(
         &self,
-        patch: Patch,
+        kind: Kind,
         ids: [u32; 4],
         x: [&[[T; 3]]; 2],
-        answer: Answer<f64>,
+        open: Option<Answer<f64>>,
     ) -> Answer<f64> {
         let (x0, x1) = (gather(ids, x[0]), gather(ids, x[1]));
-        let found = exact::left_open(patch, [&x0, &x1], self.window());
-        found.map_or(answer, |found| self.settled(answer, found))
+        let found = exact::left_open(kind.patch(), [&x0, &x1], self.window());
+        let rounded = || open.unwrap_or_else(|| pair_verdict::pair(kind, ids, x, &self.search));
+        match found {
+            Some(found) if self.exact_times => self.exact(found),
+            Some(found) => self.settled(rounded(), found),
+            None => rounded(),
+        }
     }
 
     /// The answer for a vertex and an edge, or two vertices: exact if exact times are wanted or the
-    /// search leaves the pair open, and integers hold it; else that of the search.
+    /// search leaves the pair open; else that of the search.
     fn codimensional(
         &self,
         certified: impl Fn(&Search<f64>) -> Answer<f64>,
@@ -188,13 +190,11 @@ impl Decider {
         found.map_or(answer, |found| self.settled(answer, found))
     }
 
-    /// What the search left open, decided: unless exact times are wanted, a contact keeps its time
-    /// if that is early by the tolerance at most, because the features are then mostly still apart.
+    /// What the search left open, decided: a contact keeps its time if that is early by the
+    /// tolerance at most, because the features are then mostly still apart.
     fn settled(&self, answer: Answer<f64>, found: Exact) -> Answer<f64> {
         match (answer.verdict.toi(), found) {
-            (Some(toi), Exact::Contact([exact, _]))
-                if !self.exact_times && exact - toi <= self.search.tolerance =>
-            {
+            (Some(toi), Exact::Contact([exact, _])) if exact - toi <= self.search.tolerance => {
                 Answer { verdict: Verdict::Hit { toi }, ..answer }
             }
             _ => self.exact(found),

@@ -29,17 +29,16 @@ pub enum Mode {
     /// A time of impact is never late, and early by the tolerance at most.
     ///
     /// A pair that `f64` certifies neither as a contact nor as none is decided exactly, on the CPU:
-    /// also its time is early by the tolerance at most. With a minimum distance, and where integers
-    /// do not hold the pair, it is a contact of state
-    /// [`State::Undecided`](super::contact::State::Undecided) instead.
+    /// also its time is early by the tolerance at most. With a minimum distance it is a contact of
+    /// state [`State::Undecided`](super::contact::State::Undecided) instead.
     Conservative,
     /// Every time of impact is the true one rounded down, of the coordinates as they are: see
     /// [`narrow_phase::exact`](crate::narrow_phase::exact). A GPU decides pairs, and the CPU finds
     /// the last digits of the times, and all of what the device leaves open.
     ///
     /// Refused with a minimum distance, [`Error::ExactDistance`]; [`Options::leave_contact`] has no
-    /// effect. What its integers of 6,144 bits do not hold keeps its conservative answer: pairs of
-    /// which coordinates on one axis are hundreds of powers of two apart.
+    /// effect. A pair takes microseconds; one whose coordinates on one axis are hundreds of powers
+    /// of two apart takes milliseconds.
     Exact,
 }
 

@@ -23,8 +23,7 @@ pub fn first_contact(workers: &[Worker]) -> Option<Contact> {
 }
 
 /// Up to when boxes are swept for contacts whose time is at most `toi`. A time may be early by the
-/// tolerance (in exact mode hardly, but for pairs that integers do not hold): by the end of it the
-/// features of such a pair touch.
+/// tolerance (not in exact mode): by the end of it the features of such a pair touch.
 pub fn swept_until(toi: f64, options: &Options) -> f64 {
     (toi + options.tolerance).next_up().min(1.0)
 }

@@ -157,13 +157,7 @@ impl<W: Words> Integer<W> {
         let (a, b) = if self.len < other.len { (other, self) } else { (self, other) };
         let mut out = Self::with_room(a.len + 1, negative);
         let words = out.words.as_mut();
-        let mut carry = false;
-        for (i, word) in a.words().iter().enumerate() {
-            let (word, over) =
-                word.overflowing_add(if i < b.len { b.words.as_ref()[i] } else { 0 });
-            let (word, more) = word.overflowing_add(carry as u64);
-            (words[i], carry) = (word, over || more);
-        }
+        let carry = by_words(words, a.words(), b.words(), u64::overflowing_add);
         if carry {
             if a.len == W::MOST {
                 return Self::LOST;
@@ -177,14 +171,7 @@ impl<W: Words> Integer<W> {
     /// The greater magnitude minus the lesser, with a sign.
     fn difference(&self, lesser: &Self, negative: bool) -> Self {
         let mut out = Self::with_room(self.len, negative);
-        let words = out.words.as_mut();
-        let mut borrow = false;
-        for (i, word) in self.words().iter().enumerate() {
-            let b = if i < lesser.len { lesser.words.as_ref()[i] } else { 0 };
-            let (word, under) = word.overflowing_sub(b);
-            let (word, more) = word.overflowing_sub(borrow as u64);
-            (words[i], borrow) = (word, under || more);
-        }
+        by_words(out.words.as_mut(), self.words(), lesser.words(), u64::overflowing_sub);
         out.trimmed(self.len)
     }
 
@@ -223,20 +210,15 @@ impl<W: Words> Integer<W> {
         let words = &mut out.words.as_mut()[..room];
         for (i, &a) in self.words().iter().enumerate() {
             let mut carry = 0u128;
-            for (j, &b) in other.words().iter().enumerate() {
-                let word = if i + j < room { words[i + j] } else { 0 };
-                carry += a as u128 * b as u128 + word as u128;
-                if i + j < room {
-                    words[i + j] = carry as u64;
-                } else if carry as u64 != 0 {
-                    return Self::LOST;
-                }
+            for (word, &b) in words[i..].iter_mut().zip(other.words()) {
+                carry += a as u128 * b as u128 + *word as u128;
+                *word = carry as u64;
                 carry >>= 64;
             }
-            match i + other.len {
-                at if at < room => words[at] = carry as u64,
-                _ if carry != 0 => return Self::LOST,
-                _ => (),
+            match words.get_mut(i + other.len) {
+                Some(word) => *word = carry as u64,
+                None if carry != 0 => return Self::LOST,
+                None => (),
             }
         }
         out.trimmed(room)
@@ -270,6 +252,23 @@ impl<W: Words> Integer<W> {
             Self { negative: x.negative, ..quotient }
         })
     }
+}
+
+/// Words of `a` with those of `b`, which has no more, the lowest first; whether the last one
+/// carries.
+#[inline(always)]
+fn by_words(out: &mut [u64], a: &[u64], b: &[u64], op: impl Fn(u64, u64) -> (u64, bool)) -> bool {
+    let mut carry = false;
+    let (low, high) = a.split_at(b.len());
+    for ((word, &a), &b) in out.iter_mut().zip(low).zip(b) {
+        let (result, over) = op(a, b);
+        let (result, more) = op(result, carry as u64);
+        (*word, carry) = (result, over || more);
+    }
+    for (word, &a) in out[b.len()..].iter_mut().zip(high) {
+        (*word, carry) = op(a, carry as u64);
+    }
+    carry
 }
 
 impl<W: Words> Neg for Integer<W> {
@@ -325,109 +324,4 @@ pub fn power_of_two(e: i32) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::random::Random;
-    use alloc::vec::Vec;
-    use num_bigint::{BigInt, Sign};
-    use num_traits::{One, Signed};
-
-    type Fixed<const N: usize> = Integer<[u64; N]>;
-
-    fn value<W: Words>(x: &Integer<W>) -> BigInt {
-        assert!(x.words().last() != Some(&0) && x.is_exact());
-        let bytes: Vec<u8> = x.words().iter().flat_map(|word| word.to_le_bytes()).collect();
-        let sign = if x.negative { Sign::Minus } else { Sign::Plus };
-        BigInt::from_bytes_le(sign, &bytes)
-    }
-
-    /// Sums of products of up to 4 words with random ones, and the same as `num-bigint` has them.
-    fn check_operations<W: Words>(mut random: Random) {
-        for _ in 0..2000 {
-            let mut one = || {
-                let parts = [(); 2].map(|()| (random.bits() as i64) >> random.below(64));
-                let shifts = [(); 2].map(|()| random.below(70));
-                let x = Integer::<W>::new(parts[0], shifts[0]) + Integer::new(parts[1], shifts[1]);
-                let [p, q] = [0, 1].map(|i| BigInt::from(parts[i]) << shifts[i]);
-                assert_eq!(value(&x), &p + &q);
-                (x, p + q)
-            };
-            let [(a, p), (b, q), (c, r)] = [one(), one(), one()];
-            assert_eq!(value(&(&a * &b)), &p * &q);
-            assert_eq!(value(&(&a * &b + &c)), &p * &q + &r);
-            assert_eq!(value(&(&a * &b - &c)), &p * &q - &r);
-            assert_eq!(value(&(&a - &b * &c)), &p - &q * &r);
-            let square = &a * &a - &b * &b;
-            assert_eq!(value(&square), (&p + &q) * (&p - &q));
-            assert_eq!(value(&(square - (&a + &b) * (&a - &b))), BigInt::ZERO);
-            let product = &a * &b;
-            assert_eq!(BigInt::from(product.sign()), (&p * &q).signum());
-            assert_eq!(product.bits() as u64, (&p * &q).bits());
-            if b.sign() != 0 {
-                let (of, by) = (&product + &c, b);
-                let [quotient, rest] = of.divided(&by);
-                let (of, by) = (value(&of).abs(), value(&by).abs());
-                assert_eq!((value(&quotient), value(&rest)), (&of / &by, &of % &by));
-            }
-        }
-    }
-
-    #[test]
-    fn it_computes_as_others_do() {
-        check_operations::<[u64; 8]>(Random::new(5));
-        #[cfg(feature = "alloc")]
-        check_operations::<Vec<u64>>(Random::new(7));
-    }
-
-    /// Thousands of bits.
-    #[cfg(feature = "alloc")]
-    #[test]
-    fn long_ones_are_as_others_are() {
-        let (mut x, mut y) = (Integer::<Vec<u64>>::new(-3, 0), BigInt::from(-3));
-        for k in 0..10 {
-            x = &x * &x - x.shifted(1000 * k) + Integer::new(1, k);
-            y = &y * &y - (&y << (1000 * k)) + (BigInt::one() << k);
-            assert_eq!(value(&x), y);
-        }
-        assert!(x.bits() > 100_000);
-    }
-
-    #[test]
-    fn what_does_not_fit_is_marked() {
-        let most = || Fixed::<1>::new(i64::MIN, 0);
-        let power = |k: u32| Fixed::<1>::new(1, k);
-        assert!((most() + -power(0)).is_exact() && !(most() + most()).is_exact());
-        assert!(!(most() * most()).is_exact() && !most().shifted(1).is_exact());
-        assert!((most() * power(0)).is_exact());
-        assert!(!((most() + most()) - (most() + most())).is_exact());
-        assert!(!(power(32) * power(32)).is_exact());
-        assert!((power(32) * power(31)).is_exact());
-    }
-
-    #[test]
-    fn numbers_lose_their_common_divisor() {
-        let mut random = Random::new(6);
-        for _ in 0..2000 {
-            let mut one = || (random.bits() as i64 | 1) >> random.below(63);
-            let [a, b, c, d] = [one(), one(), one(), one()].map(|x| Fixed::<6>::new(x, 0));
-            let (of, more) = (&a * &b * &c, &b * &d);
-            if more.sign() == 0 || of.sign() == 0 {
-                continue;
-            }
-            let [p, q] = Integer::coprime([of.clone(), more.clone()]);
-            assert_eq!((&p * &more - &q * &of).sign(), 0);
-            assert!(p.bits() + b.bits() <= of.bits() + 2 && p.sign() == of.sign());
-            let [r, s] = Integer::coprime([p.clone(), q.clone()]);
-            assert!((r - p).sign() == 0 && (s - q).sign() == 0);
-        }
-    }
-
-    #[test]
-    fn leading_bits_are_those_of_the_number() {
-        let x = Fixed::<4>::new((1 << 53) - 1, 100);
-        assert_eq!(x.leading(), ((1 << 53) - 1, false, 100));
-        assert_eq!((x + Fixed::new(1, 0)).leading(), ((1 << 53) - 1, true, 100));
-        assert_eq!(Fixed::<4>::new(5, 0).leading(), (5, false, 0));
-        assert_eq!(Fixed::<4>::ZERO.leading(), (0, false, 0));
-    }
-}
+mod tests;

@@ -159,12 +159,16 @@ fn never_zero<W: Words>(form: &Form<W>) -> bool {
 
 /// Whether a vertex and a face touch at a time of a window in `[0, 1]`, and when they first do.
 ///
-/// `None` of coordinates that are not finite, of a window that is not in `[0, 1]`, and where
-/// integers of 6,144 bits do not hold what comes of the coordinates and of the window. Of the whole
-/// step no search has found such a one where on each axis the lowest bit of a coordinate stands at
-/// most 200 places below the highest of another, as of all `f32` between 2^-100 and 2^76; mostly
-/// they hold far more. A window that begins near 0, but not at it, has a fine unit, and less is
-/// held.
+/// `None` of coordinates that are not finite, and of a window that is not in `[0, 1]`; nothing else
+/// with the feature `alloc`, which `meshccd` turns on. Most queries take less than a microsecond,
+/// ties tens. Integers are as long as they must be: coordinates whose exponents on one axis are
+/// hundreds apart, or a window that begins at a tiny time, take milliseconds, and any bits of `f64`
+/// at most tens of these.
+///
+/// Without `alloc` integers have at most 6,144 bits, and `None` is also what these do not hold. Of
+/// the whole step no search has found such a query where on each axis the lowest bit of a
+/// coordinate stands at most 200 places below the highest of another, as of all `f32` between
+/// 2^-100 and 2^76.
 ///
 /// ```
 /// use ccd::VertexFace;

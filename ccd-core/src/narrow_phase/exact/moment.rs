@@ -7,8 +7,8 @@ use super::words::{Longest, Words};
 use crate::math::real::Num;
 use crate::narrow_phase::relative_motion::Patch;
 
-/// Whether features at these places touch; `None` of what is not finite or so unlike that integers
-/// of 6,144 bits do not hold what comes of it.
+/// Whether features at these places touch; `None` of what is not finite, and without a heap of what
+/// is so unlike that 96 words do not hold what comes of it.
 pub fn touch(patch: Patch, x: &[[f64; 3]; 4]) -> Option<bool> {
     if !x.iter().flatten().all(|x| x.is_finite()) {
         return None;
