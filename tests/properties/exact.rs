@@ -126,8 +126,25 @@ fn numbers_as_far_apart_as_they_can_be_are_decided() {
     let t0 = [[most; 3], [least; 3], [-most, 1e308, least], [least, -most, 1e308]];
     let mut t1 = t0;
     t1[0] = [-most; 3];
-    let found = exact::vertex_face(&VertexFace { t0, t1 }, whole);
-    println!("{found:?}");
+    let judged = |family, t0, t1| {
+        let kind = KINDS.len() - 1;
+        Query { family, kind, moved: false, t0, t1, window: whole }.judged().unwrap()
+    };
+    assert_eq!(judged(0, t0, t1), Outcome::Contact);
+    // Any exponents, and what shrinks to a point but for one coordinate.
+    let mut random = Random::new(13);
+    let mut contacts = 0;
+    for i in 0..12 {
+        let mut any = || random.sign() * random.power(-300.0, 300.0);
+        let mut points = || [(); 4].map(|()| [(); 3].map(|()| any()));
+        let (t0, mut t1) = (points(), points());
+        if i % 4 < 2 {
+            t1 = t0.map(|p| p.map(|x| -x));
+            t1[0][0] *= 0.75;
+        }
+        contacts += (judged(i % 2, t0, t1) != Outcome::Miss) as usize;
+    }
+    assert!(contacts > 2, "{contacts}");
     // Beside the edge, by the least number.
     let face = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
     let query = |x: f64, y: f64| VertexFace {
