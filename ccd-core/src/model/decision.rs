@@ -126,8 +126,8 @@ impl Decider {
         Contact::of(kind, pair, self.exact(found))
     }
 
-    /// The answer for a vertex and a face, or two edges; an error: what integers are to decide, with
-    /// the answer of the search if one was made for it.
+    /// The answer for a vertex and a face, or two edges; an error: what integers are to decide, and
+    /// the answer of the search if one was made.
     #[inline]
     fn of_patch<T: Real>(
         &self,
