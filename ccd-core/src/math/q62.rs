@@ -55,6 +55,12 @@ impl Q62 {
         ((self.hi as u64) << 32 | self.lo as u64) as i64
     }
 
+    /// The number in units of `u`, rounded.
+    #[inline(always)]
+    pub fn approximate(self) -> f32 {
+        self.hi as i32 as f32 * 4_294_967_296.0 + self.lo as f32
+    }
+
     /// Whether the number is below 0.
     #[inline(always)]
     pub fn is_negative(self) -> bool {

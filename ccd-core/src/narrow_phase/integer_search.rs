@@ -4,10 +4,13 @@
 //! The vectors of a query are numbers in fixed point ([`Q62`]) of a unit in which the greatest is
 //! about 1/8 or 1/4, so that every bound below is a number of units `u` of 2^-62. The control
 //! values of the cubic [Tang 2010] are halved by de Casteljau's algorithm, the first half first,
-//! down to 2^-31 of the step, and the patch is looked at over the interval that is left. In a given
-//! unit the answer is the same on every device. The unit comes of `f32` ([`unit()`]), and what is
-//! open goes on in `f32`, so a device that rounds in another way may leave other pairs open and
-//! find other times within the tolerance; what it certifies is true all the same.
+//! until their signs show that there is one zero. Where it is `f32` guesses, signs on both sides of
+//! the guess prove it, and the patch is looked at there. Where that is not certain, an interval is
+//! halved further, down to 2^-31 of the step.
+//!
+//! The unit comes of `f32` too ([`unit()`]), and what is open goes on in `f32`, so a device that
+//! rounds in another way may leave other pairs open and find other times within the tolerance; what
+//! it certifies is true all the same.
 //!
 //! What is not certain is open: double zeros, edges that are parallel, contacts within some 2^-31
 //! of the boundary of the patch, resting contact.
@@ -24,7 +27,8 @@
 //! | three times the others | 9/32 | `3 (8.25 + 24 / 4 + 2 / 4 + 5) u < 60 u` |
 //!
 //! A halving adds `1.5 u` (three means, each up to `u / 2` too low), 31 of them `46.5 u`, and the
-//! values of another interval `3 u` (three interpolations): below `128 u` together (`BAND`).
+//! values of another interval, or at a time, `3 u` (three interpolations): below `128 u` together
+//! (`BAND`).
 
 use crate::math::q62::Q62;
 use crate::narrow_phase::relative_motion::{Motion, Patch};
@@ -72,9 +76,12 @@ pub enum Found {
 const BAND: u32 = 128;
 /// Halvings of the step, after which an interval is a unit of time.
 const DEPTH: u32 = 31;
-/// Rounds of a search: halvings, and intervals that are left. Most take 32; who needs more than
-/// this has the cubic near 0 for long, and is open.
+/// Rounds of a search: halvings, and intervals that are left. Most take fewer than ten; who needs
+/// more than this has the cubic near 0 for long, and is open.
 const MAX_ROUNDS: u32 = 128;
+/// Depth of the longest interval around a zero that was guessed: longer ones would be more often on
+/// the boundary of the patch, and `f32` guesses better.
+const NEAR: u32 = 18;
 /// Depths at which a pair is left whose features are apart around the whole interval.
 const EARLY: [u32; 3] = [3, 8, 14];
 
@@ -181,6 +188,61 @@ fn over(c: [Q62; 4], from: u32, until: u32) -> [Q62; 4] {
     ]
 }
 
+/// The value of a cubic at a time, of its control values over the step.
+#[inline(always)]
+fn value(c: [Q62; 4], t: u32) -> Q62 {
+    let (p, q, r) = (c[0].towards(c[1], t), c[1].towards(c[2], t), c[2].towards(c[3], t));
+    p.towards(q, t).towards(q.towards(r, t), t)
+}
+
+/// Whether a cubic certainly has one zero between the ends, and what its control values show of
+/// that: their signs, of which the first differ from the last.
+#[inline(always)]
+fn has_one_zero(c: [Q62; 4]) -> bool {
+    let (p, q, r, s) = (sign(c[0]), sign(c[1]), sign(c[2]), sign(c[3]));
+    p | s == 3 && (q == p && r != 0 || r == s && q != 0)
+}
+
+/// A part of the step, of at most 2^-`depth` of it.
+#[derive(Clone, Copy)]
+struct Part {
+    begin: u32,
+    end: u32,
+    depth: u32,
+}
+
+/// About how far into an interval the zero of a cubic that has one there is: by Newton's method in
+/// `f32`, which devices round differently.
+#[inline(always)]
+fn guess(c: [Q62; 4]) -> f32 {
+    let c = [c[0].approximate(), c[1].approximate(), c[2].approximate(), c[3].approximate()];
+    let between = |a: f32, b: f32, t: f32| a + (b - a) * t;
+    let mut t = c[0] / (c[0] - c[3]);
+    for _ in 0..4 {
+        let (p, q, r) = (between(c[0], c[1], t), between(c[1], c[2], t), between(c[2], c[3], t));
+        let (p, q) = (between(p, q, t), between(q, r, t));
+        t = (t - between(p, q, t) / (3.0 * (q - p))).max(0.0).min(1.0);
+    }
+    t
+}
+
+/// A short part of an interval around its only zero: from a time at which that seems to be, `guess`
+/// of the interval after its begin, to one on the other side of it; and whether signs certainly
+/// differ there, so that it is in between.
+#[inline(always)]
+fn around_zero(whole: [Q62; 4], c: [Q62; 4], of: Part, guess: f32, depth: u32) -> (Part, bool) {
+    let (step, length) = (1 << (DEPTH - depth), of.end - of.begin);
+    // Whatever the guess is, this is in the interval.
+    let way = ((guess * length as f32) as u32).min(length);
+    let seen = of.begin + way;
+    let side = sign(value(whole, seen));
+    let is_before = side == sign(c[0]);
+    let beside = if is_before { seen + step.min(length - way) } else { seen - step.min(way) };
+    let differ = side | sign(value(whole, beside)) == 3;
+    let (begin, end) = if is_before { (seen, beside) } else { (beside, seen) };
+    (Part { begin, end, depth }, differ)
+}
+
 /// Where the vector is over an interval.
 #[derive(Clone, Copy, PartialEq, Eq)]
 #[repr(u32)]
@@ -280,6 +342,9 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
     let whole = coplanarity(&vectors);
     // The interval [k, k + 1] 2^-depth, and the control values over it.
     let (mut k, mut depth, mut c) = (0, 0, whole);
+    let finest = window.tolerance.leading_zeros().max(NEAR);
+    // Whether a guess was tried in it, and whether the zero is known to be where it was.
+    let (mut tried, mut located) = (false, false);
     for _ in 0..MAX_ROUNDS {
         let unit = DEPTH - depth;
         let (from, until) = (k << unit, (k + 1) << unit);
@@ -289,24 +354,32 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
         let mut is_over = until < window.from || has_no_zero(c);
         if !is_over {
             // The first interval that may have a zero begins where there certainly is none.
-            let last = depth == DEPTH;
-            if last || depth == EARLY[0] || depth == EARLY[1] || depth == EARLY[2] {
-                let crosses = sign(c[0]) | sign(c[3]) == 3;
-                // Where the sign after the zero is not certain, it may be within the tolerance.
-                let widened = last && !crosses;
-                let depth = if widened { window.tolerance.leading_zeros() } else { depth };
-                let until = from + (1 << (DEPTH - depth));
-                let place = place(&vectors, patch, from, depth);
-                is_over = place == Place::Outside;
+            let (last, once) = (depth == DEPTH, has_one_zero(c));
+            let early = depth == EARLY[0] || depth == EARLY[1] || depth == EARLY[2];
+            if last || !located && (early || once && !tried) {
+                tried = once;
+                let mut part = Part { begin: from, end: until, depth };
+                let mut crosses = sign(c[0]) | sign(c[3]) == 3;
+                if once && depth < finest {
+                    let (near, differ) = around_zero(whole, c, part, guess(c), finest);
+                    (part, located) = (if differ { near } else { part }, differ);
+                } else if last && !crosses {
+                    // Where the sign after the zero is not certain, it may be within the tolerance.
+                    part.depth = window.tolerance.leading_zeros();
+                    part.end = from + (1 << (DEPTH - part.depth));
+                    crosses =
+                        part.end <= 1 << DEPTH && sign(c[0]) | sign(value(whole, part.end)) == 3;
+                }
+                let place = place(&vectors, patch, part.begin, part.depth);
+                let is_beside = part.end < window.from || part.begin > window.until;
+                is_over = place == Place::Outside || located && is_beside;
+                let is_wanted = part.begin >= window.from && part.end <= window.until;
+                let is_fine = part.end - part.begin <= window.tolerance;
+                if crosses && is_wanted && is_fine && place == Place::Inside {
+                    return Found::Hit(part.begin);
+                }
                 if last && !is_over {
-                    let crosses = if widened && until <= 1 << DEPTH {
-                        sign(c[0]) | sign(over(whole, until, until)[0]) == 3
-                    } else {
-                        crosses
-                    };
-                    let wanted = from >= window.from && until <= window.until;
-                    let certain = crosses && wanted && place == Place::Inside;
-                    return if certain { Found::Hit(from) } else { Found::Open };
+                    return Found::Open;
                 }
             }
             if !is_over {
@@ -326,6 +399,7 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
         }
         if is_over {
             // The next interval, as large as may be.
+            (tried, located) = (false, false);
             k += 1;
             let trailing_zeros = 31 - (k & k.wrapping_neg()).leading_zeros();
             let up = trailing_zeros.min(depth);

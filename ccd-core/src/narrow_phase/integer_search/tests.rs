@@ -281,14 +281,55 @@ fn errors(patch: Patch, query: &Query, k: u32) -> [f64; 2] {
     let time = |k: u32| rational(k as f64 / (1u64 << DEPTH) as f64);
     let over_part: Vec<BigRational> =
         (0..4).map(|i| blossom(&want, [0, 1, 2].map(|j| time(k + (i + j >= 3) as u32)))).collect();
-    let off = |found: &[Q62; 4], want: &[BigRational]| {
+    let off = |found: &[Q62], want: &[BigRational]| {
         let error = |(x, want): (&Q62, &BigRational)| {
             (BigRational::from_integer(x.units().into()) - want).abs().to_f64().expect("a number")
         };
         found.iter().zip(want).map(error).fold(0.0, f64::max)
     };
     let later = off(&c, &over_part).max(off(&over(found, k, k + 1), &over_part));
-    [off(&found, &want), later]
+    let at_begin = [value(found, k)];
+    [off(&found, &want), later.max(off(&at_begin, &over_part[..1]))]
+}
+
+/// Whatever is guessed, a zero that is located is there, and is the only one of its interval.
+#[test]
+fn no_guess_is_trusted() {
+    let mut random = Random::new(8);
+    let (mut located, mut elsewhere) = (0, 0);
+    for i in 0..4000 {
+        let mut coordinate = || (random.unit() + random.unit() / (1u64 << 24) as f64 - 0.5) * 0.9;
+        let query: Query = [(); 2].map(|()| [(); 4].map(|()| [(); 3].map(|()| coordinate())));
+        let patch = PATCHES[i % 2];
+        let point = |i: usize| query.map(|x| x[i].map(|c| of(c, 0)));
+        let whole = coplanarity(&vectors(patch, &[point(0), point(1), point(2), point(3)]));
+        let want = control_values(patch, &query);
+        let depth = random.below(6);
+        let begin = (random.below(1 << depth)) << (DEPTH - depth);
+        let end = begin + (1 << (DEPTH - depth));
+        let c = over(whole, begin, end);
+        if !has_one_zero(c) {
+            continue;
+        }
+        let time = |k: u32| rational(k as f64 / (1u64 << DEPTH) as f64);
+        let control =
+            |i: usize| blossom(&want, [0, 1, 2].map(|j| time([begin, end][(i + j >= 3) as usize])));
+        let signs: Vec<bool> = (0..4).map(|i| control(i).is_positive()).collect();
+        assert_eq!(signs.windows(2).filter(|two| two[0] != two[1]).count(), 1);
+        let part = Part { begin, end, depth };
+        for guess in [guess(c), random.unit() as f32, 0.0, 1.0, 2.0, -1.0, f32::NAN, f32::INFINITY]
+        {
+            let finest = depth + random.below(DEPTH - depth + 1);
+            let (near, differ) = around_zero(whole, c, part, guess, finest);
+            assert!(near.begin >= begin && near.end <= end && near.depth == finest);
+            assert!(near.end - near.begin <= 1 << (DEPTH - finest));
+            let is_positive = |k: u32| blossom(&want, [0; 3].map(|_| time(k))).is_positive();
+            assert!(!differ || is_positive(near.begin) != is_positive(near.end));
+            located += differ as u32;
+            elsewhere += !differ as u32;
+        }
+    }
+    assert!(located > 500 && elsewhere > 1000, "{located} {elsewhere}");
 }
 
 /// What stands still has components that are exact here, so of a determinant all of the error is
