@@ -340,54 +340,32 @@ fn place(vectors: &Vectors, patch: Patch, from: u32, depth: u32) -> Place {
 pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
     let vectors = vectors(patch, points);
     let whole = coplanarity(&vectors);
+    let finest = window.tolerance.leading_zeros().max(NEAR);
     // The interval [k, k + 1] 2^-depth, and the control values over it.
     let (mut k, mut depth, mut c) = (0, 0, whole);
-    let finest = window.tolerance.leading_zeros().max(NEAR);
-    // Whether a guess was tried in it, and whether the zero is known to be where it was.
-    let (mut tried, mut located) = (false, false);
-    for _ in 0..MAX_ROUNDS {
-        let unit = DEPTH - depth;
-        let (from, until) = (k << unit, (k + 1) << unit);
-        if from > window.until {
-            return Found::Miss;
-        }
-        let mut is_over = until < window.from || has_no_zero(c);
-        if !is_over {
-            // The first interval that may have a zero begins where there certainly is none.
-            let (last, once) = (depth == DEPTH, has_one_zero(c));
+    // Whether the patch was looked at over it; whether a zero was guessed in it or in one that it
+    // is part of, and is known to be there.
+    let (mut looked, mut guessed, mut located) = (false, false, false);
+    let mut rounds = 0;
+    while rounds < MAX_ROUNDS {
+        // Threads of a device halve together, and then look together.
+        let (mut from, mut until) = (0, 0);
+        let (mut is_over, mut once, mut looks) = (false, false, false);
+        while rounds < MAX_ROUNDS && !is_over && !looks {
+            rounds += 1;
+            let unit = DEPTH - depth;
+            (from, until) = (k << unit, (k + 1) << unit);
+            is_over = from > window.until || until < window.from || has_no_zero(c);
+            once = has_one_zero(c);
             let early = depth == EARLY[0] || depth == EARLY[1] || depth == EARLY[2];
-            if last || !located && (early || once && !tried) {
-                tried = once;
-                let mut part = Part { begin: from, end: until, depth };
-                let mut crosses = sign(c[0]) | sign(c[3]) == 3;
-                if once && depth < finest {
-                    let (near, differ) = around_zero(whole, c, part, guess(c), finest);
-                    (part, located) = (if differ { near } else { part }, differ);
-                } else if last && !crosses {
-                    // Where the sign after the zero is not certain, it may be within the tolerance.
-                    part.depth = window.tolerance.leading_zeros();
-                    part.end = from + (1 << (DEPTH - part.depth));
-                    crosses =
-                        part.end <= 1 << DEPTH && sign(c[0]) | sign(value(whole, part.end)) == 3;
-                }
-                let place = place(&vectors, patch, part.begin, part.depth);
-                let is_beside = part.end < window.from || part.begin > window.until;
-                is_over = place == Place::Outside || located && is_beside;
-                let is_wanted = part.begin >= window.from && part.end <= window.until;
-                let is_fine = part.end - part.begin <= window.tolerance;
-                if crosses && is_wanted && is_fine && place == Place::Inside {
-                    return Found::Hit(part.begin);
-                }
-                if last && !is_over {
-                    return Found::Open;
-                }
-            }
-            if !is_over {
+            let may_look = !located && (early || once && !guessed);
+            looks = !looked && (depth == DEPTH || may_look);
+            if !is_over && !looks {
                 // De Casteljau's triangle: halves share its last value.
                 let (p, q, r) = (c[0].mean(c[1]), c[1].mean(c[2]), c[2].mean(c[3]));
                 let (s, t) = (p.mean(q), q.mean(r));
                 let middle = s.mean(t);
-                (k, depth) = (2 * k, depth + 1);
+                (k, depth, looked) = (2 * k, depth + 1, false);
                 let first = [c[0], p, s, middle];
                 if has_no_zero(first) {
                     k += 1;
@@ -397,14 +375,41 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
                 }
             }
         }
+        if looks && !is_over {
+            // The first interval that may have a zero begins where there certainly is none.
+            (looked, guessed) = (true, once);
+            let last = depth == DEPTH;
+            let mut part = Part { begin: from, end: until, depth };
+            let mut crosses = sign(c[0]) | sign(c[3]) == 3;
+            if once && depth < finest {
+                let (near, differ) = around_zero(whole, c, part, guess(c), finest);
+                (part, located) = (if differ { near } else { part }, differ);
+            } else if last && !crosses {
+                // Where the sign after the zero is not certain, it may be within the tolerance.
+                part.depth = window.tolerance.leading_zeros();
+                part.end = from + (1 << (DEPTH - part.depth));
+                crosses = part.end <= 1 << DEPTH && sign(c[0]) | sign(value(whole, part.end)) == 3;
+            }
+            let place = place(&vectors, patch, part.begin, part.depth);
+            let is_beside = part.end < window.from || part.begin > window.until;
+            is_over = place == Place::Outside || located && is_beside;
+            let is_wanted = part.begin >= window.from && part.end <= window.until;
+            let is_fine = part.end - part.begin <= window.tolerance;
+            if crosses && is_wanted && is_fine && place == Place::Inside {
+                return Found::Hit(part.begin);
+            }
+            if last && !is_over {
+                return Found::Open;
+            }
+        }
         if is_over {
             // The next interval, as large as may be.
-            (tried, located) = (false, false);
+            (looked, guessed, located) = (false, false, false);
             k += 1;
             let trailing_zeros = 31 - (k & k.wrapping_neg()).leading_zeros();
             let up = trailing_zeros.min(depth);
             (k, depth) = (k >> up, depth - up);
-            if k == 1 && depth == 0 {
+            if from > window.until || k == 1 && depth == 0 {
                 return Found::Miss;
             }
             let unit = DEPTH - depth;
