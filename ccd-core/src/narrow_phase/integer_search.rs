@@ -14,26 +14,18 @@
 //!
 //! What is not certain is open: double zeros, edges that are parallel, contacts within some 2^-31
 //! of the boundary of the patch, resting contact.
-//!
-//! # Bounds
-//! Components are up to 1/4, and off by `2 u` (two operands, cut); a product is off by less than
-//! `5 u`, so with those of its factors by `6 u` where both are vectors.
-//!
-//! | value | at most | error |
-//! |---|---|---|
-//! | component of a cross product | 1/8 | `2 x 6 u` |
-//! | the same of mixed ends, a sum of two | 1/4 | `24 u` |
-//! | `3 f(0)`, `3 f(1)` | 9/32 | `3 x 3 (12 / 4 + 2 / 8 + 5) u < 75 u` |
-//! | three times the others | 9/32 | `3 (8.25 + 24 / 4 + 2 / 4 + 5) u < 60 u` |
-//!
-//! A halving adds `1.5 u` (three means, each up to `u / 2` too low), 31 of them `46.5 u`, and the
-//! values of another interval, or at a time, `3 u` (three interpolations): below `128 u` together
-//! (`BAND`).
+
+mod cubic;
 
 use crate::math::q62::Q62;
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 #[cfg(any(feature = "alloc", test))]
 use crate::narrow_phase::search::Search;
+pub use cubic::Ends;
+use cubic::{
+    DEPTH, Part, Vectors, around_zero, coplanarity, cross, guess, has_no_zero, has_one_zero, minus,
+    over, sign, value,
+};
 
 /// What is looked for. Times are in 2^-31 of the step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -72,10 +64,6 @@ pub enum Found {
     Open,
 }
 
-/// What a control value may be off by, in units of [`Q62`].
-const BAND: u32 = 128;
-/// Halvings of the step, after which an interval is a unit of time.
-const DEPTH: u32 = 31;
 /// Rounds of a search: halvings, and intervals that are left. Most take fewer than ten; who needs
 /// more than this has the cubic near 0 for long, and is open.
 const MAX_ROUNDS: u32 = 128;
@@ -84,11 +72,6 @@ const MAX_ROUNDS: u32 = 128;
 const NEAR: u32 = 18;
 /// Depths at which a pair is left whose features are apart around the whole interval.
 const EARLY: [u32; 3] = [3, 8, 14];
-
-/// A point or a vector at the start and the end of the step.
-pub type Ends = [[Q62; 3]; 2];
-/// Three vectors.
-type Vectors = [Ends; 3];
 
 /// log2 of a unit in which all components of the vectors of a query are below 1; [`NO_UNIT`] where
 /// they are above 2^63 or below 2^-63, since then something may have overflowed or been flushed.
@@ -112,135 +95,6 @@ fn vectors(patch: Patch, [p, q, r, s]: &[Ends; 4]) -> Vectors {
         Patch::Triangle => [less(p, q), less(r, q), less(s, q)],
         Patch::Parallelogram => [less(r, p), less(q, p), less(r, s)],
     }
-}
-
-#[inline(always)]
-fn minus(p: [Q62; 3], q: [Q62; 3]) -> [Q62; 3] {
-    [p[0].minus(q[0]), p[1].minus(q[1]), p[2].minus(q[2])]
-}
-
-#[inline(always)]
-fn cross2(p: [Q62; 3], q: [Q62; 3], i: usize, j: usize) -> Q62 {
-    p[i].times(q[j]).minus(p[j].times(q[i]))
-}
-
-#[inline(always)]
-fn cross(p: [Q62; 3], q: [Q62; 3]) -> [Q62; 3] {
-    [cross2(p, q, 1, 2), cross2(p, q, 2, 0), cross2(p, q, 0, 1)]
-}
-
-#[inline(always)]
-fn dot(p: [Q62; 3], q: [Q62; 3]) -> Q62 {
-    p[0].times(q[0]).plus(p[1].times(q[1])).plus(p[2].times(q[2]))
-}
-
-#[inline(always)]
-fn plus(p: [Q62; 3], q: [Q62; 3]) -> [Q62; 3] {
-    [p[0].plus(q[0]), p[1].plus(q[1]), p[2].plus(q[2])]
-}
-
-/// Three times the Bernstein control values of the cubic of coplanarity.
-#[inline(always)]
-fn coplanarity([a, b, c]: &Vectors) -> [Q62; 4] {
-    let (n00, n11) = (cross(b[0], c[0]), cross(b[1], c[1]));
-    let n01 = plus(cross(b[0], c[1]), cross(b[1], c[0]));
-    let thrice = |x: Q62| x.plus(x).plus(x);
-    [
-        thrice(dot(a[0], n00)),
-        dot(a[1], n00).plus(dot(a[0], n01)),
-        dot(a[0], n11).plus(dot(a[1], n01)),
-        thrice(dot(a[1], n11)),
-    ]
-}
-
-/// 1: certainly above 0, 2: certainly below, 0: neither.
-#[inline(always)]
-fn sign(x: Q62) -> u32 {
-    let band = Q62::of_units(BAND);
-    if !x.abs().is_above(band) {
-        0
-    } else if x.is_negative() {
-        2
-    } else {
-        1
-    }
-}
-
-/// Whether all control values certainly have one sign.
-#[inline(always)]
-fn has_no_zero(c: [Q62; 4]) -> bool {
-    sign(c[0]) & sign(c[1]) & sign(c[2]) & sign(c[3]) != 0
-}
-
-/// The control values of a cubic over `[from, until]`, of those over the step: value `i` is the
-/// blossom at `from`, 3 - i times, and `until`, i times.
-#[inline(always)]
-fn over(c: [Q62; 4], from: u32, until: u32) -> [Q62; 4] {
-    let two = |c: [Q62; 3], t| [c[0].towards(c[1], t), c[1].towards(c[2], t)];
-    let three = |t| [c[0].towards(c[1], t), c[1].towards(c[2], t), c[2].towards(c[3], t)];
-    let (early, late) = (three(from), three(until));
-    let (p, q, r) = (two(early, from), two(early, until), two(late, until));
-    [
-        p[0].towards(p[1], from),
-        p[0].towards(p[1], until),
-        q[0].towards(q[1], until),
-        r[0].towards(r[1], until),
-    ]
-}
-
-/// The value of a cubic at a time, of its control values over the step.
-#[inline(always)]
-fn value(c: [Q62; 4], t: u32) -> Q62 {
-    let (p, q, r) = (c[0].towards(c[1], t), c[1].towards(c[2], t), c[2].towards(c[3], t));
-    p.towards(q, t).towards(q.towards(r, t), t)
-}
-
-/// Whether a cubic certainly has one zero between the ends, and what its control values show of
-/// that: their signs, of which the first differ from the last.
-#[inline(always)]
-fn has_one_zero(c: [Q62; 4]) -> bool {
-    let (p, q, r, s) = (sign(c[0]), sign(c[1]), sign(c[2]), sign(c[3]));
-    p | s == 3 && (q == p && r != 0 || r == s && q != 0)
-}
-
-/// A part of the step, of at most 2^-`depth` of it.
-#[derive(Clone, Copy)]
-struct Part {
-    begin: u32,
-    end: u32,
-    depth: u32,
-}
-
-/// About how far into an interval the zero of a cubic that has one there is: by Newton's method in
-/// `f32`, which devices round differently.
-#[inline(always)]
-fn guess(c: [Q62; 4]) -> f32 {
-    let c = [c[0].approximate(), c[1].approximate(), c[2].approximate(), c[3].approximate()];
-    let between = |a: f32, b: f32, t: f32| a + (b - a) * t;
-    let mut t = c[0] / (c[0] - c[3]);
-    for _ in 0..4 {
-        let (p, q, r) = (between(c[0], c[1], t), between(c[1], c[2], t), between(c[2], c[3], t));
-        let (p, q) = (between(p, q, t), between(q, r, t));
-        t = (t - between(p, q, t) / (3.0 * (q - p))).max(0.0).min(1.0);
-    }
-    t
-}
-
-/// A short part of an interval around its only zero: from a time at which that seems to be, `guess`
-/// of the interval after its begin, to one on the other side of it; and whether signs certainly
-/// differ there, so that it is in between.
-#[inline(always)]
-fn around_zero(whole: [Q62; 4], c: [Q62; 4], of: Part, guess: f32, depth: u32) -> (Part, bool) {
-    let (step, length) = (1 << (DEPTH - depth), of.end - of.begin);
-    // Whatever the guess is, this is in the interval.
-    let way = ((guess * length as f32) as u32).min(length);
-    let seen = of.begin + way;
-    let side = sign(value(whole, seen));
-    let is_before = side == sign(c[0]);
-    let beside = if is_before { seen + step.min(length - way) } else { seen - step.min(way) };
-    let differ = side | sign(value(whole, beside)) == 3;
-    let (begin, end) = if is_before { (seen, beside) } else { (beside, seen) };
-    (Part { begin, end, depth }, differ)
 }
 
 /// Where the vector is over an interval.

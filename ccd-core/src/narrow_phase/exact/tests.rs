@@ -205,7 +205,9 @@ fn a_zero_beside_a_double_one_is_short() {
         let (f, g) = ([3.0 * e; 3], [5.0 * e; 3]);
         let t0 = [[1.0, 1.0, 0.25], f, [f[0], 1.0, f[2]], [f[0], f[1], 1.0]];
         let t1 = [[-1.0, -1.0, -0.75], g, [g[0], -3.0, g[2]], [g[0], g[1], -3.0]];
-        let found = of_patch(Patch::Triangle, [&t0, &t1], WHOLE);
+        // As in a core without a heap.
+        let found = by_integers::<[u64; 96]>(Patch::Triangle, [&t0, &t1], WHOLE);
+        assert_eq!(found, of_patch(Patch::Triangle, [&t0, &t1], WHOLE));
         let Some(Exact::Contact([lo, hi])) = found else { panic!("2^-{k}: {found:?}") };
         assert!(lo < 0.5 && 0.5 <= hi && hi - lo < 1e-15, "2^-{k}: {lo:?} {hi:?}");
     }

@@ -1,6 +1,7 @@
 //! Verdicts by integers beside exact ones: at any scale and place, in any window, on a lattice
 //! where nearly everything is degenerate.
 
+use super::cubic::BAND;
 use super::*;
 use crate::backend::quantization::Scan;
 use crate::narrow_phase::exact::{self, Exact};
