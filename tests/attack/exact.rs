@@ -6,7 +6,7 @@ use ccd_testkit::degenerate::{FAMILIES, KINDS, Outcome, Query};
 use ccd_testkit::grazing::random::Random;
 use serde::{Deserialize, Serialize};
 
-/// Queries of each kind of each family in a case, so that 1,000 of each family are in ten cases.
+/// Queries of each kind of each family in a case: 110 of each family.
 const OF_EACH: usize = 10;
 
 /// Seeds of queries, each with its family and kind.

@@ -53,8 +53,8 @@ struct Options {
     /// How long, all kinds together
     #[arg(long, default_value_t = 10.0)]
     minutes: f64,
-    /// So many cases of each kind, however long they take; one of the kind `exact` has 100 queries
-    /// of each family, so that 10000 are a million
+    /// So many cases of each kind, however long they take; one of the kind `exact` has 110 queries
+    /// of each family, so that 10000 are over a million
     #[arg(long, conflicts_with = "minutes")]
     cases: Option<u64>,
     /// Where the work under test runs: the GPU through both paths, with and without f64, in turn
