@@ -2,7 +2,7 @@
 //! changes its sign, and whether the features certainly meet there.
 //!
 //! The vectors of a query are numbers in fixed point ([`Q62`]) of a unit in which the greatest is
-//! about 1/8 or 1/4, so that every bound below is a number of units `u` of 2^-62. The control
+//! about 1/8 or 1/4, so that every bound is a number of units `u` of 2^-62. The control
 //! values of the cubic [Tang 2010] are halved by de Casteljau's algorithm, the first half first,
 //! until their signs show that there is one zero. Where it is `f32` guesses, signs on both sides of
 //! the guess prove it, and the patch is looked at there. Where that is not certain, an interval is
@@ -197,8 +197,8 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
     let finest = window.tolerance.leading_zeros().max(NEAR);
     // The interval [k, k + 1] 2^-depth, and the control values over it.
     let (mut k, mut depth, mut c) = (0, 0, whole);
-    // Whether the patch was looked at over it; whether a zero was guessed in it or in one that it
-    // is part of, and is known to be there.
+    // Whether the patch was looked at over it; whether a zero was guessed in it, or in an interval
+    // that it is a half of, and whether signs have proved that guess.
     let (mut looked, mut guessed, mut located) = (false, false, false);
     let mut rounds = 0;
     while rounds < MAX_ROUNDS {

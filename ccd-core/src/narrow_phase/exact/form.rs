@@ -152,7 +152,8 @@ impl<W: Words> Form<W> {
     pub fn range(&self) -> [Integer<W>; 2] {
         let binomial = |n: usize, k: usize| (0..k).fold(1, |b, i| b * (n - i) / (i + 1));
         let at = |i: usize| &self.c[i] * Integer::new(12 / binomial(self.degree, i) as i64, 0);
-        let (mut least, mut most) = (at(0), at(0));
+        let mut least = at(0);
+        let mut most = least.clone();
         for c in (1..=self.degree).map(at) {
             if (&c - &least).sign() < 0 || !c.is_exact() {
                 least = c.clone();

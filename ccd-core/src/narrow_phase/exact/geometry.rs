@@ -205,7 +205,10 @@ fn values<W: Words, const K: usize>(
         let mut tight = true;
         for (out, form) in out.iter_mut().zip(forms) {
             let [least, most] = match time {
-                Time::At(time) => [form.at(time), form.at(time)],
+                Time::At(time) => {
+                    let value = form.at(time);
+                    [value.clone(), value]
+                }
                 Time::Between(_, [from, to], _) => form.over(from, to).range(),
             };
             let width = &most - &least;

@@ -111,22 +111,22 @@ pub fn value(c: [Q62; 4], t: u32) -> Q62 {
     p.towards(q, t).towards(q.towards(r, t), t)
 }
 
-/// Whether a cubic certainly has one zero between the ends, and what its control values show of
-/// that: their signs, of which the first differ from the last.
+/// Whether a cubic certainly has one zero between the ends: the signs of its control values are
+/// certain and change once, those at the ends being two different ones.
 #[inline(always)]
 pub fn has_one_zero(c: [Q62; 4]) -> bool {
     let (p, q, r, s) = (sign(c[0]), sign(c[1]), sign(c[2]), sign(c[3]));
     p | s == 3 && (q == p && r != 0 || r == s && q != 0)
 }
 
-/// A part of the step, of at most 2^-`depth` of it.
+/// A part of the step.
 #[derive(Clone, Copy)]
 pub struct Part {
     /// Its first time.
     pub begin: u32,
     /// Its last time.
     pub end: u32,
-    /// Of its length.
+    /// It is no longer than 2^-`depth` of the step.
     pub depth: u32,
 }
 
