@@ -180,9 +180,10 @@ pub fn narrow<P: Stored<Path>>(
             };
             [point(0), point(1), point(2), point(3)]
         };
-        let verdicts = by_integers(patch, &points, args);
-        if verdicts.undecided == 0 {
-            return verdicts;
+        let IntegerDecision { from, until, tolerance, .. } = *args;
+        let found = integer_search::search(patch, &points, &Window { from, until, tolerance });
+        if found != Found::Open {
+            return found_verdicts(found, from);
         }
     }
     narrow_verdicts(contact(&motion, patch, &search_of(frame)), frame)
@@ -214,17 +215,17 @@ fn given_in_units(words: &[u32], i: usize, unit: i32) -> [Q62; 3] {
     [of(i), of(i + 2), of(i + 4)]
 }
 
+/// What integers found in a window that begins at `from`.
 #[inline(always)]
-fn by_integers(patch: Patch, points: &[Ends; 4], args: &IntegerDecision) -> Verdicts {
-    let IntegerDecision { from, until, tolerance, .. } = *args;
-    match integer_search::search(patch, points, &Window { from, until, tolerance }) {
+fn found_verdicts(found: Found, from: u32) -> Verdicts {
+    match found {
         Found::Miss => Verdicts::NONE,
         Found::Hit(toi) => {
             let nears = if toi > from { Approach::Approaching } else { Approach::Unknown };
             let (approach, toi) = (nears.word(), time_of(toi));
             Verdicts { touches: true, approach, toi, ..Verdicts::NONE }
         }
-        Found::Open => Verdicts { touches: true, undecided: 1, ..Verdicts::NONE },
+        Found::Open | Found::Tie => Verdicts { touches: true, undecided: 1, ..Verdicts::NONE },
     }
 }
 

@@ -62,11 +62,14 @@ pub enum Found {
     Hit(u32),
     /// Neither is certain.
     Open,
+    /// The same, and fewer digits tell no more: at some time the features are in one plane, as far
+    /// as these digits tell, and certainly in each other's patch.
+    Tie,
 }
 
 /// Rounds of a search: halvings, and intervals that are left. Most take fewer than ten; who needs
 /// more than this has the cubic near 0 for long, and is open.
-const MAX_ROUNDS: u32 = 128;
+const MAX_ROUNDS: u32 = 64;
 /// Depth of the longest interval around a zero that was guessed: longer ones would be more often on
 /// the boundary of the patch, and `f32` guesses better.
 const NEAR: u32 = 18;
@@ -195,25 +198,30 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
     let vectors = vectors(patch, points);
     let whole = coplanarity(&vectors);
     let finest = window.tolerance.leading_zeros().max(NEAR);
-    // The interval [k, k + 1] 2^-depth, and the control values over it.
+    // The interval [k, k + 1] 2^-depth, its ends, and the control values over it.
     let (mut k, mut depth, mut c) = (0, 0, whole);
-    // Whether the patch was looked at over it; whether a zero was guessed in it, or in an interval
-    // that it is a half of, and whether signs have proved that guess.
-    let (mut looked, mut guessed, mut located) = (false, false, false);
+    let (mut from, mut until) = (0, 0);
+    // Whether the patch was looked at over it, and at its begin, if no sign is certain there;
+    // whether a zero was guessed in it, or in an interval that it is a half of.
+    let (mut looked, mut begun, mut guessed) = (false, false, false);
+    // Whether signs have proved the guess; then the zero is in `zero`, and `c` is over that.
+    let (mut located, mut zero) = (false, Part { begin: 0, end: 0, depth: 0 });
     let mut rounds = 0;
     while rounds < MAX_ROUNDS {
         // Threads of a device halve together, and then look together.
-        let (mut from, mut until) = (0, 0);
-        let (mut is_over, mut once, mut looks) = (false, false, false);
+        let (mut is_over, mut once, mut begins, mut looks) = (false, false, false, located);
         while rounds < MAX_ROUNDS && !is_over && !looks {
             rounds += 1;
             let unit = DEPTH - depth;
             (from, until) = (k << unit, (k + 1) << unit);
             is_over = from > window.until || until < window.from || has_no_zero(c);
             once = has_one_zero(c);
-            let early = depth == EARLY[0] || depth == EARLY[1] || depth == EARLY[2];
-            let may_look = !located && (early || once && !guessed);
-            looks = !looked && (depth == DEPTH || may_look);
+            // Its first halves begin as it does, and are no surer.
+            let is_unsure = sign(c[0]) == 0 && from >= window.from;
+            let is_early = depth == EARLY[0] || depth == EARLY[1] || depth == EARLY[2];
+            begins = is_unsure && !begun;
+            let may_look = depth == DEPTH || is_early || is_unsure || once && !guessed;
+            looks = begins || may_look && !looked;
             if !is_over && !looks {
                 // De Casteljau's triangle: halves share its last value.
                 let (p, q, r) = (c[0].mean(c[1]), c[1].mean(c[2]), c[2].mean(c[3]));
@@ -222,7 +230,7 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
                 (k, depth, looked) = (2 * k, depth + 1, false);
                 let first = [c[0], p, s, middle];
                 if has_no_zero(first) {
-                    k += 1;
+                    (k, begun) = (k + 1, false);
                     c = [middle, t, r, c[3]];
                 } else {
                     c = first;
@@ -231,34 +239,48 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
         }
         if looks && !is_over {
             // The first interval that may have a zero begins where there certainly is none.
-            (looked, guessed) = (true, once);
-            let last = depth == DEPTH;
+            let is_flat = sign(c[0]) | sign(c[1]) | sign(c[2]) | sign(c[3]) == 0;
+            let is_last = located || depth == DEPTH || is_flat;
             let mut part = Part { begin: from, end: until, depth };
             let mut crosses = sign(c[0]) | sign(c[3]) == 3;
-            if once && depth < finest {
-                let (near, differ) = around_zero(whole, c, part, guess(c), finest);
-                (part, located) = (if differ { near } else { part }, differ);
-            } else if last && !crosses {
+            (looked, begun) = (!begins, true);
+            if begins {
+                part = Part { begin: from, end: from + 1, depth: DEPTH };
+            } else if located || once && depth < finest {
+                let (of, to) = if located { (zero, DEPTH) } else { (part, finest) };
+                (zero, located) = around_zero(whole, of, guess(c), to);
+                (guessed, crosses) = (true, located);
+                if located {
+                    part = zero;
+                }
+            } else if depth == DEPTH && !crosses && sign(c[0]) != 0 {
                 // Where the sign after the zero is not certain, it may be within the tolerance.
                 part.depth = window.tolerance.leading_zeros();
                 part.end = from + (1 << (DEPTH - part.depth));
                 crosses = part.end <= 1 << DEPTH && sign(c[0]) | sign(value(whole, part.end)) == 3;
             }
             let place = place(&vectors, patch, part.begin, part.depth);
+            let (is_outside, is_inside) = (place == Place::Outside, place == Place::Inside);
             let is_beside = part.end < window.from || part.begin > window.until;
-            is_over = place == Place::Outside || located && is_beside;
             let is_wanted = part.begin >= window.from && part.end <= window.until;
             let is_fine = part.end - part.begin <= window.tolerance;
-            if crosses && is_wanted && is_fine && place == Place::Inside {
+            if begins {
+                if !is_outside {
+                    return if is_inside { Found::Tie } else { Found::Open };
+                }
+            } else if is_inside && crosses && is_wanted && is_fine {
                 return Found::Hit(part.begin);
-            }
-            if last && !is_over {
-                return Found::Open;
+            } else {
+                is_over = is_outside || located && is_beside;
+                if is_last && !is_over {
+                    return Found::Open;
+                }
             }
         }
+        let (mut first, mut last) = (zero.begin, zero.end);
         if is_over {
             // The next interval, as large as may be.
-            (looked, guessed, located) = (false, false, false);
+            (looked, begun, guessed, located) = (false, false, false, false);
             k += 1;
             let trailing_zeros = 31 - (k & k.wrapping_neg()).leading_zeros();
             let up = trailing_zeros.min(depth);
@@ -267,7 +289,10 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
                 return Found::Miss;
             }
             let unit = DEPTH - depth;
-            c = over(whole, k << unit, (k + 1) << unit);
+            (first, last) = (k << unit, (k + 1) << unit);
+        }
+        if is_over || located {
+            c = over(whole, first, last);
         }
     }
     Found::Open

@@ -102,7 +102,11 @@ impl core::fmt::Display for Error {
                     "stealing-abp" => ": its fences have no sequential consistency",
                     _ => "",
                 };
-                write!(f, "the {backend} has no method `{name}`{why}")
+                // Names of methods are one word each.
+                match name.contains(' ') {
+                    true => write!(f, "the {backend} has no {name}"),
+                    false => write!(f, "the {backend} has no method `{name}`{why}"),
+                }
             }
             Error::NotCompiled { name, backend } => write!(
                 f,

@@ -12,7 +12,7 @@ use super::{Front, Scheduler, Scheduling};
 /// let few = WorkerOptions::default().workers(2).batch(8);
 /// let lazy = Scheduling::default().scheduler(Scheduler::LazyStealing).workers(few);
 /// assert_eq!(lazy.lacking("cpu"), None);
-/// assert_eq!(lazy.scheduler(Scheduler::Static).lacking("cpu"), Some("batches of this scheduler"));
+/// assert_eq!(lazy.scheduler(Scheduler::Static).lacking("cpu"), Some("setting `batch` for this scheduler"));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -90,10 +90,10 @@ impl Scheduling {
         let has_workers = scheduler.is_some() && !by_levels;
         let WorkerOptions { workers, stack, batch, threshold } = self.workers;
         [
-            (workers > 0 && !has_workers, "workers of this scheduler"),
-            (stack > 0 && (!on_gpu || is_frontier), "stack size of this scheduler"),
-            (batch > 0 && !steals, "batches of this scheduler"),
-            (threshold > 0 && !steals, "threshold of this scheduler"),
+            (workers > 0 && !has_workers, "setting `workers` for this scheduler"),
+            (stack > 0 && (!on_gpu || is_frontier), "setting `stack` for this scheduler"),
+            (batch > 0 && !steals, "setting `batch` for this scheduler"),
+            (threshold > 0 && !steals, "setting `threshold` for this scheduler"),
         ]
         .into_iter()
         .find_map(|(is_lacking, name)| is_lacking.then_some(name))

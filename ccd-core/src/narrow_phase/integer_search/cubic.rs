@@ -131,34 +131,39 @@ pub struct Part {
 }
 
 /// About how far into an interval the zero of a cubic that has one there is: by Newton's method in
-/// `f32`, which devices round differently.
-#[allow(clippy::manual_clamp, reason = "NaN becomes a number")]
+/// `f32`, which devices round differently. A step that would leave what signs say of the zero goes
+/// to the middle of that.
 #[inline(always)]
 pub fn guess(c: [Q62; 4]) -> f32 {
     let c = [c[0].approximate(), c[1].approximate(), c[2].approximate(), c[3].approximate()];
     let between = |a: f32, b: f32, t: f32| a + (b - a) * t;
+    let (mut low, mut high) = (0.0, 1.0);
     let mut t = c[0] / (c[0] - c[3]);
-    for _ in 0..4 {
+    for _ in 0..6 {
         let (p, q, r) = (between(c[0], c[1], t), between(c[1], c[2], t), between(c[2], c[3], t));
         let (p, q) = (between(p, q, t), between(q, r, t));
-        t = (t - between(p, q, t) / (3.0 * (q - p))).max(0.0).min(1.0);
+        let value = between(p, q, t);
+        if (value < 0.0) == (c[0] < 0.0) {
+            low = t;
+        } else {
+            high = t;
+        }
+        // Of NaN, the middle.
+        let next = t - value / (3.0 * (q - p));
+        t = if next >= low && next <= high { next } else { 0.5 * (low + high) };
     }
     t
 }
 
-/// A short part of an interval around its only zero: from a time at which that seems to be, `guess`
-/// of the interval after its begin, to one on the other side of it; and whether signs certainly
-/// differ there, so that it is in between.
+/// A short part of an interval around where its only zero seems to be, `guess` of the interval
+/// after its begin; and whether signs certainly differ at its ends, so that it is in between.
 #[inline(always)]
-pub fn around_zero(whole: [Q62; 4], c: [Q62; 4], of: Part, guess: f32, depth: u32) -> (Part, bool) {
+pub fn around_zero(whole: [Q62; 4], of: Part, guess: f32, depth: u32) -> (Part, bool) {
     let (step, length) = (1 << (DEPTH - depth), of.end - of.begin);
     // Whatever the guess is, this is in the interval.
     let way = ((guess * length as f32) as u32).min(length);
-    let seen = of.begin + way;
-    let side = sign(value(whole, seen));
-    let is_before = side == sign(c[0]);
-    let beside = if is_before { seen + step.min(length - way) } else { seen - step.min(way) };
-    let differ = side | sign(value(whole, beside)) == 3;
-    let (begin, end) = if is_before { (seen, beside) } else { (beside, seen) };
+    let begin = of.begin + way - (step / 2).min(way);
+    let end = (begin + step).min(of.end);
+    let differ = sign(value(whole, begin)) | sign(value(whole, end)) == 3;
     (Part { begin, end, depth }, differ)
 }
