@@ -4,7 +4,7 @@
 use crate::emulated::{is_thin, methods};
 use crate::scenes::check_pairs;
 use crate::support::{bytes, capacity, list, not_run, read, read_back, run};
-use ccd::gpu::bind::Decide;
+use ccd::gpu::bind::{Decide, DecideIntegers};
 use ccd::gpu::harness::{Faults, set_faults};
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
 use ccd::method::{BroadPhaseMethod, Pipeline, TriangleOptions};
@@ -98,34 +98,48 @@ fn check_parts(device: &Device) {
     }
 }
 
-/// Pairs that `f32` leaves open beyond the capacity of their list are counted and not written.
+/// Pairs that are left open beyond the capacity of their list are counted and not written.
 fn check_capacities(device: &Device) {
     // All vertices are one point: no arithmetic decides that.
-    let (n, capacity_open) = (200u32, 10u32);
-    let paths = vec![Path { t0: [0.0; 4], t1: [0.0; 4] }; 8];
+    let (n, few) = (200u32, 10u32);
+    let paths = bytes(&[Path { t0: [0.0; 4], t1: [0.0; 4] }; 8]);
     let pairs: Vec<Pair> = (0..n).map(|i| Pair { a: i % 2, b: i % 2 }).collect();
-    for kind in [0, 1] {
+    for (kind, integers) in [(0, false), (1, false), (0, true), (1, true)] {
         let frame = Frame { flags: Frame::FLAG_KEEP, ..Frame::default() };
         let frame = frame.searching(&Search::whole(0.0));
-        let mut undecided = capacity(n);
+        let mut open = capacity(n);
         // In two parts, of which the second may take more than there is.
         for (first, most, sum) in [(0, 150, 150), (150, n, n)] {
             let dispatch = Dispatch { n: most, first, capacity_in: n, capacity_out: n };
-            let window = Window::of(&Search::whole(0.0));
-            let args = IntegerDecision::new(Decision { kind, capacity_open }, window);
-            let p = Params { frame, dispatch, args };
+            let args = Decision { kind, capacity_open: few };
             let contacts = vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n as usize)];
-            let (paths, input, earliest) = (bytes(&paths), list(&pairs), vec![0xff; 16]);
+            let (paths, input, earliest) = (paths.clone(), list(&pairs), vec![0xff; 16]);
             let elements =
                 bytes(if kind == 0 { &[1u32, 2, 3, 4, 5, 6][..] } else { &[0, 1, 2, 3] });
-            let positions = bytes(&[0u32]);
-            let kernel =
-                Decide { paths, positions, elements, input, contacts, undecided, earliest };
-            undecided = run(device, kernel, &p, 3).undecided;
-            assert_eq!(read::<u32>(&undecided)[0], sum, "pairs of this part and those before");
+            open = if integers {
+                let window = Window::of(&Search::whole(0.0)).unwrap();
+                let args = IntegerDecision::new(args, window, few);
+                let (positions, undecided, left) = (bytes(&[0u32]), capacity(n), open);
+                let kernel = DecideIntegers {
+                    paths,
+                    positions,
+                    elements,
+                    input,
+                    contacts,
+                    undecided,
+                    left,
+                    earliest,
+                };
+                run(device, kernel, &Params { frame, dispatch, args }, 3).left
+            } else {
+                let undecided = open;
+                let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
+                run(device, kernel, &Params { frame, dispatch, args }, 3).undecided
+            };
+            assert_eq!(read::<u32>(&open)[0], sum, "pairs of this part and those before");
         }
-        let words: Vec<u32> = read(&undecided);
-        let (within, beyond) = words[LIST_HEADER..].split_at(2 * capacity_open as usize);
+        let words: Vec<u32> = read(&open);
+        let (within, beyond) = words[LIST_HEADER..].split_at(2 * few as usize);
         assert!(within.iter().any(|&w| w != 0), "nothing is written");
         assert!(beyond.iter().all(|&w| w == 0), "written beyond the capacity: {beyond:?}");
     }

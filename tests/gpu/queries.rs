@@ -3,7 +3,7 @@
 use crate::scenes::{Runnable, Test};
 use crate::support::{bytes, capacity, entries, list, run};
 use ccd::gpu::Device;
-use ccd::gpu::bind::{Decide, DecideNear, DecideNearWide, DecideWide};
+use ccd::gpu::bind::{Decide, DecideIntegers, DecideNear, DecideNearWide, DecideWide};
 use ccd::io::{Queries, Query, read_queries};
 use ccd::{EdgeEdge, Pair, Verdict, VertexFace};
 use ccd_core::backend::layout::{
@@ -175,10 +175,24 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends], min_distance: f64) ->
             let done = run(device, kernel, &p, 3);
             (done.contacts, done.undecided)
         } else {
-            let args = IntegerDecision::new(args, Window::of(&Search::whole(0.0)));
-            let p = Params { frame, dispatch, args };
-            let kernel =
-                Decide { paths, positions, elements, input, contacts, undecided, earliest };
+            let window = Window::of(&Search::whole(0.0)).unwrap();
+            let args = IntegerDecision::new(args, window, count);
+            let left = capacity(count);
+            let (own, faces) = (paths.clone(), elements.clone());
+            let kernel = DecideIntegers {
+                paths,
+                positions,
+                elements,
+                input,
+                contacts,
+                undecided,
+                left,
+                earliest,
+            };
+            let done = run(device, kernel, &Params { frame, dispatch, args }, 3);
+            let DecideIntegers { contacts, undecided, left, earliest, .. } = done;
+            let (paths, elements, input) = (own, faces, left);
+            let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
             let done = run(device, kernel, &p, 3);
             (done.contacts, done.undecided)
         };

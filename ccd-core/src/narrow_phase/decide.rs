@@ -7,7 +7,7 @@ use crate::layout::VERTEX_FACE;
 use crate::layout::{Frame, IntegerDecision, Pair, Path, join, split};
 use crate::math::q62::Q62;
 use crate::narrow_phase::approach::Approach;
-use crate::narrow_phase::integer_search::{self, Ends, Found, NO_UNIT, Window};
+use crate::narrow_phase::integer_search::{self, Found, NO_UNIT, Window};
 use crate::narrow_phase::query::{Verdict, contact, near};
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 use crate::narrow_phase::search::{Answer, Search};
@@ -150,48 +150,58 @@ pub fn narrow_verdicts(answer: Answer<f32>, frame: &Frame) -> Verdicts {
     Verdicts { undecided, ..v }
 }
 
-/// Decides a pair of a kind without `f64`: by integers, if these are asked, and what they leave
-/// open in `f32`. `elements`: see [`words_of_pair`]. `positions`: words of positions as given, if
-/// paths are not exact.
+/// Decides a pair of a kind by integers. `elements`: see [`words_of_pair`]. `positions`: words of
+/// positions as given, if paths are not exact.
 #[inline(always)]
-pub fn narrow<P: Stored<Path>>(
+pub fn by_integers<P: Stored<Path>>(
     pair: Pair,
     frame: &Frame,
     args: &IntegerDecision,
     paths: &[P],
     positions: &[u32],
     elements: &[u32],
-) -> Verdicts {
+) -> Found {
     let (patch, ids) = words_of_pair(args.of_pairs.kind, pair, elements);
     let (x0, x1) = ends(ids, paths);
-    let motion = Motion::new(patch, &x0, &x1, frame.path_error);
-    let unit = integer_search::unit(&motion);
-    if args.tolerance > 0 && unit != NO_UNIT {
-        let points = if frame.has(Frame::FLAG_EXACT) {
-            let point = |i: usize| [in_units(x0[i], unit), in_units(x1[i], unit)];
-            [point(0), point(1), point(2), point(3)]
-        } else {
-            // The scale of paths is a power of two.
-            let unit = unit - ((frame.scale_bits[1] >> 20) as i32 - 1023);
-            let point = |i: usize| {
-                let id = ids[i] as usize;
-                let end = 6 * (frame.count[0] as usize + id);
-                [given_in_units(positions, 6 * id, unit), given_in_units(positions, end, unit)]
-            };
-            [point(0), point(1), point(2), point(3)]
-        };
-        let IntegerDecision { from, until, tolerance, .. } = *args;
-        let found = integer_search::search(patch, &points, &Window { from, until, tolerance });
-        if found != Found::Open {
-            return found_verdicts(found, from);
-        }
+    let unit = integer_search::unit(&Motion::new(patch, &x0, &x1, frame.path_error));
+    if unit == NO_UNIT {
+        return Found::Open;
     }
-    narrow_verdicts(contact(&motion, patch, &search_of(frame)), frame)
+    let points = if frame.has(Frame::FLAG_EXACT) {
+        let point = |i: usize| [in_units(x0[i], unit), in_units(x1[i], unit)];
+        [point(0), point(1), point(2), point(3)]
+    } else {
+        // The scale of paths is a power of two.
+        let unit = unit - ((frame.scale_bits[1] >> 20) as i32 - 1023);
+        let point = |i: usize| {
+            let id = ids[i] as usize;
+            let end = 6 * (frame.count[0] as usize + id);
+            [given_in_units(positions, 6 * id, unit), given_in_units(positions, end, unit)]
+        };
+        [point(0), point(1), point(2), point(3)]
+    };
+    let IntegerDecision { from, until, tolerance, .. } = *args;
+    integer_search::search(patch, &points, &Window { from, until, tolerance })
 }
 
-/// Decides a pair of a kind by a minimum distance in `f32`. `elements`: see [`words_of_pair`].
+/// What integers found in a window that begins at `from`; of what is open, nothing.
 #[inline(always)]
-pub fn narrow_near<P: Stored<Path>>(
+pub fn found_verdicts(found: Found, from: u32) -> Verdicts {
+    match found {
+        Found::Miss | Found::Open => Verdicts::NONE,
+        Found::Hit(toi) => {
+            let nears = if toi > from { Approach::Approaching } else { Approach::Unknown };
+            let (approach, toi) = (nears.word(), time_of(toi));
+            Verdicts { touches: true, approach, toi, ..Verdicts::NONE }
+        }
+        Found::Tie => Verdicts { touches: true, undecided: 1, ..Verdicts::NONE },
+    }
+}
+
+/// Decides a pair of a kind in `f32`. `elements`: see [`words_of_pair`]. `NEAR`: by a minimum
+/// distance.
+#[inline(always)]
+pub fn narrow<const NEAR: bool, P: Stored<Path>>(
     kind: u32,
     pair: Pair,
     frame: &Frame,
@@ -201,7 +211,10 @@ pub fn narrow_near<P: Stored<Path>>(
     let (patch, ids) = words_of_pair(kind, pair, elements);
     let (x0, x1) = ends(ids, paths);
     let motion = Motion::new(patch, &x0, &x1, frame.path_error);
-    narrow_verdicts(near(&motion, patch, &search_of(frame)), frame)
+    let search = search_of(frame);
+    let answer =
+        if NEAR { near(&motion, patch, &search) } else { contact(&motion, patch, &search) };
+    narrow_verdicts(answer, frame)
 }
 
 #[inline(always)]
@@ -213,20 +226,6 @@ fn in_units(p: [f32; 3], unit: i32) -> [Q62; 3] {
 fn given_in_units(words: &[u32], i: usize, unit: i32) -> [Q62; 3] {
     let of = |i: usize| Q62::of([at(words, i), at(words, i + 1)], unit);
     [of(i), of(i + 2), of(i + 4)]
-}
-
-/// What integers found in a window that begins at `from`.
-#[inline(always)]
-fn found_verdicts(found: Found, from: u32) -> Verdicts {
-    match found {
-        Found::Miss => Verdicts::NONE,
-        Found::Hit(toi) => {
-            let nears = if toi > from { Approach::Approaching } else { Approach::Unknown };
-            let (approach, toi) = (nears.word(), time_of(toi));
-            Verdicts { touches: true, approach, toi, ..Verdicts::NONE }
-        }
-        Found::Open | Found::Tie => Verdicts { touches: true, undecided: 1, ..Verdicts::NONE },
-    }
 }
 
 /// A time in 2^-31 of the step, as bits of an `f64`, low word first.

@@ -4,13 +4,15 @@
 //! The vectors of a query are numbers in fixed point ([`Q62`]) of a unit in which the greatest is
 //! about 1/8 or 1/4, so that every bound is a number of units `u` of 2^-62. The control
 //! values of the cubic [Tang 2010] are halved by de Casteljau's algorithm, the first half first,
-//! until their signs show that there is one zero. Where it is `f32` guesses, signs on both sides of
-//! the guess prove it, and the patch is looked at there. Where that is not certain, an interval is
-//! halved further, down to 2^-31 of the step.
+//! until their signs show that there is one zero. `f32` guesses where it is, signs on both sides of
+//! the guess prove it, and the patch is looked at there, once more and closer if that is not
+//! certain. Where signs prove nothing, an interval is halved further, down to 2^-31 of the step.
 //!
-//! The unit comes of `f32` too ([`unit()`]), and what is open goes on in `f32`, so a device that
-//! rounds in another way may leave other pairs open and find other times within the tolerance; what
-//! it certifies is true all the same.
+//! Where features rest on each other no sign is certain at the begin of an interval, nor would it be
+//! after any halving. So the patch is looked at there first: what is not apart is open at once.
+//!
+//! The unit and the guess come of `f32`, so a device that rounds in another way may leave other
+//! pairs open and find other times within the tolerance; what it certifies is true all the same.
 //!
 //! What is not certain is open: double zeros, edges that are parallel, contacts within some 2^-31
 //! of the boundary of the patch, resting contact.

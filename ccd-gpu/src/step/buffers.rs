@@ -37,7 +37,9 @@ pub struct Buffers {
     pub rules: Option<Rules>,
     /// Pairs that the filters leave, by kind.
     pub survivors: [List; 2],
-    /// Pairs that `f32` leaves open, by kind.
+    /// Pairs that integers leave to `f32`, by kind.
+    pub left: [List; 2],
+    /// Pairs that the device leaves open, by kind.
     pub undecided: [List; 2],
     pub contacts: List,
     /// Candidates, by kind: of a part of a step, or all that were asked for.
@@ -98,6 +100,10 @@ impl Buffers {
             survivors: [
                 list(|old| &old.survivors[0], "filtered vertex-face pairs", 2, features / 2)?,
                 list(|old| &old.survivors[1], "filtered edge-edge pairs", 2, features)?,
+            ],
+            left: [
+                list(|old| &old.left[0], "vertex-face pairs between", 2, features / 2)?,
+                list(|old| &old.left[1], "edge-edge pairs between", 2, features)?,
             ],
             undecided: [
                 list(|old| &old.undecided[0], "undecided vertex-face pairs", 2, features / 2)?,
@@ -161,6 +167,7 @@ impl Buffers {
         Lists {
             candidates: self.candidates.each_ref(),
             survivors: self.survivors.each_ref(),
+            left: self.left.each_ref(),
             undecided: self.undecided.each_ref(),
             contacts: &self.contacts,
             source: self.source.lists(),
@@ -172,6 +179,7 @@ impl Buffers {
         Lists {
             candidates: self.candidates.each_mut(),
             survivors: self.survivors.each_mut(),
+            left: self.left.each_mut(),
             undecided: self.undecided.each_mut(),
             contacts: &mut self.contacts,
             source: self.source.lists_mut(),
@@ -186,6 +194,7 @@ impl Buffers {
         Lists {
             candidates: [true; 2],
             survivors: [filters; 2],
+            left: [filters && !wide; 2],
             undecided: [filters && !wide || goal.is_earliest(); 2],
             contacts: goal == Goal::Contacts,
             source: vec![true; self.source.lists().len()],

@@ -9,7 +9,9 @@ pub struct Lists<T> {
     pub candidates: [T; 2],
     /// Pairs that the filters leave.
     pub survivors: [T; 2],
-    /// Pairs that `f32` leaves open.
+    /// Pairs that integers leave to `f32`.
+    pub left: [T; 2],
+    /// Pairs that the device leaves open.
     pub undecided: [T; 2],
     /// Contacts.
     pub contacts: T,
@@ -22,10 +24,10 @@ impl<T> Lists<T> {
     pub fn try_map<U, E>(self, mut f: impl FnMut(T) -> Result<U, E>) -> Result<Lists<U>, E> {
         let mut two = |[a, b]: [T; 2]| Ok([f(a)?, f(b)?]);
         let (candidates, survivors) = (two(self.candidates)?, two(self.survivors)?);
-        let undecided = two(self.undecided)?;
+        let (left, undecided) = (two(self.left)?, two(self.undecided)?);
         let contacts = f(self.contacts)?;
         let source = self.source.into_iter().map(&mut f).collect::<Result<Vec<U>, E>>()?;
-        Ok(Lists { candidates, survivors, undecided, contacts, source })
+        Ok(Lists { candidates, survivors, left, undecided, contacts, source })
     }
 
     /// Something else for each list.
@@ -40,6 +42,7 @@ impl<T> Lists<T> {
         Lists {
             candidates: two(self.candidates, other.candidates),
             survivors: two(self.survivors, other.survivors),
+            left: two(self.left, other.left),
             undecided: two(self.undecided, other.undecided),
             contacts: (self.contacts, other.contacts),
             source: self.source.into_iter().zip(other.source).collect(),
@@ -59,16 +62,16 @@ mod tests {
     use super::*;
 
     fn lists() -> Lists<u32> {
-        let (candidates, survivors, undecided) = ([1, 2], [3, 4], [5, 6]);
-        Lists { candidates, survivors, undecided, contacts: 7, source: vec![8, 9, 10] }
+        let (candidates, survivors, left, undecided) = ([1, 2], [3, 4], [5, 6], [7, 8]);
+        Lists { candidates, survivors, left, undecided, contacts: 9, source: vec![10, 11, 12] }
     }
 
     #[test]
     fn each_list_keeps_its_name() {
         assert_eq!(lists().map(|i| i), lists());
-        assert_eq!(lists().into_vec(), (1..=10).collect::<Vec<_>>());
+        assert_eq!(lists().into_vec(), (1..=12).collect::<Vec<_>>());
         let both = lists().zip(lists().map(|i| 10 * i)).into_vec();
-        assert!(both.iter().all(|(a, b)| 10 * a == *b) && both.len() == 10);
+        assert!(both.iter().all(|(a, b)| 10 * a == *b) && both.len() == 12);
         assert_eq!(lists().try_map(|i| if i < 7 { Ok(i) } else { Err(i) }), Err(7));
     }
 }

@@ -4,11 +4,11 @@ use super::buffers::Buffers;
 use super::upload::{Boxes, Positions};
 use super::{Goal, SAMPLE};
 use crate::bind::{
-    Decide, DecideNear, DecideNearWide, DecideWide, PlaceVertices, Shorten, SweepEdges, SweepFaces,
-    SweepVertices,
+    Decide, DecideIntegers, DecideNear, DecideNearWide, DecideWide, PlaceVertices, Shorten,
+    SweepEdges, SweepFaces, SweepVertices,
 };
 use crate::broad_phase::block_bvh::Features;
-use crate::growable_list::{HEADER_BYTES, parts};
+use crate::growable_list::{HEADER_BYTES, List, parts};
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::kernel::Id;
@@ -141,8 +141,9 @@ impl Buffers {
 
     fn decide(&self, recorder: &mut Recorder, frame: &Frame, kind: usize, wide: bool) {
         recorder.stage(DECIDE[kind]);
-        let (input, open) = (&self.survivors[kind], &self.undecided[kind]);
+        let (survivors, open) = (&self.survivors[kind], &self.undecided[kind]);
         let frame = Frame { path_error: self.positions.path_error(), ..*frame };
+        let is_near = decide::is_near(&frame);
         // Where contacts are not kept, a list that the other kind does not have, so that a device
         // works on both at once: of pairs in `f64`, else one that stays as it is.
         let kept = if wide { open } else { &self.candidates[kind] };
@@ -152,17 +153,37 @@ impl Buffers {
         let Positions { wide: positions, .. } = &self.positions;
         let (elements, args) =
             (self.elements(kind), Decision { kind: kind as u32, capacity_open: open.capacity() });
-        let capacity = input.capacity();
-        let (input, undecided, earliest) = (input.buffer(), open.buffer(), &self.earliest[kind]);
+        let (undecided, earliest) = (open.buffer(), &self.earliest[kind]);
         let threads = Id::Decide.threads();
         let limit = DISPATCH_LIMIT.min(self.groups * threads * PAIRS_A_THREAD);
-        let exact = self.positions.exact || self.positions.given;
-        let window = if exact { Window::of(&decide::wide_search_of(&frame)) } else { None };
-        for dispatch in parts(capacity, limit, self.contacts.capacity()) {
-            let groups = self.groups.min(dispatch.n.div_ceil(threads));
+        let parts_of = |list: &List| {
+            parts(list.capacity(), limit, self.contacts.capacity())
+                .map(|dispatch| (dispatch, self.groups.min(dispatch.n.div_ceil(threads))))
+        };
+        let mut decided = survivors;
+        if let (false, Some(window)) = (wide, self.integer_window(&frame)) {
+            let (input, list) = (survivors.buffer(), &self.left[kind]);
+            let (left, args) = (list.buffer(), IntegerDecision::new(args, window, list.capacity()));
+            for (dispatch, groups) in parts_of(survivors) {
+                let kernel = DecideIntegers {
+                    paths,
+                    positions,
+                    elements,
+                    input,
+                    contacts,
+                    undecided,
+                    left,
+                    earliest,
+                };
+                recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
+            }
+            decided = list;
+        }
+        let input = decided.buffer();
+        for (dispatch, groups) in parts_of(decided) {
             // One of four, so that a first step waits for no more than it needs.
             let params = Params { frame, dispatch, args };
-            match (wide, decide::is_near(&frame)) {
+            match (wide, is_near) {
                 (true, false) => {
                     let kernel =
                         DecideWide { paths, positions, elements, input, contacts, earliest };
@@ -174,10 +195,8 @@ impl Buffers {
                     recorder.dispatch(&kernel, &params, groups);
                 }
                 (false, false) => {
-                    let kernel =
-                        Decide { paths, positions, elements, input, contacts, undecided, earliest };
-                    let args = IntegerDecision::new(args, window);
-                    recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
+                    let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
+                    recorder.dispatch(&kernel, &params, groups);
                 }
                 (false, true) => {
                     let kernel =
@@ -186,6 +205,12 @@ impl Buffers {
                 }
             }
         }
+    }
+
+    /// What integers look for, if they can.
+    fn integer_window(&self, frame: &Frame) -> Option<Window> {
+        let exact = self.positions.exact || self.positions.given;
+        if exact { Window::of(&decide::wide_search_of(frame)) } else { None }
     }
 
     fn features(&self) -> Features<'_> {

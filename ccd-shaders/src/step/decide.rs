@@ -1,5 +1,5 @@
-//! Verdicts of what the filters left: in `f64`, or without it, by integers and in `f32`, with what
-//! these cannot decide passed on.
+//! Verdicts of what the filters left: in `f64`, or without it by integers, what these leave in `f32`,
+//! and what that cannot decide is for the host.
 
 use crate::entry::kernel;
 use crate::records::PathWords;
@@ -8,6 +8,7 @@ use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::put;
 use ccd_core::backend::layout::{Decision, Frame, LIST_HEADER, Pair, Params, TOUCH_WORDS};
 use ccd_core::narrow_phase::decide::{self, Verdicts};
+use ccd_core::narrow_phase::integer_search::Found;
 
 const THREADS: u32 = Id::Decide.threads();
 
@@ -109,86 +110,106 @@ fn list_narrow<A>(
     }
 }
 
-kernel! {
+/// Decides pairs in `f64`, `$near`: by a minimum distance.
+macro_rules! wide {
+    ($(#[$doc:meta])* $name:ident, $near:literal) => {
+        kernel! {
+            $(#[$doc])*
+            $name[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords],
+                positions: [[f64; 3]], elements: [u32], input: [u32], mut contacts: [u32],
+                mut earliest: [u32]) {
+                let (len, kind) = (part(input, &params.dispatch), params.args.kind);
+                for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
+                    let i = (t.group + round * t.groups) * THREADS + t.lane;
+                    let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
+                    if i < len {
+                        pair = read_pair(input, params.dispatch.first + i);
+                        verdict = decide::wide::<$near, _>(
+                            kind, pair, &params.frame, paths, positions, elements,
+                        );
+                    }
+                    list_wide(t.lane, params, pair, &verdict, !$near, counters, contacts, earliest);
+                }
+            }
+        }
+    };
+}
+
+wide! {
     /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f64`. `elements`: of faces,
     /// or of edges, as the kind has them. Without `FLAG_KEEP` the list of contacts is one of
     /// pairs, those that the host decides again.
-    decide_wide[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords],
-        positions: [[f64; 3]], elements: [u32], input: [u32], mut contacts: [u32],
-        mut earliest: [u32]) {
-        let (len, kind) = (part(input, &params.dispatch), params.args.kind);
-        for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
-            let i = (t.group + round * t.groups) * THREADS + t.lane;
-            let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
-            if i < len {
-                pair = read_pair(input, params.dispatch.first + i);
-                verdict = decide::wide::<false, _>(
-                    kind, pair, &params.frame, paths, positions, elements,
-                );
-            }
-            list_wide(t.lane, params, pair, &verdict, true, counters, contacts, earliest);
-        }
-    }
+    decide_wide, false
 }
-
-kernel! {
+wide! {
     /// The same by a minimum distance; no host decides these again.
-    decide_near_wide[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords],
-        positions: [[f64; 3]], elements: [u32], input: [u32], mut contacts: [u32],
-        mut earliest: [u32]) {
-        let (len, kind) = (part(input, &params.dispatch), params.args.kind);
-        for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
-            let i = (t.group + round * t.groups) * THREADS + t.lane;
-            let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
-            if i < len {
-                pair = read_pair(input, params.dispatch.first + i);
-                verdict = decide::wide::<true, _>(
-                    kind, pair, &params.frame, paths, positions, elements,
-                );
-            }
-            list_wide(t.lane, params, pair, &verdict, false, counters, contacts, earliest);
-        }
-    }
+    decide_near_wide, true
 }
 
 kernel! {
-    /// Thread `i` decides the `i`-th pair from `dispatch.first` on without `f64`; what that leaves
-    /// open goes to `undecided`. `elements`: of faces, or of edges, as the kind has them.
-    /// `positions`: words of positions as given, if paths are not exact.
-    decide[64](t; params: IntegerDecision; counters: [u32; 4]; paths: [PathWords],
+    /// Thread `i` decides the `i`-th pair from `dispatch.first` on by integers; what fewer digits may
+    /// still tell goes to `left`, ties to `undecided`. `elements`: of faces, or of edges, as the kind
+    /// has them. `positions`: words of positions as given, if paths are not exact.
+    decide_integers[64](t; params: IntegerDecision; counters: [u32; 4]; paths: [PathWords],
         positions: [u32], elements: [u32], input: [u32], mut contacts: [u32],
-        mut undecided: [u32], mut earliest: [u32]) {
+        mut undecided: [u32], mut left: [u32], mut earliest: [u32]) {
         let (len, args) = (part(input, &params.dispatch), &params.args.of_pairs);
         for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
-            let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
+            let (mut pair, mut found) = (Pair { a: 0, b: 0 }, Found::Miss);
             if i < len {
                 pair = read_pair(input, params.dispatch.first + i);
                 let (frame, args) = (&params.frame, &params.args);
-                verdict = decide::narrow(pair, frame, args, paths, positions, elements);
+                found = decide::by_integers(pair, frame, args, paths, positions, elements);
             }
+            let verdict = decide::found_verdicts(found, params.args.from);
             list_narrow(
                 t.lane, params, args, pair, &verdict, counters, contacts, undecided, earliest,
             );
+            barrier();
+            let is_left = found == Found::Open;
+            let to = place(t.lane, is_left, counters, left);
+            if is_left {
+                write_pair(left, params.args.capacity_left, to, pair);
+            }
         }
     }
 }
 
-kernel! {
-    /// The same by a minimum distance.
-    decide_near[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords], elements: [u32],
-        input: [u32], mut contacts: [u32], mut undecided: [u32], mut earliest: [u32]) {
-        let (len, args) = (part(input, &params.dispatch), &params.args);
-        for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
-            let i = (t.group + round * t.groups) * THREADS + t.lane;
-            let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
-            if i < len {
-                pair = read_pair(input, params.dispatch.first + i);
-                verdict = decide::narrow_near(args.kind, pair, &params.frame, paths, elements);
+/// Decides pairs in `f32`, `$near`: by a minimum distance.
+macro_rules! narrow {
+    ($(#[$doc:meta])* $name:ident, $near:literal) => {
+        kernel! {
+            $(#[$doc])*
+            $name[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords],
+                elements: [u32], input: [u32], mut contacts: [u32], mut undecided: [u32],
+                mut earliest: [u32]) {
+                let (len, args) = (part(input, &params.dispatch), &params.args);
+                for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
+                    let i = (t.group + round * t.groups) * THREADS + t.lane;
+                    let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
+                    if i < len {
+                        pair = read_pair(input, params.dispatch.first + i);
+                        verdict = decide::narrow::<$near, _>(
+                            args.kind, pair, &params.frame, paths, elements,
+                        );
+                    }
+                    list_narrow(
+                        t.lane, params, args, pair, &verdict, counters, contacts, undecided,
+                        earliest,
+                    );
+                }
             }
-            list_narrow(
-                t.lane, params, args, pair, &verdict, counters, contacts, undecided, earliest,
-            );
         }
-    }
+    };
+}
+
+narrow! {
+    /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f32`; what that leaves open
+    /// goes to `undecided`. `elements`: of faces, or of edges, as the kind has them.
+    decide, false
+}
+narrow! {
+    /// The same by a minimum distance.
+    decide_near, true
 }

@@ -13,8 +13,8 @@ pub struct Decision {
     pub capacity_open: u32,
 }
 
-/// Parameters of the kernel that decides listed pairs without `f64`. Times are in 2^-31 of the
-/// step, as in [`Window`].
+/// Parameters of the kernel that decides listed pairs by integers. Times are in 2^-31 of the step, as
+/// in [`Window`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct IntegerDecision {
@@ -24,16 +24,18 @@ pub struct IntegerDecision {
     pub from: u32,
     /// Last time, rounded down.
     pub until: u32,
-    /// How early a time of impact may be, rounded down; 0: integers are not asked.
+    /// How early a time of impact may be, rounded down.
     pub tolerance: u32,
+    /// Capacity of the list of pairs that integers leave to `f32`.
+    pub capacity_left: u32,
 }
 
 impl IntegerDecision {
-    /// In a window; without one integers are not asked.
-    pub fn new(of_pairs: Decision, window: Option<Window>) -> Self {
-        let Window { from, until, tolerance } = window.unwrap_or_default();
-        Self { of_pairs, from, until, tolerance }
+    /// In a window.
+    pub fn new(of_pairs: Decision, window: Window, capacity_left: u32) -> Self {
+        let Window { from, until, tolerance } = window;
+        Self { of_pairs, from, until, tolerance, capacity_left }
     }
 }
 
-const _: () = assert!(size_of::<Decision>() == 8 && size_of::<IntegerDecision>() == 20);
+const _: () = assert!(size_of::<Decision>() == 8 && size_of::<IntegerDecision>() == 24);
