@@ -118,18 +118,10 @@ fn check_capacities(device: &Device) {
                 bytes(if kind == 0 { &[1u32, 2, 3, 4, 5, 6][..] } else { &[0, 1, 2, 3] });
             open = if integers {
                 let window = Window::of(&Search::whole(0.0)).unwrap();
-                let args = IntegerDecision::new(args, window, few);
-                let (positions, undecided, left) = (bytes(&[0u32]), capacity(n), open);
-                let kernel = DecideIntegers {
-                    paths,
-                    positions,
-                    elements,
-                    input,
-                    contacts,
-                    undecided,
-                    left,
-                    earliest,
-                };
+                let args = IntegerDecision::new(args, window);
+                let (positions, left) = (bytes(&[0u32]), open);
+                let kernel =
+                    DecideIntegers { paths, positions, elements, input, contacts, left, earliest };
                 run(device, kernel, &Params { frame, dispatch, args }, 3).left
             } else {
                 let undecided = open;

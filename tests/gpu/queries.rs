@@ -176,21 +176,13 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends], min_distance: f64) ->
             (done.contacts, done.undecided)
         } else {
             let window = Window::of(&Search::whole(0.0)).unwrap();
-            let args = IntegerDecision::new(args, window, count);
+            let args = IntegerDecision::new(args, window);
             let left = capacity(count);
             let (own, faces) = (paths.clone(), elements.clone());
-            let kernel = DecideIntegers {
-                paths,
-                positions,
-                elements,
-                input,
-                contacts,
-                undecided,
-                left,
-                earliest,
-            };
+            let kernel =
+                DecideIntegers { paths, positions, elements, input, contacts, left, earliest };
             let done = run(device, kernel, &Params { frame, dispatch, args }, 3);
-            let DecideIntegers { contacts, undecided, left, earliest, .. } = done;
+            let DecideIntegers { contacts, left, earliest, .. } = done;
             let (paths, elements, input) = (own, faces, left);
             let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
             let done = run(device, kernel, &p, 3);

@@ -28,6 +28,8 @@ pub struct Verdicts {
 impl Verdicts {
     /// No contact.
     pub const NONE: Self = Self { touches: false, undecided: 0, approach: 0, toi: [0; 2] };
+    /// Not decided.
+    pub const OPEN: Self = Self { touches: true, undecided: 1, ..Self::NONE };
 }
 
 /// What a frame has its `f32` kernels look for: times that hold those that are wanted.
@@ -184,17 +186,33 @@ pub fn by_integers<P: Stored<Path>>(
     integer_search::search(patch, &points, &Window { from, until, tolerance })
 }
 
-/// What integers found in a window that begins at `from`; of what is open, nothing.
+/// The bit of `a` of a listed pair by which integers say that it is a tie, so that `f32` passes it
+/// on. Ids are smaller: a device binds no more than 2^32 bytes of boxes at once.
+const TIE: u32 = 1 << 31;
+
+/// The pair of which integers found this, as it is listed if that is open.
+#[inline(always)]
+pub fn left_pair(pair: Pair, found: Found) -> Pair {
+    if found == Found::Tie { Pair { a: pair.a | TIE, ..pair } } else { pair }
+}
+
+/// The pair that [`left_pair`] was made of, and whether it is a tie.
+#[inline(always)]
+pub fn was_left(pair: Pair) -> (Pair, bool) {
+    (Pair { a: pair.a & !TIE, ..pair }, pair.a & TIE != 0)
+}
+
+/// What integers found in a window that begins at `from`.
 #[inline(always)]
 pub fn found_verdicts(found: Found, from: u32) -> Verdicts {
     match found {
-        Found::Miss | Found::Open => Verdicts::NONE,
+        Found::Miss => Verdicts::NONE,
         Found::Hit(toi) => {
             let nears = if toi > from { Approach::Approaching } else { Approach::Unknown };
             let (approach, toi) = (nears.word(), time_of(toi));
             Verdicts { touches: true, approach, toi, ..Verdicts::NONE }
         }
-        Found::Tie => Verdicts { touches: true, undecided: 1, ..Verdicts::NONE },
+        Found::Open | Found::Tie => Verdicts::OPEN,
     }
 }
 

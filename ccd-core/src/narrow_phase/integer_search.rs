@@ -8,8 +8,8 @@
 //! the guess prove it, and the patch is looked at there, once more and closer if that is not
 //! certain. Where signs prove nothing, an interval is halved further, down to 2^-31 of the step.
 //!
-//! Where features rest on each other no sign is certain at the begin of an interval, nor would it be
-//! after any halving. So the patch is looked at there first: what is not apart is open at once.
+//! Where features rest on each other, no sign is certain at the begin of an interval, nor would it
+//! be after any halving. So the patch is looked at there first: what is not apart is open at once.
 //!
 //! The unit and the guess come of `f32`, so a device that rounds in another way may leave other
 //! pairs open and find other times within the tolerance; what it certifies is true all the same.

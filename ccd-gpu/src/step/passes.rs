@@ -163,18 +163,11 @@ impl Buffers {
         let mut decided = survivors;
         if let (false, Some(window)) = (wide, self.integer_window(&frame)) {
             let (input, list) = (survivors.buffer(), &self.left[kind]);
-            let (left, args) = (list.buffer(), IntegerDecision::new(args, window, list.capacity()));
+            let args = Decision { capacity_open: list.capacity(), ..args };
+            let (left, args) = (list.buffer(), IntegerDecision::new(args, window));
             for (dispatch, groups) in parts_of(survivors) {
-                let kernel = DecideIntegers {
-                    paths,
-                    positions,
-                    elements,
-                    input,
-                    contacts,
-                    undecided,
-                    left,
-                    earliest,
-                };
+                let kernel =
+                    DecideIntegers { paths, positions, elements, input, contacts, left, earliest };
                 recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
             }
             decided = list;

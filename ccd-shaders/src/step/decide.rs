@@ -1,5 +1,5 @@
-//! Verdicts of what the filters left: in `f64`, or without it by integers, what these leave in `f32`,
-//! and what that cannot decide is for the host.
+//! Verdicts of what the filters left: in `f64`; or without it by integers, and what these leave in
+//! `f32`. What that cannot decide is for the host.
 
 use crate::entry::kernel;
 use crate::records::PathWords;
@@ -8,7 +8,6 @@ use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::put;
 use ccd_core::backend::layout::{Decision, Frame, LIST_HEADER, Pair, Params, TOUCH_WORDS};
 use ccd_core::narrow_phase::decide::{self, Verdicts};
-use ccd_core::narrow_phase::integer_search::Found;
 
 const THREADS: u32 = Id::Decide.threads();
 
@@ -147,31 +146,24 @@ wide! {
 }
 
 kernel! {
-    /// Thread `i` decides the `i`-th pair from `dispatch.first` on by integers; what fewer digits may
-    /// still tell goes to `left`, ties to `undecided`. `elements`: of faces, or of edges, as the kind
-    /// has them. `positions`: words of positions as given, if paths are not exact.
+    /// Thread `i` decides the `i`-th pair from `dispatch.first` on by integers; what these leave
+    /// open goes to `left`, ties with a mark. `elements`: of faces, or of edges, as the kind has
+    /// them. `positions`: words of positions as given, if paths are not exact.
     decide_integers[64](t; params: IntegerDecision; counters: [u32; 4]; paths: [PathWords],
-        positions: [u32], elements: [u32], input: [u32], mut contacts: [u32],
-        mut undecided: [u32], mut left: [u32], mut earliest: [u32]) {
+        positions: [u32], elements: [u32], input: [u32], mut contacts: [u32], mut left: [u32],
+        mut earliest: [u32]) {
         let (len, args) = (part(input, &params.dispatch), &params.args.of_pairs);
         for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
-            let (mut pair, mut found) = (Pair { a: 0, b: 0 }, Found::Miss);
+            let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
             if i < len {
                 pair = read_pair(input, params.dispatch.first + i);
                 let (frame, args) = (&params.frame, &params.args);
-                found = decide::by_integers(pair, frame, args, paths, positions, elements);
+                let found = decide::by_integers(pair, frame, args, paths, positions, elements);
+                verdict = decide::found_verdicts(found, args.from);
+                pair = decide::left_pair(pair, found);
             }
-            let verdict = decide::found_verdicts(found, params.args.from);
-            list_narrow(
-                t.lane, params, args, pair, &verdict, counters, contacts, undecided, earliest,
-            );
-            barrier();
-            let is_left = found == Found::Open;
-            let to = place(t.lane, is_left, counters, left);
-            if is_left {
-                write_pair(left, params.args.capacity_left, to, pair);
-            }
+            list_narrow(t.lane, params, args, pair, &verdict, counters, contacts, left, earliest);
         }
     }
 }
@@ -189,10 +181,15 @@ macro_rules! narrow {
                     let i = (t.group + round * t.groups) * THREADS + t.lane;
                     let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
                     if i < len {
-                        pair = read_pair(input, params.dispatch.first + i);
-                        verdict = decide::narrow::<$near, _>(
-                            args.kind, pair, &params.frame, paths, elements,
-                        );
+                        let left = read_pair(input, params.dispatch.first + i);
+                        let (listed, is_tie) = decide::was_left(left);
+                        pair = listed;
+                        verdict = Verdicts::OPEN;
+                        if !is_tie {
+                            verdict = decide::narrow::<$near, _>(
+                                args.kind, pair, &params.frame, paths, elements,
+                            );
+                        }
                     }
                     list_narrow(
                         t.lane, params, args, pair, &verdict, counters, contacts, undecided,

@@ -102,9 +102,9 @@ macro_rules! kernels {
                 { boxes: Read, elements: Read, bodies: Read, keys: Read, input: Read,
                   output: Write }
             /// Verdicts of pairs of a kind by integers of 32 bits.
-            DecideIntegers = decide_integers(64 threads, 11 barriers, f32, Params<IntegerDecision>)
+            DecideIntegers = decide_integers(64 threads, 7 barriers, f32, Params<IntegerDecision>)
                 { paths: Read, positions: Read, elements: Read, input: Read,
-                  contacts: Write, undecided: Write, left: Write, earliest: Write }
+                  contacts: Write, left: Write, earliest: Write }
             /// Verdicts of pairs of a kind in `f32`.
             Decide = decide(64 threads, 7 barriers, f32, Params<Decision>)
                 { paths: Read, elements: Read, input: Read,

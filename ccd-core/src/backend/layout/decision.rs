@@ -9,12 +9,12 @@ use bytemuck::{Pod, Zeroable};
 pub struct Decision {
     /// 0: vertices against faces, 1: edges against edges.
     pub kind: u32,
-    /// Capacity of the list of undecided pairs.
+    /// Capacity of the list of pairs that are left open.
     pub capacity_open: u32,
 }
 
-/// Parameters of the kernel that decides listed pairs by integers. Times are in 2^-31 of the step, as
-/// in [`Window`].
+/// Parameters of the kernel that decides listed pairs by integers. Times are in 2^-31 of the step,
+/// as in [`Window`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct IntegerDecision {
@@ -26,16 +26,14 @@ pub struct IntegerDecision {
     pub until: u32,
     /// How early a time of impact may be, rounded down.
     pub tolerance: u32,
-    /// Capacity of the list of pairs that integers leave to `f32`.
-    pub capacity_left: u32,
 }
 
 impl IntegerDecision {
     /// In a window.
-    pub fn new(of_pairs: Decision, window: Window, capacity_left: u32) -> Self {
+    pub fn new(of_pairs: Decision, window: Window) -> Self {
         let Window { from, until, tolerance } = window;
-        Self { of_pairs, from, until, tolerance, capacity_left }
+        Self { of_pairs, from, until, tolerance }
     }
 }
 
-const _: () = assert!(size_of::<Decision>() == 8 && size_of::<IntegerDecision>() == 24);
+const _: () = assert!(size_of::<Decision>() == 8 && size_of::<IntegerDecision>() == 20);

@@ -12,7 +12,8 @@ use super::{Front, Scheduler, Scheduling};
 /// let few = WorkerOptions::default().workers(2).batch(8);
 /// let lazy = Scheduling::default().scheduler(Scheduler::LazyStealing).workers(few);
 /// assert_eq!(lazy.lacking("cpu"), None);
-/// assert_eq!(lazy.scheduler(Scheduler::Static).lacking("cpu"), Some("setting `batch` for this scheduler"));
+/// let lacks = "setting `batch` for this scheduler";
+/// assert_eq!(lazy.scheduler(Scheduler::Static).lacking("cpu"), Some(lacks));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
