@@ -6,6 +6,7 @@ use crate::kernel::memory::{Stored, at};
 use crate::layout::VERTEX_FACE;
 use crate::layout::{Frame, IntegerDecision, Pair, Path, join, split};
 use crate::math::q62::Q62;
+use crate::math::real::Real;
 use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::integer_search::{self, Found, NO_UNIT, Window};
 use crate::narrow_phase::query::{Verdict, contact, near};
@@ -229,10 +230,7 @@ pub fn narrow<const NEAR: bool, P: Stored<Path>>(
     let (patch, ids) = words_of_pair(kind, pair, elements);
     let (x0, x1) = ends(ids, paths);
     let motion = Motion::new(patch, &x0, &x1, frame.path_error);
-    let search = search_of(frame);
-    let answer =
-        if NEAR { near(&motion, patch, &search) } else { contact(&motion, patch, &search) };
-    narrow_verdicts(answer, frame)
+    narrow_verdicts(answer::<NEAR, _>(&motion, patch, &search_of(frame)), frame)
 }
 
 #[inline(always)]
@@ -272,10 +270,17 @@ pub fn wide<const NEAR: bool, P: Stored<Path>>(
     let (patch, ids) = words_of_pair(kind, pair, elements);
     let (x0, x1) = wide_ends(ids, frame, paths, positions);
     let motion = Motion::new(patch, &x0, &x1, 0.0);
-    let search = wide_search_of(frame);
-    let answer =
-        if NEAR { near(&motion, patch, &search) } else { contact(&motion, patch, &search) };
-    verdicts(answer, split)
+    verdicts(answer::<NEAR, _>(&motion, patch, &wide_search_of(frame)), split)
+}
+
+/// Contact, `NEAR`: by a minimum distance.
+#[inline(always)]
+fn answer<const NEAR: bool, R: Real>(
+    motion: &Motion<R>,
+    patch: Patch,
+    search: &Search<R>,
+) -> Answer<R> {
+    if NEAR { near(motion, patch, search) } else { contact(motion, patch, search) }
 }
 
 /// Positions as given: in `f32` if those are exact.
@@ -320,7 +325,6 @@ pub fn words_of_pair(kind: u32, pair: Pair, elements: &[u32]) -> (Patch, [u32; 4
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::real::Real;
     use crate::random::Random;
 
     /// Times of a window and the tolerance are rounded so that nothing is lost, and contacts are

@@ -102,8 +102,8 @@ impl Buffers {
                 list(|old| &old.survivors[1], "filtered edge-edge pairs", 2, features)?,
             ],
             left: [
-                list(|old| &old.left[0], "vertex-face pairs between", 2, features / 2)?,
-                list(|old| &old.left[1], "edge-edge pairs between", 2, features)?,
+                list(|old| &old.left[0], "vertex-face pairs left by integers", 2, features / 2)?,
+                list(|old| &old.left[1], "edge-edge pairs left by integers", 2, features)?,
             ],
             undecided: [
                 list(|old| &old.undecided[0], "undecided vertex-face pairs", 2, features / 2)?,
