@@ -67,6 +67,10 @@ impl fmt::Debug for Device {
     }
 }
 
+/// Bytes of a buffer at most, whatever the device has: kernels count words by `u32`, and ids of
+/// boxes have their highest bit free for a mark.
+const MOST_BYTES: u64 = 1 << 32;
+
 impl Device {
     /// What an application should ask of its own device so that [`Device::from_wgpu`] can use all
     /// of it; intersect with what its adapter has.
@@ -303,6 +307,7 @@ impl Device {
         let bytes = bytes.max(256).next_multiple_of(16);
         let limits = &self.inner.info.limits;
         let limit = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        let limit = limit.min(MOST_BYTES);
         if bytes > limit {
             return Err(Error::TooLarge { what, bytes, limit });
         }

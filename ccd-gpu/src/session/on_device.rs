@@ -142,7 +142,7 @@ impl Engine {
     ///
     /// Into the encoder of [`Engine::record`] after it, or, after a step, into any. Submit the
     /// encoder before the session's next call. Computed in `f64` where the device has it and else
-    /// in `f32`, from times rounded down to that. Pairs that `f32` left undecided have no
+    /// in `f32`, from times rounded down to that. Pairs that the device left open have no
     /// time and so no geometry.
     ///
     /// # Errors
