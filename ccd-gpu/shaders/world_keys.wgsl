@@ -89,16 +89,27 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_2: type_18;
     var local_3: type_22;
     var local_4: type_18;
-    var phi_144_: u32;
-    var phi_158_: type_9;
-    var phi_270_: type_9;
-    var phi_273_: f32;
-    var phi_274_: f32;
+    var phi_146_: u32;
+    var phi_160_: type_9;
+    var phi_272_: type_9;
+    var phi_275_: f32;
+    var phi_276_: f32;
     var local_5: f32;
     var local_6: f32;
-    var phi_336_: f32;
-    var phi_388_: type_9;
-    var phi_476_: u32;
+    var phi_338_: f32;
+    var phi_390_: type_9;
+    var phi_478_: u32;
+    var phi_501_: type_9;
+    var phi_504_: u32;
+    var phi_506_: u32;
+    var phi_508_: u32;
+    var phi_505_: u32;
+    var phi_507_: u32;
+    var phi_509_: u32;
+    var local_7: u32;
+    var local_8: u32;
+    var local_9: u32;
+    var local_10: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -106,127 +117,182 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e48 = id_2;
-    let _e49 = n_2;
-    let _e50 = lane_2;
-    let _e63 = ((((_e48.y * _e49.x) + _e48.x) * 256u) + _e50);
-    let _e67 = params.member.member.member_2[3u];
-    if (_e63 < _e67) {
-        let _e72 = params.member.member.member_2[2u];
-        if (_e63 >= _e72) {
-            phi_144_ = 2u;
+    let _e51 = id_2;
+    let _e52 = n_2;
+    let _e53 = lane_2;
+    let _e66 = ((((_e51.y * _e52.x) + _e51.x) * 256u) + _e53);
+    let _e70 = params.member.member.member_2[3u];
+    if (_e66 < _e70) {
+        let _e75 = params.member.member.member_2[2u];
+        if (_e66 >= _e75) {
+            phi_146_ = 2u;
         } else {
-            let _e75 = params.member.member.member_2[1u];
-            phi_144_ = select(0u, 1u, (_e63 >= _e75));
+            let _e78 = params.member.member.member_2[1u];
+            phi_146_ = select(0u, 1u, (_e66 >= _e78));
         }
-        let _e79 = phi_144_;
-        let _e81 = worlds.member[_e63];
-        let _e82 = (6u * _e81);
+        let _e82 = phi_146_;
+        let _e84 = worlds.member[_e66];
+        let _e85 = (6u * _e84);
         local_2 = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_158_ = type_9(0u, 3u);
+        phi_160_ = type_9(0u, 3u);
         loop {
-            let _e84 = phi_158_;
-            let _e87 = (_e84.member < _e84.member_1);
-            let _e98 = select(type_9().member_1, _e84.member, _e87);
-            let _e100 = (bitcast<i32>(select(0u, 1u, _e87)) != 0i);
-            if _e100 {
-                let _e103 = words.member[(_e82 + _e98)];
-                let _e104 = ~(_e103);
-                local_2.member[_e98] = bitcast<f32>(select(~(_e104), (_e104 & 2147483647u), ((_e104 >> bitcast<u32>(31i)) == 1u)));
-                let _e117 = words.member[((_e82 + 3u) + _e98)];
-                local_2.member_1[_e98] = bitcast<f32>(select(~(_e117), (_e117 & 2147483647u), ((_e117 >> bitcast<u32>(31i)) == 1u)));
+            let _e87 = phi_160_;
+            let _e90 = (_e87.member < _e87.member_1);
+            let _e101 = select(type_9().member_1, _e87.member, _e90);
+            let _e103 = (bitcast<i32>(select(0u, 1u, _e90)) != 0i);
+            if _e103 {
+                let _e106 = words.member[(_e85 + _e101)];
+                let _e107 = ~(_e106);
+                local_2.member[_e101] = bitcast<f32>(select(~(_e107), (_e107 & 2147483647u), ((_e107 >> bitcast<u32>(31i)) == 1u)));
+                let _e120 = words.member[((_e85 + 3u) + _e101)];
+                local_2.member_1[_e101] = bitcast<f32>(select(~(_e120), (_e120 & 2147483647u), ((_e120 >> bitcast<u32>(31i)) == 1u)));
             }
             continue;
             continuing {
-                phi_158_ = type_9(select(_e84.member, (_e84.member + 1u), _e87), select(_e84.member_1, _e84.member_1, _e87));
-                break if !(_e100);
+                phi_160_ = type_9(select(_e87.member, (_e87.member + 1u), _e90), select(_e87.member_1, _e87.member_1, _e90));
+                break if !(_e103);
             }
         }
-        let _e128 = local_2;
-        local_4 = _e128;
-        phi_270_ = type_9(0u, 3u);
-        phi_273_ = 0f;
+        let _e131 = local_2;
+        local_4 = _e131;
+        phi_272_ = type_9(0u, 3u);
+        phi_275_ = 0f;
         loop {
-            let _e130 = phi_270_;
-            let _e132 = phi_273_;
-            local_5 = _e132;
-            local_6 = _e132;
-            let _e135 = (_e130.member < _e130.member_1);
-            let _e146 = select(type_9().member_1, _e130.member, _e135);
-            let _e148 = (bitcast<i32>(select(0u, 1u, _e135)) != 0i);
-            if _e148 {
-                let _e151 = local_4.member_1[_e146];
-                let _e155 = local_4.member[_e146];
-                let _e157 = ((_e151 * 0.5f) - (_e155 * 0.5f));
-                phi_274_ = select(_e132, _e157, (_e157 > _e132));
+            let _e133 = phi_272_;
+            let _e135 = phi_275_;
+            local_5 = _e135;
+            local_6 = _e135;
+            let _e138 = (_e133.member < _e133.member_1);
+            let _e149 = select(type_9().member_1, _e133.member, _e138);
+            let _e151 = (bitcast<i32>(select(0u, 1u, _e138)) != 0i);
+            if _e151 {
+                let _e154 = local_4.member_1[_e149];
+                let _e158 = local_4.member[_e149];
+                let _e160 = ((_e154 * 0.5f) - (_e158 * 0.5f));
+                phi_276_ = select(_e135, _e160, (_e160 > _e135));
             } else {
-                phi_274_ = f32();
+                phi_276_ = f32();
             }
-            let _e161 = phi_274_;
+            let _e164 = phi_276_;
             continue;
             continuing {
-                phi_270_ = type_9(select(_e130.member, (_e130.member + 1u), _e135), select(_e130.member_1, _e130.member_1, _e135));
-                phi_273_ = _e161;
-                break if !(_e148);
+                phi_272_ = type_9(select(_e133.member, (_e133.member + 1u), _e138), select(_e133.member_1, _e133.member_1, _e138));
+                phi_275_ = _e164;
+                break if !(_e151);
             }
         }
-        let _e164 = local_5;
-        if (_e164 > 0.000000000000000000000000000001f) {
-            let _e168 = local_6;
-            phi_336_ = ((0.5f * 1024f) / _e168);
+        let _e167 = local_5;
+        if (_e167 > 0.000000000000000000000000000001f) {
+            let _e171 = local_6;
+            phi_338_ = ((0.5f * 1024f) / _e171);
         } else {
-            phi_336_ = 0f;
+            phi_338_ = 0f;
         }
-        let _e171 = phi_336_;
-        let _e173 = local_4.member;
-        local_3 = type_22(_e173, _e171, (1024f - 1f));
-        let _e178 = params.member.member_2.member;
-        let _e180 = boxes.member[_e63];
-        local_1 = type_18(array<f32, 3>(_e180.member.x, _e180.member.y, _e180.member_1.x), array<f32, 3>(_e180.member_1.y, _e180.member_2.x, _e180.member_2.y));
+        let _e174 = phi_338_;
+        let _e176 = local_4.member;
+        local_3 = type_22(_e176, _e174, (1024f - 1f));
+        let _e181 = params.member.member_2.member;
+        let _e183 = boxes.member[_e66];
+        local_1 = type_18(array<f32, 3>(_e183.member.x, _e183.member.y, _e183.member_1.x), array<f32, 3>(_e183.member_1.y, _e183.member_2.x, _e183.member_2.y));
         local = array<u32, 3>(0u, 0u, 0u);
-        phi_388_ = type_9(0u, 3u);
+        phi_390_ = type_9(0u, 3u);
         loop {
-            let _e197 = phi_388_;
-            let _e200 = (_e197.member < _e197.member_1);
-            let _e211 = select(type_9().member_1, _e197.member, _e200);
-            let _e213 = (bitcast<i32>(select(0u, 1u, _e200)) != 0i);
-            if _e213 {
-                let _e216 = local_1.member[_e211];
-                let _e220 = local_1.member_1[_e211];
-                let _e225 = local_3.member[_e211];
-                let _e228 = local_3.member_1;
-                let _e229 = ((((_e216 * 0.5f) + (_e220 * 0.5f)) - _e225) * _e228);
-                let _e231 = local_3.member_2;
-                if (_e229 >= _e231) {
-                    let _e241 = local_3.member_2;
-                    phi_476_ = select(select(u32(_e241), 0u, (_e241 < 0f)), 4294967295u, (_e241 > 4294967000f));
+            let _e200 = phi_390_;
+            let _e203 = (_e200.member < _e200.member_1);
+            let _e214 = select(type_9().member_1, _e200.member, _e203);
+            let _e216 = (bitcast<i32>(select(0u, 1u, _e203)) != 0i);
+            if _e216 {
+                let _e219 = local_1.member[_e214];
+                let _e223 = local_1.member_1[_e214];
+                let _e228 = local_3.member[_e214];
+                let _e231 = local_3.member_1;
+                let _e232 = ((((_e219 * 0.5f) + (_e223 * 0.5f)) - _e228) * _e231);
+                let _e234 = local_3.member_2;
+                if (_e232 >= _e234) {
+                    let _e244 = local_3.member_2;
+                    phi_478_ = select(select(u32(_e244), 0u, (_e244 < 0f)), 4294967295u, (_e244 > 4294967000f));
                 } else {
-                    phi_476_ = select(0u, select(select(u32(_e229), 0u, (_e229 < 0f)), 4294967295u, (_e229 > 4294967000f)), (_e229 > 0f));
+                    phi_478_ = select(0u, select(select(u32(_e232), 0u, (_e232 < 0f)), 4294967295u, (_e232 > 4294967000f)), (_e232 > 0f));
                 }
-                let _e248 = phi_476_;
-                local[_e211] = _e248;
+                let _e251 = phi_478_;
+                local[_e214] = _e251;
             }
             continue;
             continuing {
-                phi_388_ = type_9(select(_e197.member, (_e197.member + 1u), _e200), select(_e197.member_1, _e197.member_1, _e200));
-                break if !(_e213);
+                phi_390_ = type_9(select(_e200.member, (_e200.member + 1u), _e203), select(_e200.member_1, _e200.member_1, _e203));
+                break if !(_e216);
             }
         }
-        let _e251 = local;
-        let _e255 = (_e251[0] & 1023u);
-        let _e259 = ((_e255 | (_e255 << bitcast<u32>(16i))) & 50331903u);
-        let _e263 = ((_e259 | (_e259 << bitcast<u32>(8i))) & 50393103u);
-        let _e267 = ((_e263 | (_e263 << bitcast<u32>(4i))) & 51130563u);
-        let _e274 = (_e251[1] & 1023u);
-        let _e278 = ((_e274 | (_e274 << bitcast<u32>(16i))) & 50331903u);
-        let _e282 = ((_e278 | (_e278 << bitcast<u32>(8i))) & 50393103u);
-        let _e286 = ((_e282 | (_e282 << bitcast<u32>(4i))) & 51130563u);
-        let _e294 = (_e251[2] & 1023u);
-        let _e298 = ((_e294 | (_e294 << bitcast<u32>(16i))) & 50331903u);
-        let _e302 = ((_e298 | (_e298 << bitcast<u32>(8i))) & 50393103u);
-        let _e306 = ((_e302 | (_e302 << bitcast<u32>(4i))) & 51130563u);
-        keys.member[_e63] = (((_e79 << bitcast<u32>(30i)) | (_e81 << bitcast<u32>(((30u - _e178) & 31u)))) | ((((((_e267 | (_e267 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(2i)) | (((_e286 | (_e286 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(1i))) | ((_e306 | (_e306 << bitcast<u32>(2i))) & 153391689u)) >> bitcast<u32>((_e178 & 31u))));
-        order.member[_e63] = _e63;
+        let _e254 = local;
+        phi_501_ = type_9(1u, 10u);
+        phi_504_ = _e254[2];
+        phi_506_ = _e254[0];
+        phi_508_ = _e254[1];
+        loop {
+            let _e259 = phi_501_;
+            let _e261 = phi_504_;
+            let _e263 = phi_506_;
+            let _e265 = phi_508_;
+            local_7 = _e265;
+            local_8 = _e263;
+            local_9 = _e261;
+            local_10 = _e263;
+            let _e268 = (_e259.member < _e259.member_1);
+            let _e281 = (bitcast<i32>(select(0u, 1u, _e268)) != 0i);
+            if _e281 {
+                let _e282 = (10u - select(type_9().member_1, _e259.member, _e268));
+                let _e286 = ((1u << bitcast<u32>((_e282 & 31u))) - 1u);
+                let _e293 = (_e263 ^ (_e286 & (0u - ((_e263 >> bitcast<u32>((_e282 & 31u))) & 1u))));
+                let _e298 = (0u - ((_e265 >> bitcast<u32>((_e282 & 31u))) & 1u));
+                let _e302 = (((_e293 ^ _e265) & _e286) & ~(_e298));
+                let _e305 = ((_e293 ^ (_e286 & _e298)) ^ _e302);
+                let _e311 = (0u - ((_e261 >> bitcast<u32>((_e282 & 31u))) & 1u));
+                let _e315 = (((_e305 ^ _e261) & _e286) & ~(_e311));
+                phi_505_ = (_e261 ^ _e315);
+                phi_507_ = ((_e305 ^ (_e286 & _e311)) ^ _e315);
+                phi_509_ = (_e265 ^ _e302);
+            } else {
+                phi_505_ = u32();
+                phi_507_ = u32();
+                phi_509_ = u32();
+            }
+            let _e321 = phi_505_;
+            let _e323 = phi_507_;
+            let _e325 = phi_509_;
+            continue;
+            continuing {
+                phi_501_ = type_9(select(_e259.member, (_e259.member + 1u), _e268), select(_e259.member_1, _e259.member_1, _e268));
+                phi_504_ = _e321;
+                phi_506_ = _e323;
+                phi_508_ = _e325;
+                break if !(_e281);
+            }
+        }
+        let _e328 = local_7;
+        let _e330 = local_8;
+        let _e331 = (_e328 ^ _e330);
+        let _e333 = local_9;
+        let _e334 = (_e333 ^ _e331);
+        let _e337 = (_e334 ^ (_e334 >> bitcast<u32>(1i)));
+        let _e340 = (_e337 ^ (_e337 >> bitcast<u32>(2i)));
+        let _e343 = (_e340 ^ (_e340 >> bitcast<u32>(4i)));
+        let _e346 = (_e343 ^ (_e343 >> bitcast<u32>(8i)));
+        let _e351 = ((_e346 ^ (_e346 >> bitcast<u32>(16i))) >> bitcast<u32>(1i));
+        let _e353 = local_10;
+        let _e357 = ((_e353 ^ _e351) & 1023u);
+        let _e361 = ((_e357 | (_e357 << bitcast<u32>(16i))) & 50331903u);
+        let _e365 = ((_e361 | (_e361 << bitcast<u32>(8i))) & 50393103u);
+        let _e369 = ((_e365 | (_e365 << bitcast<u32>(4i))) & 51130563u);
+        let _e376 = ((_e331 ^ _e351) & 1023u);
+        let _e380 = ((_e376 | (_e376 << bitcast<u32>(16i))) & 50331903u);
+        let _e384 = ((_e380 | (_e380 << bitcast<u32>(8i))) & 50393103u);
+        let _e388 = ((_e384 | (_e384 << bitcast<u32>(4i))) & 51130563u);
+        let _e396 = ((_e334 ^ _e351) & 1023u);
+        let _e400 = ((_e396 | (_e396 << bitcast<u32>(16i))) & 50331903u);
+        let _e404 = ((_e400 | (_e400 << bitcast<u32>(8i))) & 50393103u);
+        let _e408 = ((_e404 | (_e404 << bitcast<u32>(4i))) & 51130563u);
+        keys.member[_e66] = (((_e82 << bitcast<u32>(30i)) | (_e84 << bitcast<u32>(((30u - _e181) & 31u)))) | ((((((_e369 | (_e369 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(2i)) | (((_e388 | (_e388 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(1i))) | ((_e408 | (_e408 << bitcast<u32>(2i))) & 153391689u)) >> bitcast<u32>((_e181 & 31u))));
+        order.member[_e66] = _e66;
     }
     return;
 }

@@ -5,11 +5,12 @@ use crate::support::{bytes, check_boxes, not_run, paths, read, run, same, swept,
 use crate::twin::union;
 use ccd::Aabb;
 use ccd::gpu::bind::{
-    FitEnds, FitLeaves, FitLevel, Morton, PlaceVertices, SceneBounds, Shorten, SweepEdges,
+    CurveKeys, FitEnds, FitLeaves, FitLevel, PlaceVertices, SceneBounds, Shorten, SweepEdges,
     SweepFaces, SweepVertices,
 };
 use ccd::gpu::{Device, harness};
-use ccd_core::backend::broad_phase::{candidate, morton_key};
+use ccd_core::backend::broad_phase::candidate;
+use ccd_core::backend::broad_phase::morton_key::{self, Curve};
 use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, Params, Path, split};
 use ccd_core::narrow_phase::decide;
 use ccd_core::narrow_phase::search::Search;
@@ -210,20 +211,25 @@ fn check_bounds(device: &Device) {
     let words: Vec<u32> = read(&bounds);
     let scene = union(twin.boxes.iter());
     check_boxes("scene", &[scene], &[morton_key::merged(&words)]);
-    let kernel =
-        Morton { boxes, bounds, keys: zeros::<u32>(n as usize), order: zeros::<u32>(n as usize) };
-    let done = run(device, kernel, &p, n.div_ceil(256));
-    let keys: Vec<u32> = read(&done.keys);
-    // A scale that was rounded otherwise (division is good to 2.5 units) may put a centre into a
-    // neighbouring cell.
-    let same = keys.iter().zip(&twin.keys).filter(|(a, b)| a == b).count();
-    assert!(
-        keys.iter().zip(&twin.keys).all(|(a, b)| a >> 30 == b >> 30)
-            && same * 1000 >= keys.len() * 998,
-        "{same} of {} keys",
-        keys.len()
-    );
-    assert!(read::<u32>(&done.order).into_iter().eq(0..n));
+    for (flag, curve) in [(0, Curve::Morton), (Frame::FLAG_HILBERT, Curve::Hilbert)] {
+        let (boxes, bounds) = (boxes.clone(), bounds.clone());
+        let [keys, order] = [(); 2].map(|()| zeros::<u32>(n as usize));
+        let mut p = p;
+        p.frame.flags |= flag;
+        let done = run(device, CurveKeys { boxes, bounds, keys, order }, &p, n.div_ceil(256));
+        let keys: Vec<u32> = read(&done.keys);
+        let want = twin.keys_along(curve);
+        // A scale that was rounded otherwise (division is good to 2.5 units) may put a centre into
+        // a neighbouring cell.
+        let same = keys.iter().zip(&want).filter(|(a, b)| a == b).count();
+        assert!(
+            keys.iter().zip(&want).all(|(a, b)| a >> 30 == b >> 30)
+                && same * 1000 >= keys.len() * 998,
+            "{curve:?}: {same} of {} keys",
+            keys.len()
+        );
+        assert!(read::<u32>(&done.order).into_iter().eq(0..n));
+    }
 }
 
 fn check_fit(device: &Device) {

@@ -12,6 +12,7 @@ use ccd::gpu::{Device, Path, Session};
 use ccd::method::Pipeline;
 use ccd::scenes::{Step, copies};
 use ccd::{Aabb, Bodies, BodyMotion, Error, Groups, Kind, Options};
+use ccd_core::backend::broad_phase::morton_key::Curve;
 use ccd_core::backend::layout::{Dispatch, Params, Worlds};
 use ccd_testkit::compare;
 use ccd_testkit::generate::{crumpled_sheet, triangle_soup};
@@ -143,7 +144,7 @@ fn check_kernels(device: &Device) {
         let mut same = 0;
         for i in 0..n {
             let world = world_of(i);
-            let code = code(&twin.boxes[i as usize], &want[world as usize]) >> 4;
+            let code = code(&twin.boxes[i as usize], &want[world as usize], Curve::Hilbert) >> 4;
             let key = twin.keys[i as usize] >> 30 << 30 | world << 26 | code;
             assert_eq!(keys[i as usize] >> 26, key >> 26, "set and world of box {i}");
             same += (keys[i as usize] == key) as u32;

@@ -3,6 +3,7 @@
 
 use ccd::{Aabb, Mesh, Pair};
 use ccd_core::backend::broad_phase::block_bvh::{PADDING, WIDTH};
+use ccd_core::backend::broad_phase::morton_key::Curve;
 use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, MAX_LEVELS, Params, Path, Plain};
 
 /// Boxes of up to three sets and the block trees over them.
@@ -27,15 +28,23 @@ pub fn union<'a>(boxes: impl Iterator<Item = &'a Aabb>) -> Aabb {
     })
 }
 
-/// Interleaved bits of the cell of a box's centre, one bit at a time.
-pub fn code(b: &Aabb, scene: &Aabb) -> u32 {
+/// Interleaved bits of the place along a curve of the cell of a box's centre, one bit at a time.
+pub fn code(b: &Aabb, scene: &Aabb, curve: Curve) -> u32 {
     let side = (0..3).fold(0.0f32, |m, k| m.max(scene.max[k] * 0.5 - scene.min[k] * 0.5));
     let scale = if side > 1e-30 { 0.5 * 1024.0 / side } else { 0.0 };
     let cell = |k: usize| {
         (((b.min[k] * 0.5 + b.max[k] * 0.5) - scene.min[k]) * scale).clamp(0.0, 1023.0) as u32
     };
-    let cells = [cell(0), cell(1), cell(2)];
+    let cells = curve.place([cell(0), cell(1), cell(2)], 10);
     (0..30).fold(0, |code, i| code | (cells[2 - i as usize % 3] >> (i / 3) & 1) << i)
+}
+
+/// Sort keys of boxes whose sets begin at `start`.
+fn keys(boxes: &[Aabb], start: &[u32; 4], curve: Curve) -> Vec<u32> {
+    let scene = union(boxes.iter());
+    let set_of = |i: u32| (i >= start[1]) as u32 + (i >= start[2]) as u32;
+    let key = |(i, b): (usize, &Aabb)| set_of(i as u32) << 30 | code(b, &scene, curve);
+    boxes.iter().enumerate().map(key).collect()
 }
 
 impl Twin {
@@ -69,10 +78,7 @@ impl Twin {
         let frame = Frame { count, start, flags: Frame::FLAG_TOPOLOGY, ..Frame::default() };
         let tree = Blocks { slots, kind: 0, level: 0, step: 1, limit: u32::MAX };
         let boxes = sets.concat();
-        let scene = union(boxes.iter());
-        let set_of = |i: u32| (i >= start[1]) as u32 + (i >= start[2]) as u32;
-        let keys: Vec<u32> =
-            (0..boxes.len()).map(|i| set_of(i as u32) << 30 | code(&boxes[i], &scene)).collect();
+        let keys = keys(&boxes, &start, Curve::Morton);
         let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
         order.sort_by_key(|&i| keys[i as usize]);
         let mut leaves = vec![Leaf { vertices: [0; 3], id: Leaf::NONE }; slots[0][3] as usize];
@@ -106,6 +112,11 @@ impl Twin {
         };
         twin.fit();
         twin
+    }
+
+    /// Sort keys of the boxes along a curve; those of the tree are along Morton's.
+    pub fn keys_along(&self, curve: Curve) -> Vec<u32> {
+        keys(&self.boxes, &self.frame.start, curve)
     }
 
     /// The same, with the boxes of leaves at both ends of the paths.

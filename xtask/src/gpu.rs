@@ -18,15 +18,24 @@ const COPY: f64 = 4.3e12;
 
 type Stages = Vec<(&'static str, f64)>;
 
-/// Measures and writes Markdown to `out` below `root`. `only`: these parts; none: all.
-pub fn run(root: &Path, runs: usize, out: &Path, only: &[Part]) -> Result<(), String> {
+/// Measures and writes Markdown to `out` below `root`. `only`: these parts; none: all. `named`:
+/// scenes whose name contains one of these; none: all.
+pub fn run(
+    root: &Path,
+    runs: usize,
+    out: &Path,
+    only: &[Part],
+    named: &[String],
+) -> Result<(), String> {
     let out = &root.join(out);
     let wanted = |part| only.is_empty() || only.contains(&part);
     let of_scenes = wanted(Part::Scenes) || wanted(Part::Narrow);
     let dir = if of_scenes { Some(data_dir()?) } else { None };
     let scenes = || {
-        let exists =
-            |(s, dir): &(&'static Scene, &PathBuf)| dir.join("scenes").join(s.name).is_dir();
+        let exists = |(s, dir): &(&'static Scene, &PathBuf)| {
+            let is_named = named.is_empty() || named.iter().any(|part| s.name.contains(part));
+            is_named && dir.join("scenes").join(s.name).is_dir()
+        };
         dir.iter().flat_map(|dir| SCENES.iter().map(move |s| (s, dir))).filter(exists)
     };
     let mut text = format!(

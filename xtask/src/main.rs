@@ -203,7 +203,7 @@ struct ChoiceOptions {
     #[arg(long, requires = "chosen", value_delimiter = ',')]
     threads: Vec<usize>,
     /// Only scenes whose name contains one of these
-    #[arg(long, requires = "chosen", value_delimiter = ',')]
+    #[arg(long, value_delimiter = ',')]
     scenes: Vec<String>,
     /// Few steps of the smaller scenes, few sizes
     #[arg(long, requires = "chosen")]
@@ -322,7 +322,9 @@ fn run(root: &Path, task: Task) -> Result<(), String> {
         #[cfg(feature = "report")]
         Task::Report { level: true, .. } => level::run(),
         #[cfg(feature = "report")]
-        Task::Report { runs, gpu: true, out, only, .. } => gpu::run(root, runs, &out, &only),
+        Task::Report { runs, gpu: true, out, only, chosen, .. } => {
+            gpu::run(root, runs, &out, &only, &chosen.scenes)
+        }
         #[cfg(feature = "report")]
         Task::Report { runs, .. } => report::run(root, runs),
         Task::CompileTimes { only } => compile_times::run(root, only),

@@ -4,6 +4,7 @@ pub mod aabb;
 #[cfg(any(feature = "alloc", test))]
 pub mod expansion;
 pub mod f64_bits;
+pub mod hilbert;
 pub mod morton;
 pub mod obb;
 pub mod q62;

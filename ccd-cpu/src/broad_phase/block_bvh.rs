@@ -1,4 +1,4 @@
-//! The default tree: boxes in Morton order, in blocks of eight, in blocks of eight blocks, and so
+//! The default tree: boxes in Hilbert order, in blocks of eight, in blocks of eight blocks, and so
 //! on.
 //!
 //! Every node is one [`Block`], eight boxes side by side; node `i` of a level has the nodes `8 i ..

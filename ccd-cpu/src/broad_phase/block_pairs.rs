@@ -2,9 +2,9 @@
 //! against block, eight boxes a test.
 
 use crate::broad_phase::block_bvh::BlockBvh;
+use crate::broad_phase::curve_order::CurveOrder;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Set, Sides};
 use crate::broad_phase::marks::Marks;
-use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::tasks::{Search, Tasks};
@@ -19,7 +19,7 @@ use std::ops::Range;
 #[derive(Debug, Default)]
 pub struct BlockSource {
     pub trees: Vec<BlockBvh>,
-    morton: MortonOrder,
+    morton: CurveOrder,
     tasks: Tasks,
 }
 

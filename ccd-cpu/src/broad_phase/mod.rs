@@ -20,6 +20,7 @@ mod block_pairs;
 mod block_workers;
 #[cfg(feature = "catalogue")]
 mod brute_force;
+mod curve_order;
 #[cfg(feature = "catalogue")]
 mod descend;
 #[cfg(feature = "catalogue")]
@@ -29,7 +30,6 @@ mod front;
 pub mod leaf_boxes;
 pub mod marks;
 pub mod method;
-mod morton_order;
 pub mod pair_list;
 pub mod pair_source;
 mod pair_tree;

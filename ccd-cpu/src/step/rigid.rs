@@ -1,7 +1,7 @@
 //! Bodies that move rigidly: trees that are built once, of which each step moves boxes instead of
 //! making those of all features.
 //!
-//! The vertices of a body are divided along the Morton curve into small clumps; a clump has its
+//! The vertices of a body are divided along the Hilbert curve into small clumps; a clump has its
 //! vertices, and the edges and faces that begin with one of them. Boxes around clumps, around eight
 //! clumps, and so on, are of the positions before any pose. A step moves a box by both poses, and
 //! only where it is looked at: against other such bodies, and against the trees of all else. Clumps

@@ -7,7 +7,7 @@ use super::scheduled::Scheduled;
 use super::scheduler;
 use super::worlds::Worlds;
 use crate::bind::{
-    FitEnds, FitLeaves, FitLevel, Morton, NodePairs, NodePairsOfWorlds, SceneBounds,
+    CurveKeys, FitEnds, FitLeaves, FitLevel, NodePairs, NodePairsOfWorlds, SceneBounds,
 };
 use crate::device::Device;
 use crate::error::Error;
@@ -15,7 +15,7 @@ use crate::growable_list::List;
 use crate::recorder::Recorder;
 use crate::sort::Sort;
 use ccd_core::Aabb;
-use ccd_core::backend::broad_phase::morton_key;
+use ccd_core::backend::broad_phase::morton_key::{self, Curve};
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain, VERTEX_FACE};
 use ccd_core::model::scheduling::Scheduling;
@@ -78,6 +78,7 @@ pub struct Tree {
     pub nodes: wgpu::Buffer,
     pub leaves: wgpu::Buffer,
     bounds: wgpu::Buffer,
+    curve: Curve,
     sort: Sort,
     /// Most workgroups of a kernel that loops over a list.
     pub groups: u32,
@@ -105,7 +106,7 @@ impl Tree {
         of_paths: bool,
         old: Option<&Self>,
     ) -> Result<Self, Error> {
-        let mut tree = Self::sorted_only(device, count, of_paths, old)?;
+        let mut tree = Self::sorted_only(device, Curve::Hilbert, count, of_paths, old)?;
         if !scheduler::is_by_levels(scheduling) {
             tree.descent = Some(block_workers::scheduled(device, scheduling, count)?);
         }
@@ -136,6 +137,7 @@ impl Tree {
     /// As [`Tree::new`], without lists for a descent.
     pub fn sorted_only(
         device: &Device,
+        curve: Curve,
         count: [u32; 3],
         of_paths: bool,
         old: Option<&Self>,
@@ -184,6 +186,7 @@ impl Tree {
                 U::STORAGE,
             )?,
             bounds: device.buffer("bounds", 32, U::STORAGE | U::COPY_DST)?,
+            curve,
             sort: Sort::new(device, n as u32, old.map(|old| &old.sort))?,
             start: [start(0)?, start(1)?],
             pairs: [Vec::new(), Vec::new()],
@@ -216,7 +219,7 @@ impl Tree {
         }
     }
 
-    /// Sorts all boxes by set, by world, and along the Morton curve. Of the bounds of all boxes,
+    /// Sorts all boxes by set, by world, and along the curve. Of the bounds of all boxes,
     /// those of the first `n_bounding` are enough.
     pub fn sort(&self, recorder: &mut Recorder, frame: &Frame, n_bounding: u32) {
         let (boxes, bounds, n) = (&self.boxes, &self.bounds, frame.start[3]);
@@ -228,7 +231,11 @@ impl Tree {
             let p = Params { frame: *frame, dispatch, args: Plain::default() };
             let groups = n_bounding.div_ceil(Id::SceneBounds.threads() * morton_key::CHUNK as u32);
             recorder.dispatch(&SceneBounds { boxes, bounds }, &p, groups);
-            recorder.each(&Morton { boxes, bounds, keys, order }, &p, n);
+            let mut p = p;
+            if self.curve == Curve::Hilbert {
+                p.frame.flags |= Frame::FLAG_HILBERT;
+            }
+            recorder.each(&CurveKeys { boxes, bounds, keys, order }, &p, n);
         }
         recorder.stage("sort");
         self.sort.run(recorder, n, 32, 0);

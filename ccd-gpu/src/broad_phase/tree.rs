@@ -19,6 +19,7 @@ use crate::error::Error;
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::backend::broad_phase::block_bvh::sets;
+use ccd_core::backend::broad_phase::morton_key::Curve;
 use ccd_core::backend::layout::{EDGE_EDGE, Frame, Queries};
 use ccd_core::model::method::{Traversal, TreeOptions, Volume};
 use ccd_core::model::scheduling::Scheduling;
@@ -70,7 +71,7 @@ impl TreeSource {
             _ => None,
         };
         Ok(Self {
-            blocks: Tree::sorted_only(device, count, false, None)?,
+            blocks: Tree::sorted_only(device, Curve::Morton, count, false, None)?,
             trees,
             traversal,
             descent,

@@ -1,14 +1,16 @@
 //! Bounds of all boxes, and the keys by which boxes are sorted.
 //!
-//! Twin: on a CPU `morton_order.rs`, which bounds boxes as it codes them.
+//! Twin: on a CPU `curve_order.rs`, which bounds boxes as it codes them.
 
 use crate::entry::kernel;
 use crate::records::BoxWords;
 use crate::workgroup::{barrier, get, raise, set};
 use ccd_core::Aabb;
-use ccd_core::backend::broad_phase::{block_bvh, morton_key};
+use ccd_core::backend::broad_phase::morton_key::{self, Curve};
+use ccd_core::backend::broad_phase::block_bvh;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::put;
+use ccd_core::backend::layout::Frame;
 use ccd_core::math::morton::MortonGrid;
 
 const THREADS: u32 = Id::SceneBounds.threads();
@@ -40,13 +42,15 @@ kernel! {
 
 kernel! {
     /// Thread `i` writes the sort key of box `i`, and `i`.
-    morton[256](t; params: Plain;; boxes: [BoxWords], words: [u32], mut keys: [u32],
+    curve_keys[256](t; params: Plain;; boxes: [BoxWords], words: [u32], mut keys: [u32],
         mut order: [u32]) {
         let i = t.i;
         if i < params.frame.start[3] {
             let set = block_bvh::set_of(&params.frame.start, i);
             let grid = MortonGrid::new(&morton_key::merged(words), 10);
-            put(keys, i as usize, morton_key::sort_key(i as usize, set, boxes, &grid));
+            let curve =
+                if params.frame.has(Frame::FLAG_HILBERT) { Curve::Hilbert } else { Curve::Morton };
+            put(keys, i as usize, morton_key::sort_key(i as usize, set, boxes, &grid, curve));
             put(order, i as usize, i);
         }
     }

@@ -14,7 +14,7 @@ use ccd_core::backend::broad_phase::key_intervals::{
     self, CHUNK, FOUND, GROUP, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID, asked_cell,
     asked_level, interval, lower_bound, rows, rows_a_step, rows_taken, step_of,
 };
-use ccd_core::backend::broad_phase::morton_key::{order_key, shared_word, sort_key};
+use ccd_core::backend::broad_phase::morton_key::{Curve, order_key, shared_word, sort_key};
 use ccd_core::backend::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
 use ccd_core::backend::broad_phase::pair_stacks::{CAPACITY, PairStack};
 use ccd_core::backend::broad_phase::radix_tree::{branch, last_of_left};
@@ -195,7 +195,7 @@ impl<'a> Tree<'a> {
     fn new(boxes: &'a [Aabb<f32>]) -> Self {
         let (n, bounds) = (boxes.len(), boxes.iter().fold(Aabb::EMPTY, |all, b| all.union(b)));
         let grid = MortonGrid::new(&bounds, 10);
-        let key = |i: u32| sort_key(i as usize, SET, boxes, &grid);
+        let key = |i: u32| sort_key(i as usize, SET, boxes, &grid, Curve::Morton);
         let mut order: Vec<u32> = (0..n as u32).collect();
         order.sort_by_key(|&i| key(i));
         let codes: Vec<u32> = order.iter().map(|&i| key(i)).collect();

@@ -1,8 +1,28 @@
-//! Map: the bounds of many boxes, and their Morton codes.
+//! Map: the bounds of many boxes, and their codes along a curve.
 
 use crate::kernel::memory::{Stored, at};
 use crate::math::aabb::Aabb;
+use crate::math::hilbert::hilbert_cell;
 use crate::math::morton::{MortonGrid, morton30, morton63};
+
+/// A curve through the cells of a grid.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Curve {
+    /// What builders of binary trees ask for: an axis and a place for each bit.
+    Morton,
+    /// What blocks of boxes take.
+    #[default]
+    Hilbert,
+}
+
+impl Curve {
+    /// The cell whose Morton code is that of `cell` along this curve, on a grid with `2^bits` cells
+    /// a side.
+    #[inline(always)]
+    pub fn place(self, cell: [u32; 3], bits: u32) -> [u32; 3] {
+        if self == Self::Hilbert { hilbert_cell(cell, bits) } else { cell }
+    }
+}
 
 /// Boxes that one thread merges.
 pub const CHUNK: usize = 8;
@@ -56,17 +76,29 @@ pub fn merged(words: &[u32]) -> Aabb<f32> {
     out
 }
 
-/// Morton code, 63 bits as `[low, high]`, of the centre of box `i`.
+/// Code along a curve, 63 bits as `[low, high]`, of the centre of box `i`.
 #[inline]
-pub fn morton(i: usize, boxes: &[Aabb<f32>], grid: &MortonGrid) -> [u32; 2] {
-    morton63(grid.cell(&boxes[i]))
+pub fn code63(i: usize, boxes: &[Aabb<f32>], grid: &MortonGrid, curve: Curve) -> [u32; 2] {
+    morton63(curve.place(grid.cell(&boxes[i]), 21))
 }
 
-/// Key by which a device sorts box `i`: its set, then 30 bits of Morton code on a grid of 2^10
-/// cells a side.
+/// The same in 30 bits.
 #[inline(always)]
-pub fn sort_key<B: Stored<Aabb<f32>>>(i: usize, set: usize, boxes: &[B], grid: &MortonGrid) -> u32 {
-    (set as u32) << 30 | morton30(grid.cell(&B::load(boxes, i)))
+pub fn code30(aabb: &Aabb<f32>, grid: &MortonGrid, curve: Curve) -> u32 {
+    morton30(curve.place(grid.cell(aabb), 10))
+}
+
+/// Key by which a device sorts box `i`: its set, then 30 bits of code on a grid of 2^10 cells a
+/// side.
+#[inline(always)]
+pub fn sort_key<B: Stored<Aabb<f32>>>(
+    i: usize,
+    set: usize,
+    boxes: &[B],
+    grid: &MortonGrid,
+    curve: Curve,
+) -> u32 {
+    (set as u32) << 30 | code30(&B::load(boxes, i), grid, curve)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Worlds: many independent scenes that one sort and one descent serve.
 //!
 //! ```text
-//!   key:   set | world | Morton code within the bounds of the world
+//!   key:   set | world | Hilbert code within the bounds of the world
 //!   leaves of a set:   0 0 0 0 0 1 1 1 1 2 2 2 2 2 2
 //!   nodes:            [  0..0  |   0..1  |  1..2 |  2..2  ]
 //! ```
@@ -12,11 +12,11 @@
 //! meets pairs of nodes of one world, and of neighbours where a node has leaves of two.
 
 use super::block_bvh::WIDTH;
-use super::morton_key::from_order_key;
+use super::morton_key::{Curve, code30, from_order_key};
 use crate::kernel::memory::{Stored, at};
 use crate::layout::Blocks;
 use crate::math::aabb::Aabb;
-use crate::math::morton::{MortonGrid, morton30};
+use crate::math::morton::MortonGrid;
 
 /// Words of the bounds of a world, as of [`morton_key::shared_word`](super::morton_key).
 pub const BOUND_WORDS: usize = 6;
@@ -38,7 +38,7 @@ pub fn bounds(words: &[u32], world: u32) -> Aabb<f32> {
     out
 }
 
-/// Key by which a device sorts box `i`: its set, its world, then as much of its Morton code in that
+/// Key by which a device sorts box `i`: its set, its world, then as much of its Hilbert code in that
 /// world as fits beside `bits` bits of worlds.
 #[inline(always)]
 pub fn sort_key<B: Stored<Aabb<f32>>>(
@@ -49,7 +49,7 @@ pub fn sort_key<B: Stored<Aabb<f32>>>(
     boxes: &[B],
     grid: &MortonGrid,
 ) -> u32 {
-    let code = morton30(grid.cell(&B::load(boxes, i)));
+    let code = code30(&B::load(boxes, i), grid, Curve::Hilbert);
     (set as u32) << 30 | world << (30 - bits) | code >> bits
 }
 

@@ -30,7 +30,7 @@ macro_rules! kernels {
             SceneBounds = scene_bounds(256 threads, 1 barriers, f32, Params<Plain>)
                 { boxes: Read, bounds: Write }
             /// Sort keys of boxes, and their numbers.
-            Morton = morton(256 threads, 0 barriers, f32, Params<Plain>)
+            CurveKeys = curve_keys(256 threads, 0 barriers, f32, Params<Plain>)
                 { boxes: Read, bounds: Read, keys: Write, order: Write }
             /// Digits of each tile.
             SortCount = sort_count(128 threads, 2 barriers, f32, Params<SortPass>)

@@ -106,6 +106,8 @@ impl Frame {
     /// Candidates are listed a part at a time. The third word of their list, which otherwise counts
     /// beyond 32 bits, is the most that a part wanted, if one wanted more than fit.
     pub const FLAG_IN_PARTS: u32 = 1024;
+    /// Boxes are sorted along the Hilbert curve, else along the Morton curve.
+    pub const FLAG_HILBERT: u32 = 2048;
 
     /// With what its kernels look for besides the distance.
     pub fn searching(mut self, search: &Search<f64>) -> Self {

@@ -12,11 +12,11 @@ mod statistics;
 mod tests;
 mod traversal;
 
+use crate::broad_phase::curve_order::CurveOrder;
 #[cfg(feature = "catalogue")]
 use crate::broad_phase::descend::{Pairs, PairsOfNodes};
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Set, Sides};
 use crate::broad_phase::marks::Marks;
-use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::rows::{RowSource, Rows, Scratch};
 use crate::threads::Threads;
 use binary_tree::BinaryTree;
@@ -24,6 +24,7 @@ use builder::TreeBuilder;
 use builder::lbvh::Lbvh;
 #[cfg(feature = "catalogue")]
 use builder::{nearest_pair::NearestPair, ploc::Ploc, split_lists::SplitLists};
+use ccd_core::backend::broad_phase::morton_key::Curve;
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::{Builder, Traversal, TreeOptions, Volume};
 use ccd_core::model::tree_statistics::TreeStatistics;
@@ -39,7 +40,7 @@ use traversal::{cut::Cut, double_recursion::DoubleRecursion};
 pub struct TreeSource {
     builder: Box<dyn TreeBuilder>,
     traversal: Box<dyn Traverse>,
-    morton: MortonOrder,
+    morton: CurveOrder,
     trees: Vec<BinaryTree>,
     volume: Volume,
 }
@@ -52,7 +53,7 @@ impl TreeSource {
         if options.volume != Volume::Aabb && !cfg!(feature = "catalogue") {
             return Err(absent(options.volume));
         }
-        let (morton, trees) = Default::default();
+        let (morton, trees) = (CurveOrder::of(Curve::Morton), Vec::new());
         Ok(Self { builder, traversal, morton, trees, volume: options.volume })
     }
 

@@ -4,8 +4,9 @@ use super::body::Body;
 use crate::simd::WIDTH;
 use crate::threads::Threads;
 use ccd_core::Aabb;
+use ccd_core::backend::broad_phase::morton_key::{Curve, code30};
 use ccd_core::backend::rules::Rules;
-use ccd_core::math::morton::{MortonGrid, morton30};
+use ccd_core::math::morton::MortonGrid;
 use ccd_core::model::codimensional::edges_of_no_face;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::precision::Coordinate;
@@ -68,7 +69,7 @@ impl Trees {
         for of_body in vertices.chunk_by_mut(|&a, &b| number(a) == number(b)) {
             firsts.push([number(of_body[0]), of_body[0], grids.len() as u32]);
             let grid = MortonGrid::new(&around(of_body).round_out(), BITS);
-            let code = |v: u32| morton30(grid.cell(&around(&[v]).round_out()));
+            let code = |v: u32| code30(&around(&[v]).round_out(), &grid, Curve::Hilbert);
             threads.sort(of_body, |&v| (code(v), v));
             for ids in of_body.chunks(CLUMP) {
                 ids.iter().for_each(|&v| clump_of[v as usize] = grids.len() as u32);
@@ -89,7 +90,8 @@ impl Trees {
                 }
                 let (of_feature, at) = (around(ids), clump as usize);
                 boxes[at] = Some(boxes[at].map_or(of_feature, |all| all.union(&of_feature)));
-                all.push([clump, morton30(grids[at].cell(&of_feature.round_out())), id]);
+                let code = code30(&of_feature.round_out(), &grids[at], Curve::Hilbert);
+                all.push([clump, code, id]);
             };
             match set {
                 0 => vertices.iter().for_each(|&v| add(v, &[v])),

@@ -1,7 +1,7 @@
 //! LBVH: a binary radix tree over sorted Morton codes, every internal node by itself [Karras 2012].
 
 use super::TreeBuilder;
-use crate::broad_phase::morton_order::MortonOrder;
+use crate::broad_phase::curve_order::CurveOrder;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::radix_tree;
@@ -17,7 +17,7 @@ impl TreeBuilder for Lbvh {
     fn build(
         &mut self,
         threads: &Threads,
-        morton: &mut MortonOrder,
+        morton: &mut CurveOrder,
         boxes: &[Aabb<f32>],
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,

@@ -12,7 +12,7 @@ mod ploc_search;
 #[cfg(feature = "catalogue")]
 pub mod split_lists;
 
-use crate::broad_phase::morton_order::MortonOrder;
+use crate::broad_phase::curve_order::CurveOrder;
 use crate::threads::Threads;
 use ccd_core::backend::layout::Branch;
 use ccd_core::{Aabb, Error};
@@ -30,7 +30,7 @@ pub trait TreeBuilder: Debug + Send + Sync {
     fn build(
         &mut self,
         threads: &Threads,
-        morton: &mut MortonOrder,
+        morton: &mut CurveOrder,
         boxes: &[Aabb<f32>],
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,

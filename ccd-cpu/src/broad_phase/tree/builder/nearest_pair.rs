@@ -23,7 +23,7 @@
 
 use super::TreeBuilder;
 use super::bottom_up::{Joins, Subtree};
-use crate::broad_phase::morton_order::MortonOrder;
+use crate::broad_phase::curve_order::CurveOrder;
 use crate::simd::{F32x8, RowSimd, WIDTH, Work};
 use crate::threads::Threads;
 use ccd_core::backend::broad_phase::nearest_pair::{centre, distance, parents};
@@ -260,7 +260,7 @@ impl TreeBuilder for NearestPair {
     fn build(
         &mut self,
         threads: &Threads,
-        morton: &mut MortonOrder,
+        morton: &mut CurveOrder,
         boxes: &[Aabb<f32>],
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,

@@ -17,9 +17,9 @@
 use super::TreeBuilder;
 use super::bottom_up::{Joins, Subtree};
 use super::ploc_search::{Search, fill_boxes};
+use crate::broad_phase::curve_order::CurveOrder;
 use crate::broad_phase::leaf_boxes::get_lane;
 use crate::broad_phase::marks::Marks;
-use crate::broad_phase::morton_order::MortonOrder;
 use crate::broad_phase::tree::shared_words::Shared;
 use crate::simd::{Block, WIDTH};
 use crate::threads::Threads;
@@ -141,7 +141,7 @@ impl TreeBuilder for Ploc {
     fn build(
         &mut self,
         threads: &Threads,
-        morton: &mut MortonOrder,
+        morton: &mut CurveOrder,
         boxes: &[Aabb<f32>],
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,

@@ -12,7 +12,7 @@
 //! 2012] needs no lists.
 
 use super::TreeBuilder;
-use crate::broad_phase::morton_order::MortonOrder;
+use crate::broad_phase::curve_order::CurveOrder;
 use crate::broad_phase::tree::shared_words::{Shared, copy, copy_branches};
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -47,7 +47,7 @@ impl TreeBuilder for SplitLists {
     fn build(
         &mut self,
         threads: &Threads,
-        morton: &mut MortonOrder,
+        morton: &mut CurveOrder,
         boxes: &[Aabb<f32>],
         order: &mut Vec<u32>,
         branches: &mut Vec<Branch>,

@@ -1,4 +1,4 @@
-//! Boxes in Morton order: bounds of the scene, codes of the centres, sort.
+//! Boxes in the order of a curve: bounds of the scene, codes of the centres, sort.
 //!
 //! Twin: none; on a GPU a sort of keys, as any other.
 
@@ -7,7 +7,7 @@ use crate::simd::WIDTH;
 use crate::sort::RadixSort;
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::backend::broad_phase::morton_key;
+use ccd_core::backend::broad_phase::morton_key::{self, Curve};
 use ccd_core::math::morton::MortonGrid;
 
 /// Bits per axis of the codes.
@@ -15,16 +15,22 @@ const BITS: u32 = 21;
 /// Boxes that a task merges.
 const CHUNK: usize = 2048;
 
-/// Sorts boxes along the Morton curve; buffers are kept.
+/// Sorts boxes along a curve; buffers are kept.
 #[derive(Debug, Default)]
-pub struct MortonOrder {
+pub struct CurveOrder {
+    curve: Curve,
     radix: RadixSort,
     chunks: Vec<Aabb<f32>>,
     moving: Vec<u32>,
     still: Vec<u32>,
 }
 
-impl MortonOrder {
+impl CurveOrder {
+    /// Along this curve.
+    pub fn of(curve: Curve) -> Self {
+        Self { curve, ..Self::default() }
+    }
+
     /// The grid over the boxes.
     pub fn grid(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) -> MortonGrid {
         self.chunks.resize(boxes.len().div_ceil(CHUNK), Aabb::EMPTY);
@@ -53,8 +59,9 @@ impl MortonOrder {
         order: &mut Vec<u32>,
     ) -> MortonGrid {
         let grid = self.grid(threads, boxes);
+        let curve = self.curve;
         let code = |i: usize| {
-            let [low, high] = morton_key::morton(i, boxes, &grid);
+            let [low, high] = morton_key::code63(i, boxes, &grid, curve);
             (high as u64) << 32 | low as u64
         };
         let Marks { fixed, world, world_bits: bits, kept, .. } = *marks;
@@ -110,8 +117,8 @@ impl MortonOrder {
         order: &mut Vec<u32>,
         codes: &mut Vec<[u32; 2]>,
     ) {
-        let grid = self.sort(threads, boxes, &Marks::default(), order);
+        let (grid, curve) = (self.sort(threads, boxes, &Marks::default(), order), self.curve);
         codes.resize(boxes.len(), [0; 2]);
-        threads.fill(codes, |i| morton_key::morton(order[i] as usize, boxes, &grid));
+        threads.fill(codes, |i| morton_key::code63(order[i] as usize, boxes, &grid, curve));
     }
 }
