@@ -88,43 +88,36 @@ var<workgroup> hits: array<u32, 512>;
 var<workgroup> firsts: array<u32, 8>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_194_: u32;
-    var phi_242_: u32;
-    var phi_245_: type_9;
-    var phi_317_: u32;
-    var phi_560_: bool;
-    var phi_598_: type_24;
-    var phi_633_: type_9;
+    var phi_193_: u32;
+    var phi_241_: u32;
+    var phi_244_: type_9;
+    var phi_316_: u32;
+    var phi_559_: bool;
+    var phi_597_: type_24;
+    var phi_632_: type_9;
+    var phi_635_: u32;
     var phi_636_: u32;
-    var phi_637_: u32;
     var local: u32;
     var local_1: u32;
-    var phi_878_: type_9;
+    var phi_877_: type_9;
+    var phi_880_: u32;
     var phi_881_: u32;
-    var phi_882_: u32;
+    var phi_945_: u32;
     var phi_946_: u32;
-    var phi_947_: u32;
-    var phi_954_: type_9;
+    var phi_953_: type_9;
+    var phi_956_: u32;
     var phi_957_: u32;
-    var phi_958_: u32;
-    var phi_1027_: u32;
-    var phi_1037_: type_9;
-    var phi_1066_: type_9;
-    var phi_1069_: type_9;
-    var phi_1109_: type_9;
-    var phi_1112_: type_9;
-    var phi_1169_: type_9;
-    var phi_1170_: bool;
-    var phi_1110_: type_9;
-    var phi_1171_: bool;
-    var phi_1236_: u32;
-    var phi_1243_: type_9;
-    var phi_1312_: bool;
-    var phi_1313_: bool;
-    var phi_1070_: type_9;
+    var phi_1026_: u32;
+    var phi_1058_: type_9;
+    var phi_1120_: type_9;
+    var phi_1123_: u32;
+    var phi_1124_: u32;
+    var phi_1297_: u32;
+    var phi_1304_: type_9;
+    var phi_1377_: bool;
+    var phi_1378_: bool;
     var local_2: u32;
     var local_3: u32;
-    var local_4: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -153,11 +146,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         if (_e71 == 0u) {
             return;
         }
-        phi_194_ = select(_e73, (_e73 + 1u), ((_e68 % _e71) > 0u));
+        phi_193_ = select(_e73, (_e73 + 1u), ((_e68 % _e71) > 0u));
     } else {
-        phi_194_ = 0u;
+        phi_193_ = 0u;
     }
-    let _e80 = phi_194_;
+    let _e80 = phi_193_;
     let _e83 = params.member.member_2.member_4;
     let _e85 = select(_e80, _e83, (_e83 < _e80));
     let _e86 = (_e85 / 4u);
@@ -171,14 +164,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         if (_e51 == 0u) {
             return;
         }
-        phi_242_ = select(_e94, (_e94 + 1u), ((_e92 % _e51) > 0u));
+        phi_241_ = select(_e94, (_e94 + 1u), ((_e92 % _e51) > 0u));
     } else {
-        phi_242_ = 0u;
+        phi_241_ = 0u;
     }
-    let _e101 = phi_242_;
-    phi_245_ = type_9(0u, _e101);
+    let _e101 = phi_241_;
+    phi_244_ = type_9(0u, _e101);
     loop {
-        let _e104 = phi_245_;
+        let _e104 = phi_244_;
         let _e107 = (_e104.member < _e104.member_1);
         let _e120 = (bitcast<i32>(select(0u, 1u, _e107)) != 0i);
         if _e120 {
@@ -195,11 +188,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if (_e136 == 0u) {
                     return;
                 }
-                phi_317_ = select(_e138, (_e138 + 1u), ((_e133 % _e136) > 0u));
+                phi_316_ = select(_e138, (_e138 + 1u), ((_e133 % _e136) > 0u));
             } else {
-                phi_317_ = 0u;
+                phi_316_ = 0u;
             }
-            let _e145 = phi_317_;
+            let _e145 = phi_316_;
             let _e148 = params.member.member_2.member_4;
             let _e151 = (_e125 < select(_e145, _e148, (_e148 < _e145)));
             let _e154 = params.member.member_1.member_1;
@@ -234,11 +227,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e263 = params.member.member_2.member[(_e256 - 1u)][_e183];
             let _e266 = nodes.member[(_e263 + ((_e167 * 32u) + _e185))];
             if _e151 {
-                phi_560_ = ((((((_e239.member.x <= _e215.member_1.y) && (_e215.member.x <= _e239.member_1.y)) && (_e239.member.y <= _e215.member_2.x)) && (_e215.member.y <= _e239.member_2.x)) && (_e239.member_1.x <= _e215.member_2.y)) && (_e215.member_1.x <= _e239.member_2.y));
+                phi_559_ = ((((((_e239.member.x <= _e215.member_1.y) && (_e215.member.x <= _e239.member_1.y)) && (_e239.member.y <= _e215.member_2.x)) && (_e215.member.y <= _e239.member_2.x)) && (_e239.member_1.x <= _e215.member_2.y)) && (_e215.member_1.x <= _e239.member_2.y));
             } else {
-                phi_560_ = false;
+                phi_559_ = false;
             }
-            let _e291 = phi_560_;
+            let _e291 = phi_559_;
             if _e151 {
                 if ((((((_e266.member.x <= _e194.member_1.y) && (_e194.member.x <= _e266.member_1.y)) && (_e266.member.y <= _e194.member_2.x)) && (_e194.member.y <= _e266.member_2.x)) && (_e266.member_1.x <= _e194.member_2.y)) && (_e194.member_1.x <= _e266.member_2.y)) {
                     let _e305 = atomicAdd((&counters[_e184]), 1u);
@@ -248,11 +241,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             if _e291 {
-                phi_598_ = type_24(array<f32, 3>(_e239.member.x, _e239.member.y, _e239.member_1.x), array<f32, 3>(_e239.member_1.y, _e239.member_2.x, _e239.member_2.y));
+                phi_597_ = type_24(array<f32, 3>(_e239.member.x, _e239.member.y, _e239.member_1.x), array<f32, 3>(_e239.member_1.y, _e239.member_2.x, _e239.member_2.y));
             } else {
-                phi_598_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_597_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e313 = phi_598_;
+            let _e313 = phi_597_;
             workgroupBarrier();
             let _e316 = params.member.member_2.member_1;
             let _e319 = select(false, (_e164 == _e167), (_e316 == 1u));
@@ -261,11 +254,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e322 = (_e320 * 32u);
             let _e324 = atomicLoad((&counters[_e320]));
             let _e325 = (_e324 / 4u);
-            phi_633_ = type_9(0u, select(_e325, (_e325 + 1u), ((_e324 % 4u) > 0u)));
-            phi_636_ = 0u;
+            phi_632_ = type_9(0u, select(_e325, (_e325 + 1u), ((_e324 % 4u) > 0u)));
+            phi_635_ = 0u;
             loop {
-                let _e332 = phi_633_;
-                let _e334 = phi_636_;
+                let _e332 = phi_632_;
+                let _e334 = phi_635_;
                 local = _e334;
                 local_1 = _e334;
                 let _e337 = (_e332.member < _e332.member_1);
@@ -276,15 +269,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e393 = columns[((_e322 + _e351) + 1u)];
                     let _e434 = columns[((_e322 + _e351) + 2u)];
                     let _e475 = columns[((_e322 + _e351) + 3u)];
-                    phi_637_ = (_e334 | ((((select(0u, 1u, ((((((_e313.member[0] <= _e354.member_1[0]) && (_e354.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e354.member_1[1])) && (_e354.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e354.member_1[2])) && (_e354.member[2] <= _e313.member_1[2]))) << bitcast<u32>((_e351 & 31u))) | (select(0u, 1u, ((((((_e313.member[0] <= _e393.member_1[0]) && (_e393.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e393.member_1[1])) && (_e393.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e393.member_1[2])) && (_e393.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e313.member[0] <= _e434.member_1[0]) && (_e434.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e434.member_1[1])) && (_e434.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e434.member_1[2])) && (_e434.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e313.member[0] <= _e475.member_1[0]) && (_e475.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e475.member_1[1])) && (_e475.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e475.member_1[2])) && (_e475.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 3u) & 31u)))));
+                    phi_636_ = (_e334 | ((((select(0u, 1u, ((((((_e313.member[0] <= _e354.member_1[0]) && (_e354.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e354.member_1[1])) && (_e354.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e354.member_1[2])) && (_e354.member[2] <= _e313.member_1[2]))) << bitcast<u32>((_e351 & 31u))) | (select(0u, 1u, ((((((_e313.member[0] <= _e393.member_1[0]) && (_e393.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e393.member_1[1])) && (_e393.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e393.member_1[2])) && (_e393.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e313.member[0] <= _e434.member_1[0]) && (_e434.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e434.member_1[1])) && (_e434.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e434.member_1[2])) && (_e434.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e313.member[0] <= _e475.member_1[0]) && (_e475.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e475.member_1[1])) && (_e475.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e475.member_1[2])) && (_e475.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 3u) & 31u)))));
                 } else {
-                    phi_637_ = u32();
+                    phi_636_ = u32();
                 }
-                let _e515 = phi_637_;
+                let _e515 = phi_636_;
                 continue;
                 continuing {
-                    phi_633_ = type_9(select(_e332.member, (_e332.member + 1u), _e337), select(_e332.member_1, _e332.member_1, _e337));
-                    phi_636_ = _e515;
+                    phi_632_ = type_9(select(_e332.member, (_e332.member + 1u), _e337), select(_e332.member_1, _e332.member_1, _e337));
+                    phi_635_ = _e515;
                     break if !(_e350);
                 }
             }
@@ -294,46 +287,46 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e530 = params.member.member.member_1;
             if ((_e530 & 256u) != 0u) {
                 if select(!((_e313.member[0] <= _e313.member_1[0])), true, ((bitcast<u32>(_e313.member_1[0]) & 1u) == 1u)) {
-                    phi_878_ = type_9(0u, _e324);
-                    phi_881_ = _e527;
+                    phi_877_ = type_9(0u, _e324);
+                    phi_880_ = _e527;
                     loop {
-                        let _e547 = phi_878_;
-                        let _e549 = phi_881_;
+                        let _e547 = phi_877_;
+                        let _e549 = phi_880_;
                         local_2 = _e549;
                         let _e552 = (_e547.member < _e547.member_1);
                         let _e563 = select(type_9().member_1, _e547.member, _e552);
                         let _e565 = (bitcast<i32>(select(0u, 1u, _e552)) != 0i);
                         if _e565 {
                             let _e568 = columns[(_e322 + _e563)];
-                            phi_882_ = select(_e549, (_e549 & ~((1u << bitcast<u32>((_e563 & 31u))))), select(!((_e568.member[0] <= _e568.member_1[0])), true, ((bitcast<u32>(_e568.member_1[0]) & 1u) == 1u)));
+                            phi_881_ = select(_e549, (_e549 & ~((1u << bitcast<u32>((_e563 & 31u))))), select(!((_e568.member[0] <= _e568.member_1[0])), true, ((bitcast<u32>(_e568.member_1[0]) & 1u) == 1u)));
                         } else {
-                            phi_882_ = u32();
+                            phi_881_ = u32();
                         }
-                        let _e586 = phi_882_;
+                        let _e586 = phi_881_;
                         continue;
                         continuing {
-                            phi_878_ = type_9(select(_e547.member, (_e547.member + 1u), _e552), select(_e547.member_1, _e547.member_1, _e552));
-                            phi_881_ = _e586;
+                            phi_877_ = type_9(select(_e547.member, (_e547.member + 1u), _e552), select(_e547.member_1, _e547.member_1, _e552));
+                            phi_880_ = _e586;
                             break if !(_e565);
                         }
                     }
-                    let _e846 = local_2;
-                    phi_946_ = _e846;
+                    let _e870 = local_2;
+                    phi_945_ = _e870;
                 } else {
-                    phi_946_ = _e527;
+                    phi_945_ = _e527;
                 }
-                let _e589 = phi_946_;
-                phi_947_ = _e589;
+                let _e589 = phi_945_;
+                phi_946_ = _e589;
             } else {
-                phi_947_ = _e527;
+                phi_946_ = _e527;
             }
-            let _e591 = phi_947_;
+            let _e591 = phi_946_;
             if _e319 {
-                phi_954_ = type_9(0u, _e324);
-                phi_957_ = _e591;
+                phi_953_ = type_9(0u, _e324);
+                phi_956_ = _e591;
                 loop {
-                    let _e594 = phi_954_;
-                    let _e596 = phi_957_;
+                    let _e594 = phi_953_;
+                    let _e596 = phi_956_;
                     local_3 = _e596;
                     let _e599 = (_e594.member < _e594.member_1);
                     let _e610 = select(type_9().member_1, _e594.member, _e599);
@@ -341,171 +334,173 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     if _e612 {
                         let _e615 = names[(_e322 + _e610)];
                         let _e616 = (_e321 < _e615);
-                        phi_958_ = select(_e596, (_e596 & ~((1u << bitcast<u32>((_e610 & 31u))))), select(true, false, select(select(bool(), select(select(false, true, (_e321 == _e615)), bool(), _e616), _e319), true, select(true, _e616, _e319))));
+                        phi_957_ = select(_e596, (_e596 & ~((1u << bitcast<u32>((_e610 & 31u))))), select(true, false, select(select(bool(), select(select(false, true, (_e321 == _e615)), bool(), _e616), _e319), true, select(true, _e616, _e319))));
                     } else {
-                        phi_958_ = u32();
+                        phi_957_ = u32();
                     }
-                    let _e631 = phi_958_;
+                    let _e631 = phi_957_;
                     continue;
                     continuing {
-                        phi_954_ = type_9(select(_e594.member, (_e594.member + 1u), _e599), select(_e594.member_1, _e594.member_1, _e599));
-                        phi_957_ = _e631;
+                        phi_953_ = type_9(select(_e594.member, (_e594.member + 1u), _e599), select(_e594.member_1, _e594.member_1, _e599));
+                        phi_956_ = _e631;
                         break if !(_e612);
                     }
                 }
-                let _e853 = local_3;
-                phi_1027_ = _e853;
+                let _e877 = local_3;
+                phi_1026_ = _e877;
             } else {
-                phi_1027_ = _e591;
+                phi_1026_ = _e591;
             }
-            let _e634 = phi_1027_;
-            let _e636 = countOneBits(_e634);
-            if (_e636 > 0u) {
-                let _e639 = atomicAdd((&counters[4u]), _e636);
-                phi_1037_ = type_9(_e634, _e639);
-            } else {
-                phi_1037_ = type_9(_e634, 0u);
-            }
-            let _e642 = phi_1037_;
+            let _e634 = phi_1026_;
+            let _e637 = atomicAdd((&counters[4u]), countOneBits(_e634));
             workgroupBarrier();
             if (_e39 == 0u) {
-                let _e645 = atomicLoad((&counters[4u]));
-                n_hits[0u] = _e645;
+                let _e640 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e640;
             }
-            let _e648 = workgroupUniformLoad((&n_hits[0u]));
-            let _e649 = (_e648 / 512u);
-            phi_1066_ = type_9(0u, select(_e649, (_e649 + 1u), ((_e648 % 512u) > 0u)));
-            phi_1069_ = _e642;
+            let _e643 = workgroupUniformLoad((&n_hits[0u]));
+            let _e644 = (_e643 / 512u);
+            phi_1058_ = type_9(0u, select(_e644, (_e644 + 1u), ((_e643 % 512u) > 0u)));
             loop {
-                let _e656 = phi_1066_;
-                let _e658 = phi_1069_;
-                let _e661 = (_e656.member < _e656.member_1);
-                let _e674 = (bitcast<i32>(select(0u, 1u, _e661)) != 0i);
-                if _e674 {
-                    let _e675 = (_e39 / 32u);
-                    let _e677 = (select(type_9().member_1, _e656.member, _e661) * 512u);
-                    phi_1109_ = _e658;
-                    phi_1112_ = type_9(0u, countOneBits(_e658.member));
+                let _e651 = phi_1058_;
+                let _e654 = (_e651.member < _e651.member_1);
+                let _e667 = (bitcast<i32>(select(0u, 1u, _e654)) != 0i);
+                if _e667 {
+                    let _e668 = (_e39 / 32u);
+                    let _e674 = ((_e668 << bitcast<u32>(10i)) | ((_e39 % 32u) << bitcast<u32>(5i)));
+                    let _e675 = (select(type_9().member_1, _e651.member, _e654) * 512u);
+                    let _e678 = atomicLoad((&counters[_e668]));
+                    let _e679 = (_e678 / 4u);
+                    phi_1120_ = type_9(0u, select(_e679, (_e679 + 1u), ((_e678 % 4u) > 0u)));
+                    phi_1123_ = (_e637 - _e675);
                     loop {
-                        let _e682 = phi_1109_;
-                        let _e684 = phi_1112_;
-                        local_4 = _e682;
-                        let _e687 = (_e684.member < _e684.member_1);
-                        if (bitcast<i32>(select(0u, 1u, _e687)) != 0i) {
-                            let _e700 = (_e682.member_1 - _e677);
-                            if (_e700 >= 512u) {
-                                phi_1169_ = type_9();
-                                phi_1170_ = false;
-                            } else {
-                                let _e709 = names[((_e675 * 32u) + select(firstTrailingBit(_e682.member), 32u, (_e682.member == 0u)))];
-                                hits[_e700] = (((_e675 << bitcast<u32>(10i)) | ((_e39 % 32u) << bitcast<u32>(5i))) | _e709);
-                                phi_1169_ = type_9((_e682.member & (_e682.member - 1u)), (_e682.member_1 + 1u));
-                                phi_1170_ = true;
+                        let _e686 = phi_1120_;
+                        let _e688 = phi_1123_;
+                        let _e691 = (_e686.member < _e686.member_1);
+                        let _e704 = (bitcast<i32>(select(0u, 1u, _e691)) != 0i);
+                        if _e704 {
+                            let _e705 = (4u * select(type_9().member_1, _e686.member, _e691));
+                            let _e711 = (((_e634 >> bitcast<u32>((_e705 & 31u))) & 1u) == 1u);
+                            if _e711 {
+                                if (_e688 < 512u) {
+                                    hits[_e688] = (_e674 + _e705);
+                                }
                             }
-                            let _e725 = phi_1169_;
-                            let _e727 = phi_1170_;
-                            phi_1110_ = _e725;
-                            phi_1171_ = _e727;
+                            let _e715 = select(_e688, (_e688 + 1u), _e711);
+                            let _e723 = (((_e634 >> bitcast<u32>(((_e705 + 1u) & 31u))) & 1u) == 1u);
+                            if _e723 {
+                                if (_e715 < 512u) {
+                                    hits[_e715] = ((_e674 + _e705) + 1u);
+                                }
+                            }
+                            let _e727 = select(_e715, (_e715 + 1u), _e723);
+                            let _e735 = (((_e634 >> bitcast<u32>(((_e705 + 2u) & 31u))) & 1u) == 1u);
+                            if _e735 {
+                                if (_e727 < 512u) {
+                                    hits[_e727] = ((_e674 + _e705) + 2u);
+                                }
+                            }
+                            let _e739 = select(_e727, (_e727 + 1u), _e735);
+                            let _e747 = (((_e634 >> bitcast<u32>(((_e705 + 3u) & 31u))) & 1u) == 1u);
+                            if _e747 {
+                                if (_e739 < 512u) {
+                                    hits[_e739] = ((_e674 + _e705) + 3u);
+                                }
+                            }
+                            phi_1124_ = select(_e739, (_e739 + 1u), _e747);
                         } else {
-                            phi_1110_ = type_9();
-                            phi_1171_ = false;
+                            phi_1124_ = u32();
                         }
-                        let _e729 = phi_1110_;
-                        let _e731 = phi_1171_;
+                        let _e753 = phi_1124_;
                         continue;
                         continuing {
-                            phi_1109_ = _e729;
-                            phi_1112_ = type_9(select(_e684.member, (_e684.member + 1u), _e687), select(_e684.member_1, _e684.member_1, _e687));
-                            break if !(_e731);
+                            phi_1120_ = type_9(select(_e686.member, (_e686.member + 1u), _e691), select(_e686.member_1, _e686.member_1, _e691));
+                            phi_1123_ = _e753;
+                            break if !(_e704);
                         }
                     }
                     workgroupBarrier();
-                    let _e734 = n_hits[0u];
-                    let _e735 = (_e734 - _e677);
-                    let _e737 = select(_e735, 512u, (512u < _e735));
+                    let _e756 = n_hits[0u];
+                    let _e757 = (_e756 - _e675);
+                    let _e759 = select(_e757, 512u, (512u < _e757));
                     if (_e39 == 0u) {
-                        atomicStore((&counters[5u]), _e737);
+                        atomicStore((&counters[5u]), _e759);
                     }
                     workgroupBarrier();
                     if (_e39 == 0u) {
-                        let _e742 = atomicLoad((&counters[5u]));
-                        if (_e742 > 0u) {
-                            let _e746 = params.member.member.member_1;
-                            if ((_e746 & 1024u) != 0u) {
-                                let _e756 = atomicAdd((&output.member[0u]), _e742);
-                                let _e757 = (_e756 + _e742);
-                                let _e759 = select(_e757, 4294967295u, (_e757 < _e756));
-                                let _e762 = params.member.member_1.member_3;
-                                if (_e759 > _e762) {
-                                    let _e765 = atomicMax((&output.member[2u]), _e759);
+                        let _e764 = atomicLoad((&counters[5u]));
+                        if (_e764 > 0u) {
+                            let _e768 = params.member.member.member_1;
+                            if ((_e768 & 1024u) != 0u) {
+                                let _e778 = atomicAdd((&output.member[0u]), _e764);
+                                let _e779 = (_e778 + _e764);
+                                let _e781 = select(_e779, 4294967295u, (_e779 < _e778));
+                                let _e784 = params.member.member_1.member_3;
+                                if (_e781 > _e784) {
+                                    let _e787 = atomicMax((&output.member[2u]), _e781);
                                 }
-                                phi_1236_ = _e756;
+                                phi_1297_ = _e778;
                             } else {
-                                let _e750 = atomicAdd((&output.member[0u]), _e742);
-                                if ((_e750 + _e742) < _e750) {
-                                    let _e754 = atomicAdd((&output.member[2u]), 1u);
+                                let _e772 = atomicAdd((&output.member[0u]), _e764);
+                                if ((_e772 + _e764) < _e772) {
+                                    let _e776 = atomicAdd((&output.member[2u]), 1u);
                                 }
-                                phi_1236_ = _e750;
+                                phi_1297_ = _e772;
                             }
-                            let _e767 = phi_1236_;
-                            atomicStore((&counters[6u]), _e767);
+                            let _e789 = phi_1297_;
+                            atomicStore((&counters[6u]), _e789);
                         }
                         atomicStore((&counters[5u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e771 = atomicLoad((&counters[6u]));
-                    phi_1243_ = type_9(0u, 4u);
+                    let _e793 = atomicLoad((&counters[6u]));
+                    phi_1304_ = type_9(0u, 4u);
                     loop {
-                        let _e773 = phi_1243_;
-                        let _e776 = (_e773.member < _e773.member_1);
-                        if (bitcast<i32>(select(0u, 1u, _e776)) != 0i) {
-                            let _e791 = (_e39 + (select(type_9().member_1, _e773.member, _e776) * 128u));
-                            if (_e791 >= _e737) {
-                                phi_1312_ = false;
+                        let _e795 = phi_1304_;
+                        let _e798 = (_e795.member < _e795.member_1);
+                        if (bitcast<i32>(select(0u, 1u, _e798)) != 0i) {
+                            let _e813 = (_e39 + (select(type_9().member_1, _e795.member, _e798) * 128u));
+                            if (_e813 >= _e759) {
+                                phi_1377_ = false;
                             } else {
-                                let _e794 = hits[_e791];
-                                let _e797 = ((_e794 >> bitcast<u32>(10i)) & 3u);
-                                let _e804 = firsts[(2u * _e797)];
-                                let _e809 = firsts[((2u * _e797) + 1u)];
-                                let _e813 = params.member.member_1.member_3;
-                                let _e814 = (_e771 + _e791);
-                                if (_e814 < _e813) {
-                                    let _e816 = (2u * _e814);
-                                    atomicStore((&output.member[(4u + _e816)]), (_e804 + ((_e794 >> bitcast<u32>(5i)) & 31u)));
-                                    atomicStore((&output.member[(_e816 + 5u)]), (_e809 + (_e794 & 31u)));
+                                let _e816 = hits[_e813];
+                                let _e819 = ((_e816 >> bitcast<u32>(10i)) & 3u);
+                                let _e827 = names[((_e819 * 32u) + (_e816 & 31u))];
+                                let _e830 = firsts[(2u * _e819)];
+                                let _e835 = firsts[((2u * _e819) + 1u)];
+                                let _e839 = params.member.member_1.member_3;
+                                let _e840 = (_e793 + _e813);
+                                if (_e840 < _e839) {
+                                    let _e842 = (2u * _e840);
+                                    atomicStore((&output.member[(4u + _e842)]), (_e830 + ((_e816 >> bitcast<u32>(5i)) & 31u)));
+                                    atomicStore((&output.member[(_e842 + 5u)]), (_e835 + _e827));
                                 }
-                                phi_1312_ = true;
+                                phi_1377_ = true;
                             }
-                            let _e822 = phi_1312_;
-                            phi_1313_ = _e822;
+                            let _e848 = phi_1377_;
+                            phi_1378_ = _e848;
                         } else {
-                            phi_1313_ = false;
+                            phi_1378_ = false;
                         }
-                        let _e824 = phi_1313_;
+                        let _e850 = phi_1378_;
                         continue;
                         continuing {
-                            phi_1243_ = type_9(select(_e773.member, (_e773.member + 1u), _e776), select(_e773.member_1, _e773.member_1, _e776));
-                            break if !(_e824);
+                            phi_1304_ = type_9(select(_e795.member, (_e795.member + 1u), _e798), select(_e795.member_1, _e795.member_1, _e798));
+                            break if !(_e850);
                         }
                     }
                     workgroupBarrier();
-                    let _e869 = local_4;
-                    phi_1070_ = _e869;
-                } else {
-                    phi_1070_ = type_9();
                 }
-                let _e827 = phi_1070_;
                 continue;
                 continuing {
-                    phi_1066_ = type_9(select(_e656.member, (_e656.member + 1u), _e661), select(_e656.member_1, _e656.member_1, _e661));
-                    phi_1069_ = _e827;
-                    break if !(_e674);
+                    phi_1058_ = type_9(select(_e651.member, (_e651.member + 1u), _e654), select(_e651.member_1, _e651.member_1, _e654));
+                    break if !(_e667);
                 }
             }
         }
         continue;
         continuing {
-            phi_245_ = type_9(select(_e104.member, (_e104.member + 1u), _e107), select(_e104.member_1, _e104.member_1, _e107));
+            phi_244_ = type_9(select(_e104.member, (_e104.member + 1u), _e107), select(_e104.member_1, _e104.member_1, _e107));
             break if !(_e120);
         }
     }

@@ -92,56 +92,51 @@ var<workgroup> ranges: array<u32, 128>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
-    var phi_206_: u32;
-    var phi_254_: u32;
-    var phi_257_: type_9;
-    var phi_329_: u32;
-    var phi_432_: type_9;
-    var phi_435_: u32;
+    var phi_205_: u32;
+    var phi_253_: u32;
+    var phi_256_: type_9;
+    var phi_328_: u32;
+    var phi_431_: type_9;
+    var phi_434_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_528_: type_9;
-    var phi_531_: u32;
+    var phi_527_: type_9;
+    var phi_530_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_787_: bool;
-    var phi_825_: type_24;
-    var phi_860_: type_9;
+    var phi_786_: bool;
+    var phi_824_: type_24;
+    var phi_859_: type_9;
+    var phi_862_: u32;
     var phi_863_: u32;
-    var phi_864_: u32;
     var local_9: u32;
     var local_10: u32;
-    var phi_1105_: type_9;
+    var phi_1104_: type_9;
+    var phi_1107_: u32;
     var phi_1108_: u32;
-    var phi_1109_: u32;
+    var phi_1172_: u32;
     var phi_1173_: u32;
-    var phi_1174_: u32;
-    var phi_1178_: type_9;
+    var phi_1177_: type_9;
+    var phi_1180_: u32;
     var phi_1181_: u32;
-    var phi_1182_: u32;
     var local_11: u32;
+    var phi_1294_: type_9;
+    var phi_1356_: type_9;
+    var phi_1359_: u32;
     var local_12: u32;
     var local_13: u32;
-    var phi_1273_: type_9;
-    var phi_1302_: type_9;
-    var phi_1305_: type_9;
-    var phi_1345_: type_9;
-    var phi_1348_: type_9;
-    var phi_1405_: type_9;
-    var phi_1406_: bool;
-    var phi_1346_: type_9;
-    var phi_1407_: bool;
-    var phi_1472_: u32;
-    var phi_1479_: type_9;
-    var phi_1548_: bool;
-    var phi_1549_: bool;
-    var phi_1306_: type_9;
     var local_14: u32;
-    var local_15: type_9;
+    var local_15: u32;
+    var phi_1360_: u32;
+    var phi_1533_: u32;
+    var phi_1540_: type_9;
+    var phi_1613_: bool;
+    var phi_1614_: bool;
+    var local_16: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -171,11 +166,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         if (_e78 == 0u) {
             return;
         }
-        phi_206_ = select(_e80, (_e80 + 1u), ((_e75 % _e78) > 0u));
+        phi_205_ = select(_e80, (_e80 + 1u), ((_e75 % _e78) > 0u));
     } else {
-        phi_206_ = 0u;
+        phi_205_ = 0u;
     }
-    let _e87 = phi_206_;
+    let _e87 = phi_205_;
     let _e90 = params.member.member_2.member_4;
     let _e92 = select(_e87, _e90, (_e90 < _e87));
     let _e93 = (_e92 / 4u);
@@ -189,14 +184,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         if (_e57 == 0u) {
             return;
         }
-        phi_254_ = select(_e101, (_e101 + 1u), ((_e99 % _e57) > 0u));
+        phi_253_ = select(_e101, (_e101 + 1u), ((_e99 % _e57) > 0u));
     } else {
-        phi_254_ = 0u;
+        phi_253_ = 0u;
     }
-    let _e108 = phi_254_;
-    phi_257_ = type_9(0u, _e108);
+    let _e108 = phi_253_;
+    phi_256_ = type_9(0u, _e108);
     loop {
-        let _e111 = phi_257_;
+        let _e111 = phi_256_;
         let _e114 = (_e111.member < _e111.member_1);
         let _e127 = (bitcast<i32>(select(0u, 1u, _e114)) != 0i);
         if _e127 {
@@ -213,11 +208,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if (_e143 == 0u) {
                     return;
                 }
-                phi_329_ = select(_e145, (_e145 + 1u), ((_e140 % _e143) > 0u));
+                phi_328_ = select(_e145, (_e145 + 1u), ((_e140 % _e143) > 0u));
             } else {
-                phi_329_ = 0u;
+                phi_328_ = 0u;
             }
-            let _e152 = phi_329_;
+            let _e152 = phi_328_;
             let _e155 = params.member.member_2.member_4;
             let _e158 = (_e132 < select(_e152, _e155, (_e155 < _e152)));
             let _e161 = params.member.member_1.member_1;
@@ -243,11 +238,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             local = array<u32, 3>(_e197[0], _e197[1], _e197[2]);
             let _e203 = ((_e171 * 32u) + _e67);
             let _e205 = local[_e189];
-            phi_432_ = type_9(0u, _e194);
-            phi_435_ = 1u;
+            phi_431_ = type_9(0u, _e194);
+            phi_434_ = 1u;
             loop {
-                let _e208 = phi_432_;
-                let _e210 = phi_435_;
+                let _e208 = phi_431_;
+                let _e210 = phi_434_;
                 local_1 = _e210;
                 local_2 = _e210;
                 local_3 = _e210;
@@ -256,8 +251,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e224 = (bitcast<i32>(select(0u, 1u, _e213)) != 0i);
                 continue;
                 continuing {
-                    phi_432_ = type_9(select(_e208.member, (_e208.member + 1u), _e213), select(_e208.member_1, _e208.member_1, _e213));
-                    phi_435_ = select(u32(), (_e210 * 32u), _e224);
+                    phi_431_ = type_9(select(_e208.member, (_e208.member + 1u), _e213), select(_e208.member_1, _e208.member_1, _e213));
+                    phi_434_ = select(u32(), (_e210 * 32u), _e224);
                     break if !(_e224);
                 }
             }
@@ -278,11 +273,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e259 = ((_e253 << bitcast<u32>(16i)) | _e258);
             let _e261 = ((_e174 * 32u) + _e67);
             let _e263 = local[_e190];
-            phi_528_ = type_9(0u, _e194);
-            phi_531_ = 1u;
+            phi_527_ = type_9(0u, _e194);
+            phi_530_ = 1u;
             loop {
-                let _e266 = phi_528_;
-                let _e268 = phi_531_;
+                let _e266 = phi_527_;
+                let _e268 = phi_530_;
                 local_5 = _e268;
                 local_6 = _e268;
                 local_7 = _e268;
@@ -291,8 +286,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e282 = (bitcast<i32>(select(0u, 1u, _e271)) != 0i);
                 continue;
                 continuing {
-                    phi_528_ = type_9(select(_e266.member, (_e266.member + 1u), _e271), select(_e266.member_1, _e266.member_1, _e271));
-                    phi_531_ = select(u32(), (_e268 * 32u), _e282);
+                    phi_527_ = type_9(select(_e266.member, (_e266.member + 1u), _e271), select(_e266.member_1, _e266.member_1, _e271));
+                    phi_530_ = select(u32(), (_e268 * 32u), _e282);
                     break if !(_e282);
                 }
             }
@@ -330,11 +325,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e404 = params.member.member_2.member[(_e397 - 1u)][_e324];
             let _e407 = nodes.member[(_e404 + ((_e174 * 32u) + _e326))];
             if _e158 {
-                phi_787_ = ((((((_e380.member.x <= _e356.member_1.y) && (_e356.member.x <= _e380.member_1.y)) && (_e380.member.y <= _e356.member_2.x)) && (_e356.member.y <= _e380.member_2.x)) && (_e380.member_1.x <= _e356.member_2.y)) && (_e356.member_1.x <= _e380.member_2.y));
+                phi_786_ = ((((((_e380.member.x <= _e356.member_1.y) && (_e356.member.x <= _e380.member_1.y)) && (_e380.member.y <= _e356.member_2.x)) && (_e356.member.y <= _e380.member_2.x)) && (_e380.member_1.x <= _e356.member_2.y)) && (_e356.member_1.x <= _e380.member_2.y));
             } else {
-                phi_787_ = false;
+                phi_786_ = false;
             }
-            let _e432 = phi_787_;
+            let _e432 = phi_786_;
             if _e158 {
                 if ((((((_e407.member.x <= _e335.member_1.y) && (_e335.member.x <= _e407.member_1.y)) && (_e407.member.y <= _e335.member_2.x)) && (_e335.member.y <= _e407.member_2.x)) && (_e407.member_1.x <= _e335.member_2.y)) && (_e335.member_1.x <= _e407.member_2.y)) {
                     let _e446 = atomicAdd((&counters[_e325]), 1u);
@@ -344,11 +339,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             if _e432 {
-                phi_825_ = type_24(array<f32, 3>(_e380.member.x, _e380.member.y, _e380.member_1.x), array<f32, 3>(_e380.member_1.y, _e380.member_2.x, _e380.member_2.y));
+                phi_824_ = type_24(array<f32, 3>(_e380.member.x, _e380.member.y, _e380.member_1.x), array<f32, 3>(_e380.member_1.y, _e380.member_2.x, _e380.member_2.y));
             } else {
-                phi_825_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_824_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e454 = phi_825_;
+            let _e454 = phi_824_;
             workgroupBarrier();
             let _e457 = params.member.member_2.member_1;
             let _e460 = select(false, (_e171 == _e174), (_e457 == 1u));
@@ -357,11 +352,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e463 = (_e461 * 32u);
             let _e465 = atomicLoad((&counters[_e461]));
             let _e466 = (_e465 / 4u);
-            phi_860_ = type_9(0u, select(_e466, (_e466 + 1u), ((_e465 % 4u) > 0u)));
-            phi_863_ = 0u;
+            phi_859_ = type_9(0u, select(_e466, (_e466 + 1u), ((_e465 % 4u) > 0u)));
+            phi_862_ = 0u;
             loop {
-                let _e473 = phi_860_;
-                let _e475 = phi_863_;
+                let _e473 = phi_859_;
+                let _e475 = phi_862_;
                 local_9 = _e475;
                 local_10 = _e475;
                 let _e478 = (_e473.member < _e473.member_1);
@@ -372,15 +367,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e534 = columns[((_e463 + _e492) + 1u)];
                     let _e575 = columns[((_e463 + _e492) + 2u)];
                     let _e616 = columns[((_e463 + _e492) + 3u)];
-                    phi_864_ = (_e475 | ((((select(0u, 1u, ((((((_e454.member[0] <= _e495.member_1[0]) && (_e495.member[0] <= _e454.member_1[0])) && (_e454.member[1] <= _e495.member_1[1])) && (_e495.member[1] <= _e454.member_1[1])) && (_e454.member[2] <= _e495.member_1[2])) && (_e495.member[2] <= _e454.member_1[2]))) << bitcast<u32>((_e492 & 31u))) | (select(0u, 1u, ((((((_e454.member[0] <= _e534.member_1[0]) && (_e534.member[0] <= _e454.member_1[0])) && (_e454.member[1] <= _e534.member_1[1])) && (_e534.member[1] <= _e454.member_1[1])) && (_e454.member[2] <= _e534.member_1[2])) && (_e534.member[2] <= _e454.member_1[2]))) << bitcast<u32>(((_e492 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e454.member[0] <= _e575.member_1[0]) && (_e575.member[0] <= _e454.member_1[0])) && (_e454.member[1] <= _e575.member_1[1])) && (_e575.member[1] <= _e454.member_1[1])) && (_e454.member[2] <= _e575.member_1[2])) && (_e575.member[2] <= _e454.member_1[2]))) << bitcast<u32>(((_e492 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e454.member[0] <= _e616.member_1[0]) && (_e616.member[0] <= _e454.member_1[0])) && (_e454.member[1] <= _e616.member_1[1])) && (_e616.member[1] <= _e454.member_1[1])) && (_e454.member[2] <= _e616.member_1[2])) && (_e616.member[2] <= _e454.member_1[2]))) << bitcast<u32>(((_e492 + 3u) & 31u)))));
+                    phi_863_ = (_e475 | ((((select(0u, 1u, ((((((_e454.member[0] <= _e495.member_1[0]) && (_e495.member[0] <= _e454.member_1[0])) && (_e454.member[1] <= _e495.member_1[1])) && (_e495.member[1] <= _e454.member_1[1])) && (_e454.member[2] <= _e495.member_1[2])) && (_e495.member[2] <= _e454.member_1[2]))) << bitcast<u32>((_e492 & 31u))) | (select(0u, 1u, ((((((_e454.member[0] <= _e534.member_1[0]) && (_e534.member[0] <= _e454.member_1[0])) && (_e454.member[1] <= _e534.member_1[1])) && (_e534.member[1] <= _e454.member_1[1])) && (_e454.member[2] <= _e534.member_1[2])) && (_e534.member[2] <= _e454.member_1[2]))) << bitcast<u32>(((_e492 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e454.member[0] <= _e575.member_1[0]) && (_e575.member[0] <= _e454.member_1[0])) && (_e454.member[1] <= _e575.member_1[1])) && (_e575.member[1] <= _e454.member_1[1])) && (_e454.member[2] <= _e575.member_1[2])) && (_e575.member[2] <= _e454.member_1[2]))) << bitcast<u32>(((_e492 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e454.member[0] <= _e616.member_1[0]) && (_e616.member[0] <= _e454.member_1[0])) && (_e454.member[1] <= _e616.member_1[1])) && (_e616.member[1] <= _e454.member_1[1])) && (_e454.member[2] <= _e616.member_1[2])) && (_e616.member[2] <= _e454.member_1[2]))) << bitcast<u32>(((_e492 + 3u) & 31u)))));
                 } else {
-                    phi_864_ = u32();
+                    phi_863_ = u32();
                 }
-                let _e656 = phi_864_;
+                let _e656 = phi_863_;
                 continue;
                 continuing {
-                    phi_860_ = type_9(select(_e473.member, (_e473.member + 1u), _e478), select(_e473.member_1, _e473.member_1, _e478));
-                    phi_863_ = _e656;
+                    phi_859_ = type_9(select(_e473.member, (_e473.member + 1u), _e478), select(_e473.member_1, _e473.member_1, _e478));
+                    phi_862_ = _e656;
                     break if !(_e491);
                 }
             }
@@ -390,48 +385,50 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e671 = params.member.member.member_1;
             if ((_e671 & 256u) != 0u) {
                 if select(!((_e454.member[0] <= _e454.member_1[0])), true, ((bitcast<u32>(_e454.member_1[0]) & 1u) == 1u)) {
-                    phi_1105_ = type_9(0u, _e465);
-                    phi_1108_ = _e668;
+                    phi_1104_ = type_9(0u, _e465);
+                    phi_1107_ = _e668;
                     loop {
-                        let _e688 = phi_1105_;
-                        let _e690 = phi_1108_;
-                        local_14 = _e690;
+                        let _e688 = phi_1104_;
+                        let _e690 = phi_1107_;
+                        local_16 = _e690;
                         let _e693 = (_e688.member < _e688.member_1);
                         let _e704 = select(type_9().member_1, _e688.member, _e693);
                         let _e706 = (bitcast<i32>(select(0u, 1u, _e693)) != 0i);
                         if _e706 {
                             let _e709 = columns[(_e463 + _e704)];
-                            phi_1109_ = select(_e690, (_e690 & ~((1u << bitcast<u32>((_e704 & 31u))))), select(!((_e709.member[0] <= _e709.member_1[0])), true, ((bitcast<u32>(_e709.member_1[0]) & 1u) == 1u)));
+                            phi_1108_ = select(_e690, (_e690 & ~((1u << bitcast<u32>((_e704 & 31u))))), select(!((_e709.member[0] <= _e709.member_1[0])), true, ((bitcast<u32>(_e709.member_1[0]) & 1u) == 1u)));
                         } else {
-                            phi_1109_ = u32();
+                            phi_1108_ = u32();
                         }
-                        let _e727 = phi_1109_;
+                        let _e727 = phi_1108_;
                         continue;
                         continuing {
-                            phi_1105_ = type_9(select(_e688.member, (_e688.member + 1u), _e693), select(_e688.member_1, _e688.member_1, _e693));
-                            phi_1108_ = _e727;
+                            phi_1104_ = type_9(select(_e688.member, (_e688.member + 1u), _e693), select(_e688.member_1, _e688.member_1, _e693));
+                            phi_1107_ = _e727;
                             break if !(_e706);
                         }
                     }
-                    let _e1016 = local_14;
-                    phi_1173_ = _e1016;
+                    let _e1044 = local_16;
+                    phi_1172_ = _e1044;
                 } else {
-                    phi_1173_ = _e668;
+                    phi_1172_ = _e668;
                 }
-                let _e730 = phi_1173_;
-                phi_1174_ = _e730;
+                let _e730 = phi_1172_;
+                phi_1173_ = _e730;
             } else {
-                phi_1174_ = _e668;
+                phi_1173_ = _e668;
             }
-            let _e732 = phi_1174_;
-            phi_1178_ = type_9(0u, _e465);
-            phi_1181_ = _e732;
+            let _e732 = phi_1173_;
+            phi_1177_ = type_9(0u, _e465);
+            phi_1180_ = _e732;
             loop {
-                let _e735 = phi_1178_;
-                let _e737 = phi_1181_;
+                let _e735 = phi_1177_;
+                let _e737 = phi_1180_;
                 local_11 = _e737;
                 local_12 = _e737;
                 local_13 = _e737;
+                local_14 = _e737;
+                local_15 = _e737;
                 let _e740 = (_e735.member < _e735.member_1);
                 let _e751 = select(type_9().member_1, _e735.member, _e740);
                 let _e753 = (bitcast<i32>(select(0u, 1u, _e740)) != 0i);
@@ -439,168 +436,172 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e756 = names[(_e463 + _e751)];
                     let _e759 = ranges[(_e463 + _e756)];
                     let _e769 = (_e462 < _e756);
-                    phi_1182_ = select(_e737, (_e737 & ~((1u << bitcast<u32>((_e751 & 31u))))), select(true, select(true, false, select(false, ((_e759 >> bitcast<u32>(16i)) <= (_e259 & 65535u)), ((_e259 >> bitcast<u32>(16i)) <= (_e759 & 65535u)))), select(select(bool(), select(select(false, true, (_e462 == _e756)), bool(), _e769), _e460), true, select(true, _e769, _e460))));
+                    phi_1181_ = select(_e737, (_e737 & ~((1u << bitcast<u32>((_e751 & 31u))))), select(true, select(true, false, select(false, ((_e759 >> bitcast<u32>(16i)) <= (_e259 & 65535u)), ((_e259 >> bitcast<u32>(16i)) <= (_e759 & 65535u)))), select(select(bool(), select(select(false, true, (_e462 == _e756)), bool(), _e769), _e460), true, select(true, _e769, _e460))));
                 } else {
-                    phi_1182_ = u32();
+                    phi_1181_ = u32();
                 }
-                let _e785 = phi_1182_;
+                let _e785 = phi_1181_;
                 continue;
                 continuing {
-                    phi_1178_ = type_9(select(_e735.member, (_e735.member + 1u), _e740), select(_e735.member_1, _e735.member_1, _e740));
-                    phi_1181_ = _e785;
+                    phi_1177_ = type_9(select(_e735.member, (_e735.member + 1u), _e740), select(_e735.member_1, _e735.member_1, _e740));
+                    phi_1180_ = _e785;
                     break if !(_e753);
                 }
             }
             let _e788 = local_11;
-            let _e791 = local_12;
-            let _e792 = countOneBits(_e791);
-            if (_e792 > 0u) {
-                let _e795 = atomicAdd((&counters[4u]), _e792);
-                let _e797 = local_13;
-                phi_1273_ = type_9(_e797, _e795);
-            } else {
-                phi_1273_ = type_9(_e788, 0u);
-            }
-            let _e800 = phi_1273_;
+            let _e791 = atomicAdd((&counters[4u]), countOneBits(_e788));
             workgroupBarrier();
             if (_e44 == 0u) {
-                let _e803 = atomicLoad((&counters[4u]));
-                n_hits[0u] = _e803;
+                let _e794 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e794;
             }
-            let _e806 = workgroupUniformLoad((&n_hits[0u]));
-            let _e807 = (_e806 / 512u);
-            phi_1302_ = type_9(0u, select(_e807, (_e807 + 1u), ((_e806 % 512u) > 0u)));
-            phi_1305_ = _e800;
+            let _e797 = workgroupUniformLoad((&n_hits[0u]));
+            let _e798 = (_e797 / 512u);
+            phi_1294_ = type_9(0u, select(_e798, (_e798 + 1u), ((_e797 % 512u) > 0u)));
             loop {
-                let _e814 = phi_1302_;
-                let _e816 = phi_1305_;
-                let _e819 = (_e814.member < _e814.member_1);
-                let _e832 = (bitcast<i32>(select(0u, 1u, _e819)) != 0i);
-                if _e832 {
-                    let _e833 = (_e44 / 32u);
-                    let _e835 = (select(type_9().member_1, _e814.member, _e819) * 512u);
-                    phi_1345_ = _e816;
-                    phi_1348_ = type_9(0u, countOneBits(_e816.member));
+                let _e805 = phi_1294_;
+                let _e808 = (_e805.member < _e805.member_1);
+                let _e821 = (bitcast<i32>(select(0u, 1u, _e808)) != 0i);
+                if _e821 {
+                    let _e822 = (_e44 / 32u);
+                    let _e828 = ((_e822 << bitcast<u32>(10i)) | ((_e44 % 32u) << bitcast<u32>(5i)));
+                    let _e829 = (select(type_9().member_1, _e805.member, _e808) * 512u);
+                    let _e832 = atomicLoad((&counters[_e822]));
+                    let _e833 = (_e832 / 4u);
+                    phi_1356_ = type_9(0u, select(_e833, (_e833 + 1u), ((_e832 % 4u) > 0u)));
+                    phi_1359_ = (_e791 - _e829);
                     loop {
-                        let _e840 = phi_1345_;
-                        let _e842 = phi_1348_;
-                        local_15 = _e840;
-                        let _e845 = (_e842.member < _e842.member_1);
-                        if (bitcast<i32>(select(0u, 1u, _e845)) != 0i) {
-                            let _e858 = (_e840.member_1 - _e835);
-                            if (_e858 >= 512u) {
-                                phi_1405_ = type_9();
-                                phi_1406_ = false;
-                            } else {
-                                let _e867 = names[((_e833 * 32u) + select(firstTrailingBit(_e840.member), 32u, (_e840.member == 0u)))];
-                                hits[_e858] = (((_e833 << bitcast<u32>(10i)) | ((_e44 % 32u) << bitcast<u32>(5i))) | _e867);
-                                phi_1405_ = type_9((_e840.member & (_e840.member - 1u)), (_e840.member_1 + 1u));
-                                phi_1406_ = true;
+                        let _e840 = phi_1356_;
+                        let _e842 = phi_1359_;
+                        let _e845 = (_e840.member < _e840.member_1);
+                        let _e858 = (bitcast<i32>(select(0u, 1u, _e845)) != 0i);
+                        if _e858 {
+                            let _e859 = (4u * select(type_9().member_1, _e840.member, _e845));
+                            let _e863 = local_12;
+                            let _e867 = (((_e863 >> bitcast<u32>((_e859 & 31u))) & 1u) == 1u);
+                            if _e867 {
+                                if (_e842 < 512u) {
+                                    hits[_e842] = (_e828 + _e859);
+                                }
                             }
-                            let _e883 = phi_1405_;
-                            let _e885 = phi_1406_;
-                            phi_1346_ = _e883;
-                            phi_1407_ = _e885;
+                            let _e871 = select(_e842, (_e842 + 1u), _e867);
+                            let _e877 = local_13;
+                            let _e881 = (((_e877 >> bitcast<u32>(((_e859 + 1u) & 31u))) & 1u) == 1u);
+                            if _e881 {
+                                if (_e871 < 512u) {
+                                    hits[_e871] = ((_e828 + _e859) + 1u);
+                                }
+                            }
+                            let _e885 = select(_e871, (_e871 + 1u), _e881);
+                            let _e891 = local_14;
+                            let _e895 = (((_e891 >> bitcast<u32>(((_e859 + 2u) & 31u))) & 1u) == 1u);
+                            if _e895 {
+                                if (_e885 < 512u) {
+                                    hits[_e885] = ((_e828 + _e859) + 2u);
+                                }
+                            }
+                            let _e899 = select(_e885, (_e885 + 1u), _e895);
+                            let _e905 = local_15;
+                            let _e909 = (((_e905 >> bitcast<u32>(((_e859 + 3u) & 31u))) & 1u) == 1u);
+                            if _e909 {
+                                if (_e899 < 512u) {
+                                    hits[_e899] = ((_e828 + _e859) + 3u);
+                                }
+                            }
+                            phi_1360_ = select(_e899, (_e899 + 1u), _e909);
                         } else {
-                            phi_1346_ = type_9();
-                            phi_1407_ = false;
+                            phi_1360_ = u32();
                         }
-                        let _e887 = phi_1346_;
-                        let _e889 = phi_1407_;
+                        let _e915 = phi_1360_;
                         continue;
                         continuing {
-                            phi_1345_ = _e887;
-                            phi_1348_ = type_9(select(_e842.member, (_e842.member + 1u), _e845), select(_e842.member_1, _e842.member_1, _e845));
-                            break if !(_e889);
+                            phi_1356_ = type_9(select(_e840.member, (_e840.member + 1u), _e845), select(_e840.member_1, _e840.member_1, _e845));
+                            phi_1359_ = _e915;
+                            break if !(_e858);
                         }
                     }
                     workgroupBarrier();
-                    let _e892 = n_hits[0u];
-                    let _e893 = (_e892 - _e835);
-                    let _e895 = select(_e893, 512u, (512u < _e893));
+                    let _e918 = n_hits[0u];
+                    let _e919 = (_e918 - _e829);
+                    let _e921 = select(_e919, 512u, (512u < _e919));
                     if (_e44 == 0u) {
-                        atomicStore((&counters[5u]), _e895);
+                        atomicStore((&counters[5u]), _e921);
                     }
                     workgroupBarrier();
                     if (_e44 == 0u) {
-                        let _e900 = atomicLoad((&counters[5u]));
-                        if (_e900 > 0u) {
-                            let _e904 = params.member.member.member_1;
-                            if ((_e904 & 1024u) != 0u) {
-                                let _e914 = atomicAdd((&output.member[0u]), _e900);
-                                let _e915 = (_e914 + _e900);
-                                let _e917 = select(_e915, 4294967295u, (_e915 < _e914));
-                                let _e920 = params.member.member_1.member_3;
-                                if (_e917 > _e920) {
-                                    let _e923 = atomicMax((&output.member[2u]), _e917);
+                        let _e926 = atomicLoad((&counters[5u]));
+                        if (_e926 > 0u) {
+                            let _e930 = params.member.member.member_1;
+                            if ((_e930 & 1024u) != 0u) {
+                                let _e940 = atomicAdd((&output.member[0u]), _e926);
+                                let _e941 = (_e940 + _e926);
+                                let _e943 = select(_e941, 4294967295u, (_e941 < _e940));
+                                let _e946 = params.member.member_1.member_3;
+                                if (_e943 > _e946) {
+                                    let _e949 = atomicMax((&output.member[2u]), _e943);
                                 }
-                                phi_1472_ = _e914;
+                                phi_1533_ = _e940;
                             } else {
-                                let _e908 = atomicAdd((&output.member[0u]), _e900);
-                                if ((_e908 + _e900) < _e908) {
-                                    let _e912 = atomicAdd((&output.member[2u]), 1u);
+                                let _e934 = atomicAdd((&output.member[0u]), _e926);
+                                if ((_e934 + _e926) < _e934) {
+                                    let _e938 = atomicAdd((&output.member[2u]), 1u);
                                 }
-                                phi_1472_ = _e908;
+                                phi_1533_ = _e934;
                             }
-                            let _e925 = phi_1472_;
-                            atomicStore((&counters[6u]), _e925);
+                            let _e951 = phi_1533_;
+                            atomicStore((&counters[6u]), _e951);
                         }
                         atomicStore((&counters[5u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e929 = atomicLoad((&counters[6u]));
-                    phi_1479_ = type_9(0u, 4u);
+                    let _e955 = atomicLoad((&counters[6u]));
+                    phi_1540_ = type_9(0u, 4u);
                     loop {
-                        let _e931 = phi_1479_;
-                        let _e934 = (_e931.member < _e931.member_1);
-                        if (bitcast<i32>(select(0u, 1u, _e934)) != 0i) {
-                            let _e949 = (_e44 + (select(type_9().member_1, _e931.member, _e934) * 128u));
-                            if (_e949 >= _e895) {
-                                phi_1548_ = false;
+                        let _e957 = phi_1540_;
+                        let _e960 = (_e957.member < _e957.member_1);
+                        if (bitcast<i32>(select(0u, 1u, _e960)) != 0i) {
+                            let _e975 = (_e44 + (select(type_9().member_1, _e957.member, _e960) * 128u));
+                            if (_e975 >= _e921) {
+                                phi_1613_ = false;
                             } else {
-                                let _e952 = hits[_e949];
-                                let _e955 = ((_e952 >> bitcast<u32>(10i)) & 3u);
-                                let _e962 = firsts[(2u * _e955)];
-                                let _e967 = firsts[((2u * _e955) + 1u)];
-                                let _e971 = params.member.member_1.member_3;
-                                let _e972 = (_e929 + _e949);
-                                if (_e972 < _e971) {
-                                    let _e974 = (2u * _e972);
-                                    atomicStore((&output.member[(4u + _e974)]), (_e962 + ((_e952 >> bitcast<u32>(5i)) & 31u)));
-                                    atomicStore((&output.member[(_e974 + 5u)]), (_e967 + (_e952 & 31u)));
+                                let _e978 = hits[_e975];
+                                let _e981 = ((_e978 >> bitcast<u32>(10i)) & 3u);
+                                let _e989 = names[((_e981 * 32u) + (_e978 & 31u))];
+                                let _e992 = firsts[(2u * _e981)];
+                                let _e997 = firsts[((2u * _e981) + 1u)];
+                                let _e1001 = params.member.member_1.member_3;
+                                let _e1002 = (_e955 + _e975);
+                                if (_e1002 < _e1001) {
+                                    let _e1004 = (2u * _e1002);
+                                    atomicStore((&output.member[(4u + _e1004)]), (_e992 + ((_e978 >> bitcast<u32>(5i)) & 31u)));
+                                    atomicStore((&output.member[(_e1004 + 5u)]), (_e997 + _e989));
                                 }
-                                phi_1548_ = true;
+                                phi_1613_ = true;
                             }
-                            let _e980 = phi_1548_;
-                            phi_1549_ = _e980;
+                            let _e1010 = phi_1613_;
+                            phi_1614_ = _e1010;
                         } else {
-                            phi_1549_ = false;
+                            phi_1614_ = false;
                         }
-                        let _e982 = phi_1549_;
+                        let _e1012 = phi_1614_;
                         continue;
                         continuing {
-                            phi_1479_ = type_9(select(_e931.member, (_e931.member + 1u), _e934), select(_e931.member_1, _e931.member_1, _e934));
-                            break if !(_e982);
+                            phi_1540_ = type_9(select(_e957.member, (_e957.member + 1u), _e960), select(_e957.member_1, _e957.member_1, _e960));
+                            break if !(_e1012);
                         }
                     }
                     workgroupBarrier();
-                    let _e1039 = local_15;
-                    phi_1306_ = _e1039;
-                } else {
-                    phi_1306_ = type_9();
                 }
-                let _e985 = phi_1306_;
                 continue;
                 continuing {
-                    phi_1302_ = type_9(select(_e814.member, (_e814.member + 1u), _e819), select(_e814.member_1, _e814.member_1, _e819));
-                    phi_1305_ = _e985;
-                    break if !(_e832);
+                    phi_1294_ = type_9(select(_e805.member, (_e805.member + 1u), _e808), select(_e805.member_1, _e805.member_1, _e808));
+                    break if !(_e821);
                 }
             }
         }
         continue;
         continuing {
-            phi_257_ = type_9(select(_e111.member, (_e111.member + 1u), _e114), select(_e111.member_1, _e111.member_1, _e114));
+            phi_256_ = type_9(select(_e111.member, (_e111.member + 1u), _e114), select(_e111.member_1, _e111.member_1, _e114));
             break if !(_e127);
         }
     }

@@ -6,16 +6,16 @@
 //!
 //! Twin: on a CPU `block_pairs.rs`, whose sink looks at candidates.
 
-use super::block_pairs::{Hits, KEPT, Teams, WANTED, each};
+use super::block_pairs::{Hits, KEPT, Teams, WANTED};
 use crate::entry::kernel;
 use crate::records::{BoxWords, box_at, ends_at, leaf_at};
 use crate::workgroup::{add_shared, barrier, count, get, length, set, write_pair};
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{
-    NOT_KEPT, POOL, THREADS, WIDTH, keep, kept, sets, slot, unpack,
+    POOL, THREADS, WIDTH, sets, slot,
 };
 use ccd_core::backend::broad_phase::candidate::{overlap_surely, wanted};
-use ccd_core::backend::layout::{EDGE_EDGE, Frame, Leaf, Pair};
+use ccd_core::backend::layout::{EDGE_EDGE, Frame, Pair};
 use ccd_core::narrow_phase::cascade;
 use spirv_std::glam::{UVec4, Vec4};
 
@@ -35,77 +35,61 @@ impl<const N: usize> Teams<'_, N> {
         self.test(row, kind == EDGE_EDGE && pair.a == pair.b, true, 0)
     }
 
-    /// Where the two leaves of a hit are.
+    /// Where the two leaves of a hit of the pool are.
     #[inline(always)]
-    fn places(&self, hit: u32) -> [usize; 2] {
-        let [team, i, j] = unpack(hit);
+    fn places(&self, h: u32) -> [usize; 2] {
+        let [team, i, j] = self.hit(h);
         let (a, b) = (get(self.firsts, 2 * team) + i, get(self.firsts, 2 * team + 1) + j);
         [a as usize, b as usize]
     }
 
-    /// The two leaves of a hit.
-    #[inline(always)]
-    fn leaves(&self, hit: u32, leaves: &[UVec4]) -> [Leaf; 2] {
-        let [p, q] = self.places(hit);
-        [leaf_at(leaves, p), leaf_at(leaves, q)]
-    }
-
-    /// Whether a hit, which was counted, is a candidate; if not, it is no longer counted.
+    /// Whether two leaves of a hit, which was counted, are a candidate; if not, it is no longer
+    /// counted.
     #[inline(always)]
     fn is_candidate(
         &mut self,
-        hit: u32,
-        [a, b]: [&Leaf; 2],
+        [p, q]: [usize; 2],
+        leaves: &[UVec4],
         (frame, kind): (&Frame, u32),
         (bodies, keys): (&[u32], &[[[u32; 2]; 6]]),
     ) -> bool {
-        let [p, q] = self.places(hit);
-        let both = [&box_at(self.nodes, p), &box_at(self.nodes, q)];
-        let is_wanted = wanted(frame, kind, a, b, both, bodies, keys);
+        let (a, b) = (leaf_at(leaves, p), leaf_at(leaves, q));
+        let mut both = [Aabb::EMPTY; 2];
+        if frame.has(Frame::FLAG_CONFIRM) {
+            both = [box_at(self.nodes, p), box_at(self.nodes, q)];
+        }
+        let is_wanted = wanted(frame, kind, &a, &b, [&both[0], &both[1]], bodies, keys);
         if !is_wanted {
             add_shared(self.counters, WANTED, u32::MAX);
         }
         is_wanted
     }
 
-    /// Whether the boxes of a hit's leaves at both ends leave it.
+    /// Whether two leaves that are apart at both ends are a candidate for certain, without a look
+    /// at them: two that are apart share no vertex.
     #[inline(always)]
-    fn is_near(&self, hit: u32, frame: &Frame, ends: &[Vec4]) -> bool {
-        let [p, q] = self.places(hit);
-        let (a, b) = (ends_at(ends, p), ends_at(ends, q));
-        cascade::near_at_ends(a, b, frame.path_error, frame.min_distance)
-    }
-
-    /// Whether a hit whose leaves are apart at both ends is a candidate for certain, without a look
-    /// at the leaves: two that are apart share no vertex.
-    #[inline(always)]
-    fn counts_apart(&self, hit: u32, frame: &Frame) -> bool {
-        let [p, q] = self.places(hit);
+    fn counts_apart(&self, [p, q]: [usize; 2], frame: &Frame) -> bool {
         !frame.has(Frame::FLAG_BODIES)
             && (!frame.has(Frame::FLAG_CONFIRM)
                 || overlap_surely(&box_at(self.nodes, p), &box_at(self.nodes, q), frame.slack))
     }
 
-    /// Keeps hit `h` of the pool.
+    /// Appends the hits of the pool that were kept to `list`, as pairs of ids. `kept`: which of its
+    /// shares this thread keeps, as bits.
     #[inline(always)]
-    fn keep(&mut self, h: u32, hit: u32) {
-        let to = add_shared(self.counters, KEPT, 1);
-        set(self.hits, h, keep(hit, to));
-    }
-
-    /// Appends those of the first `n` hits of the pool that were kept to `list`, as pairs of ids.
-    #[inline(always)]
-    fn write_kept(&mut self, kind: u32, n: u32, leaves: &[UVec4], list: &mut [u32]) {
+    fn write_kept(&mut self, kind: u32, kept: u32, leaves: &[UVec4], list: &mut [u32]) {
         let capacity = self.params.dispatch.capacity_out;
-        let base = self.reserve(list);
-        each!(h < n, self.t.lane, {
-            let hit = get(self.hits, h);
-            let to = kept(hit);
-            if to != NOT_KEPT {
-                let [a, b] = self.leaves(hit, leaves);
-                write_pair(list, capacity, base + to, ids(kind == EDGE_EDGE, a.id, b.id));
+        // All threads at once, of which a compiler makes one addition of many.
+        let mut to = add_shared(self.counters, KEPT, kept.count_ones());
+        to += self.reserve(list);
+        for share in 0..POOL / THREADS {
+            if kept >> share & 1 == 1 {
+                let [p, q] = self.places(self.t.lane + share * THREADS);
+                let (a, b) = (leaf_at(leaves, p), leaf_at(leaves, q));
+                write_pair(list, capacity, to, ids(kind == EDGE_EDGE, a.id, b.id));
+                to += 1;
             }
-        });
+        }
         barrier();
     }
 
@@ -145,18 +129,22 @@ kernel! {
             }
             for pass in 0..passes {
                 let n = teams.fill(&mut found, pass);
-                each!(h < n, t.lane, {
-                    let hit = get(teams.hits, h);
-                    let is_near = !has_ends || teams.is_near(hit, frame, ends);
-                    if is_near || !teams.counts_apart(hit, frame) {
-                        let [a, b] = teams.leaves(hit, leaves);
-                        let both = [&a, &b];
-                        if teams.is_candidate(hit, both, (frame, kind), (bodies, keys)) && is_near {
-                            teams.keep(h, hit);
-                        }
+                let mut kept = 0;
+                for share in 0..POOL / THREADS {
+                    let h = t.lane + share * THREADS;
+                    if h >= n {
+                        break;
                     }
-                });
-                teams.write_kept(kind, n, leaves, output);
+                    let places = teams.places(h);
+                    let is_near = !has_ends || is_near(places, frame, ends);
+                    if (is_near || !teams.counts_apart(places, frame))
+                        && teams.is_candidate(places, leaves, (frame, kind), (bodies, keys))
+                        && is_near
+                    {
+                        kept |= 1 << share;
+                    }
+                }
+                teams.write_kept(kind, kept, leaves, output);
             }
         }
         teams.count_candidates(output);
@@ -167,4 +155,11 @@ kernel! {
 #[inline(always)]
 fn ids(one_set: bool, a: u32, b: u32) -> Pair {
     if one_set { Pair::ordered(a, b) } else { Pair { a, b } }
+}
+
+/// Whether the boxes of two leaves at both ends leave them.
+#[inline(always)]
+fn is_near([p, q]: [usize; 2], frame: &Frame, ends: &[Vec4]) -> bool {
+    let (a, b) = (ends_at(ends, p), ends_at(ends, q));
+    cascade::near_at_ends(a, b, frame.path_error, frame.min_distance)
 }

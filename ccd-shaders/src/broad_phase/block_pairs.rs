@@ -25,20 +25,6 @@ const HITS: u32 = 4;
 pub(super) const KEPT: u32 = 5;
 const BASE: u32 = 6;
 pub(super) const WANTED: u32 = 7;
-/// Does for each hit `h` below `n`, a number of the pool, what `$body` says: one a thread.
-macro_rules! each {
-    ($h:ident < $n:expr, $lane:expr, $body:block) => {
-        for share in 0..POOL / THREADS {
-            let $h = $lane + share * THREADS;
-            if $h >= $n {
-                break;
-            }
-            $body
-        }
-    };
-}
-pub(super) use each;
-
 /// A workgroup of four teams, as one of its threads sees it: its nodes and its memory. `N`: words
 /// of worlds; 1 where worlds do not matter.
 pub(super) struct Teams<'a, const N: usize> {
@@ -167,10 +153,8 @@ impl<const N: usize> Teams<'_, N> {
     /// Numbers the hits of the workgroup. Returns how often the pool is filled with them.
     #[inline(always)]
     pub(super) fn number(&mut self, hits: &mut Hits) -> u32 {
-        let n = hits.columns.count_ones();
-        if n > 0 {
-            hits.number = add_shared(self.counters, HITS, n);
-        }
+        // All threads at once, of which a compiler makes one addition of many.
+        hits.number = add_shared(self.counters, HITS, hits.columns.count_ones());
         barrier();
         if self.t.lane == 0 {
             set(self.n_hits, 0, get(self.counters, HITS));
@@ -182,19 +166,36 @@ impl<const N: usize> Teams<'_, N> {
     #[inline(always)]
     pub(super) fn fill(&mut self, hits: &mut Hits, pass: u32) -> u32 {
         let (team, i) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
-        let first = pass * POOL;
-        for _ in 0..hits.columns.count_ones() {
-            let to = hits.number - first;
-            if to >= POOL {
-                break;
-            }
-            let j = get(self.names, team * WIDTH + hits.columns.trailing_zeros());
-            set(self.hits, to, pack(team, i, j));
-            hits.columns &= hits.columns - 1;
-            hits.number += 1;
+        let (row, first) = (pack(team, i, 0), pass * POOL);
+        // Column by column, for all rows at once: few instructions, of which none waits.
+        let mut to = hits.number.wrapping_sub(first);
+        for four in 0..get(self.counters, team).div_ceil(4) {
+            let c = 4 * four;
+            to = self.put(hits.columns, row + c, c, to);
+            to = self.put(hits.columns, row + c + 1, c + 1, to);
+            to = self.put(hits.columns, row + c + 2, c + 2, to);
+            to = self.put(hits.columns, row + c + 3, c + 3, to);
         }
         barrier();
         (get(self.n_hits, 0) - first).min(POOL)
+    }
+
+    /// Puts a hit into the pool at `to`, if the row has that column and the pool that place.
+    /// Returns where its next goes.
+    #[inline(always)]
+    fn put(&mut self, columns: u32, hit: u32, c: u32, to: u32) -> u32 {
+        let is_hit = columns >> c & 1 == 1;
+        if is_hit && to < POOL {
+            set(self.hits, to, hit);
+        }
+        if is_hit { to.wrapping_add(1) } else { to }
+    }
+
+    /// A hit of the pool: which pair of nodes, which child of either side.
+    #[inline(always)]
+    pub(super) fn hit(&self, h: u32) -> [u32; 3] {
+        let [team, i, c] = unpack(get(self.hits, h));
+        [team, i, get(self.names, team * WIDTH + c)]
     }
 
     /// Reserves entries of `list` for what the workgroup kept, `counters[KEPT]`, and returns the
@@ -241,12 +242,16 @@ impl<const N: usize> Teams<'_, N> {
                     set(self.counters, KEPT, n);
                 }
                 let base = self.reserve(output);
-                each!(h < n, lane, {
-                    let [team, i, j] = unpack(get(self.hits, h));
+                for share in 0..POOL / THREADS {
+                    let h = lane + share * THREADS;
+                    if h >= n {
+                        break;
+                    }
+                    let [team, i, j] = self.hit(h);
                     let a = get(self.firsts, 2 * team) + i;
                     let b = get(self.firsts, 2 * team + 1) + j;
                     write_pair(output, dispatch.capacity_out, base + h, Pair { a, b });
-                });
+                }
                 barrier();
             }
         }
