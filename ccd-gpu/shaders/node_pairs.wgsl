@@ -88,34 +88,34 @@ var<workgroup> hits: array<u32, 512>;
 var<workgroup> firsts: array<u32, 8>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_193_: u32;
-    var phi_241_: u32;
-    var phi_244_: type_9;
-    var phi_316_: u32;
-    var phi_559_: bool;
-    var phi_597_: type_24;
-    var phi_632_: type_9;
-    var phi_635_: u32;
-    var phi_636_: u32;
+    var phi_154_: u32;
+    var phi_181_: u32;
+    var phi_211_: u32;
+    var phi_478_: bool;
+    var phi_516_: type_24;
+    var phi_551_: type_9;
+    var phi_554_: u32;
+    var phi_555_: u32;
     var local: u32;
     var local_1: u32;
-    var phi_877_: type_9;
-    var phi_880_: u32;
-    var phi_881_: u32;
+    var phi_796_: type_9;
+    var phi_799_: u32;
+    var phi_800_: u32;
+    var phi_864_: u32;
+    var phi_865_: u32;
+    var phi_872_: type_9;
+    var phi_875_: u32;
+    var phi_876_: u32;
     var phi_945_: u32;
-    var phi_946_: u32;
-    var phi_953_: type_9;
-    var phi_956_: u32;
-    var phi_957_: u32;
-    var phi_1026_: u32;
-    var phi_1058_: type_9;
-    var phi_1120_: type_9;
-    var phi_1123_: u32;
-    var phi_1124_: u32;
-    var phi_1297_: u32;
-    var phi_1304_: type_9;
-    var phi_1377_: bool;
-    var phi_1378_: bool;
+    var phi_977_: type_9;
+    var phi_1039_: type_9;
+    var phi_1042_: u32;
+    var phi_1043_: u32;
+    var phi_1216_: u32;
+    var phi_1223_: type_9;
+    var phi_1296_: bool;
+    var phi_1297_: bool;
+    var phi_212_: u32;
     var local_2: u32;
     var local_3: u32;
     var id_2: vec3<u32>;
@@ -128,380 +128,354 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e37 = id_2;
     let _e38 = n_2;
     let _e39 = lane_2;
-    let _e48 = ((_e37.y * _e38.x) + _e37.x);
-    let _e51 = (_e38.x * _e38.y);
     let _e54 = params.member.member_1.member_2;
     let _e56 = input.member[0u];
     let _e58 = select(_e56, _e54, (_e54 < _e56));
-    let _e59 = (_e39 / 32u);
-    let _e63 = params.member.member_1.member_1;
-    if (_e58 > _e63) {
-        let _e67 = params.member.member_1.member_1;
-        let _e68 = (_e58 - _e67);
-        let _e71 = params.member.member_2.member_3;
-        if (_e71 == 0u) {
-            return;
-        }
-        let _e73 = (_e68 / _e71);
-        if (_e71 == 0u) {
-            return;
-        }
-        phi_193_ = select(_e73, (_e73 + 1u), ((_e68 % _e71) > 0u));
+    let _e61 = params.member.member_1.member_1;
+    if (_e58 > _e61) {
+        let _e65 = params.member.member_1.member_1;
+        phi_154_ = (_e58 - _e65);
     } else {
-        phi_193_ = 0u;
+        phi_154_ = 0u;
     }
-    let _e80 = phi_193_;
-    let _e83 = params.member.member_2.member_4;
-    let _e85 = select(_e80, _e83, (_e83 < _e80));
-    let _e86 = (_e85 / 4u);
-    let _e90 = select(_e86, (_e86 + 1u), ((_e85 % 4u) > 0u));
-    if (_e90 > _e48) {
-        let _e92 = (_e90 - _e48);
-        if (_e51 == 0u) {
-            return;
-        }
-        let _e94 = (_e92 / _e51);
-        if (_e51 == 0u) {
-            return;
-        }
-        phi_241_ = select(_e94, (_e94 + 1u), ((_e92 % _e51) > 0u));
+    let _e68 = phi_154_;
+    let _e71 = params.member.member_2.member_3;
+    if (_e71 == 1u) {
+        phi_181_ = _e68;
     } else {
-        phi_241_ = 0u;
+        let _e75 = params.member.member_2.member_3;
+        if (_e75 == 0u) {
+            return;
+        }
+        let _e77 = (_e68 / _e75);
+        if (_e75 == 0u) {
+            return;
+        }
+        phi_181_ = select(_e77, (_e77 + 1u), ((_e68 % _e75) > 0u));
     }
-    let _e101 = phi_241_;
-    phi_244_ = type_9(0u, _e101);
+    let _e84 = phi_181_;
+    let _e87 = params.member.member_2.member_4;
+    let _e89 = select(_e84, _e87, (_e87 < _e84));
+    let _e90 = (_e39 / 32u);
+    phi_211_ = ((_e37.y * _e38.x) + _e37.x);
     loop {
-        let _e104 = phi_244_;
-        let _e107 = (_e104.member < _e104.member_1);
-        let _e120 = (bitcast<i32>(select(0u, 1u, _e107)) != 0i);
-        if _e120 {
-            let _e125 = (((_e48 + (select(type_9().member_1, _e104.member, _e107) * _e51)) * 4u) + (_e39 / 32u));
-            let _e128 = params.member.member_1.member_1;
-            if (_e58 > _e128) {
-                let _e132 = params.member.member_1.member_1;
-                let _e133 = (_e58 - _e132);
-                let _e136 = params.member.member_2.member_3;
-                if (_e136 == 0u) {
-                    return;
-                }
-                let _e138 = (_e133 / _e136);
-                if (_e136 == 0u) {
-                    return;
-                }
-                phi_316_ = select(_e138, (_e138 + 1u), ((_e133 % _e136) > 0u));
-            } else {
-                phi_316_ = 0u;
-            }
-            let _e145 = phi_316_;
-            let _e148 = params.member.member_2.member_4;
-            let _e151 = (_e125 < select(_e145, _e148, (_e148 < _e145)));
-            let _e154 = params.member.member_1.member_1;
-            let _e157 = params.member.member_2.member_3;
-            let _e161 = (2u * (_e154 + select(0u, (_e125 * _e157), _e151)));
-            let _e164 = input.member[(4u + _e161)];
-            let _e167 = input.member[(_e161 + 5u)];
+        let _e93 = phi_211_;
+        let _e94 = (_e89 / 4u);
+        let _e99 = (_e93 < select(_e94, (_e94 + 1u), ((_e89 % 4u) > 0u)));
+        if _e99 {
+            let _e102 = ((_e93 * 4u) + (_e39 / 32u));
+            let _e103 = (_e102 < _e89);
+            let _e106 = params.member.member_1.member_1;
+            let _e109 = params.member.member_2.member_3;
+            let _e113 = (2u * (_e106 + select(0u, (_e102 * _e109), _e103)));
+            let _e116 = input.member[(4u + _e113)];
+            let _e119 = input.member[(_e113 + 5u)];
             if (_e39 <= 5u) {
                 atomicStore((&counters[_e39]), 0u);
             }
             workgroupBarrier();
             if ((_e39 % 32u) == 0u) {
-                firsts[(2u * _e59)] = (_e164 * 32u);
-                firsts[((2u * _e59) + 1u)] = (_e167 * 32u);
+                firsts[(2u * _e90)] = (_e116 * 32u);
+                firsts[((2u * _e90) + 1u)] = (_e119 * 32u);
             }
-            let _e180 = params.member.member_2.member_1;
-            let _e181 = (_e180 == 0u);
-            let _e182 = select(1u, 0u, _e181);
-            let _e183 = select(1u, 2u, _e181);
-            let _e184 = (_e39 / 32u);
-            let _e185 = (_e39 % 32u);
-            let _e187 = params.member.member_2.member_2;
-            let _e191 = params.member.member_2.member[_e187][_e182];
-            let _e194 = nodes.member[(_e191 + _e164)];
-            let _e208 = params.member.member_2.member_2;
-            let _e212 = params.member.member_2.member[_e208][_e183];
-            let _e215 = nodes.member[(_e212 + _e167)];
-            let _e229 = params.member.member_2.member_2;
-            let _e236 = params.member.member_2.member[(_e229 - 1u)][_e182];
-            let _e239 = nodes.member[(_e236 + ((_e164 * 32u) + _e185))];
-            let _e256 = params.member.member_2.member_2;
-            let _e263 = params.member.member_2.member[(_e256 - 1u)][_e183];
-            let _e266 = nodes.member[(_e263 + ((_e167 * 32u) + _e185))];
-            if _e151 {
-                phi_559_ = ((((((_e239.member.x <= _e215.member_1.y) && (_e215.member.x <= _e239.member_1.y)) && (_e239.member.y <= _e215.member_2.x)) && (_e215.member.y <= _e239.member_2.x)) && (_e239.member_1.x <= _e215.member_2.y)) && (_e215.member_1.x <= _e239.member_2.y));
+            let _e133 = params.member.member_2.member_1;
+            let _e134 = (_e133 == 0u);
+            let _e135 = select(1u, 0u, _e134);
+            let _e136 = select(1u, 2u, _e134);
+            let _e137 = (_e39 / 32u);
+            let _e138 = (_e39 % 32u);
+            let _e140 = params.member.member_2.member_2;
+            let _e144 = params.member.member_2.member[_e140][_e135];
+            let _e147 = nodes.member[(_e144 + _e116)];
+            let _e161 = params.member.member_2.member_2;
+            let _e165 = params.member.member_2.member[_e161][_e136];
+            let _e168 = nodes.member[(_e165 + _e119)];
+            let _e182 = params.member.member_2.member_2;
+            let _e189 = params.member.member_2.member[(_e182 - 1u)][_e135];
+            let _e192 = nodes.member[(_e189 + ((_e116 * 32u) + _e138))];
+            let _e209 = params.member.member_2.member_2;
+            let _e216 = params.member.member_2.member[(_e209 - 1u)][_e136];
+            let _e219 = nodes.member[(_e216 + ((_e119 * 32u) + _e138))];
+            if _e103 {
+                phi_478_ = ((((((_e192.member.x <= _e168.member_1.y) && (_e168.member.x <= _e192.member_1.y)) && (_e192.member.y <= _e168.member_2.x)) && (_e168.member.y <= _e192.member_2.x)) && (_e192.member_1.x <= _e168.member_2.y)) && (_e168.member_1.x <= _e192.member_2.y));
             } else {
-                phi_559_ = false;
+                phi_478_ = false;
             }
-            let _e291 = phi_559_;
-            if _e151 {
-                if ((((((_e266.member.x <= _e194.member_1.y) && (_e194.member.x <= _e266.member_1.y)) && (_e266.member.y <= _e194.member_2.x)) && (_e194.member.y <= _e266.member_2.x)) && (_e266.member_1.x <= _e194.member_2.y)) && (_e194.member_1.x <= _e266.member_2.y)) {
-                    let _e305 = atomicAdd((&counters[_e184]), 1u);
-                    let _e306 = ((_e184 * 32u) + _e305);
-                    columns[_e306] = type_24(array<f32, 3>(_e266.member.x, _e266.member.y, _e266.member_1.x), array<f32, 3>(_e266.member_1.y, _e266.member_2.x, _e266.member_2.y));
-                    names[_e306] = _e185;
+            let _e244 = phi_478_;
+            if _e103 {
+                if ((((((_e219.member.x <= _e147.member_1.y) && (_e147.member.x <= _e219.member_1.y)) && (_e219.member.y <= _e147.member_2.x)) && (_e147.member.y <= _e219.member_2.x)) && (_e219.member_1.x <= _e147.member_2.y)) && (_e147.member_1.x <= _e219.member_2.y)) {
+                    let _e258 = atomicAdd((&counters[_e137]), 1u);
+                    let _e259 = ((_e137 * 32u) + _e258);
+                    columns[_e259] = type_24(array<f32, 3>(_e219.member.x, _e219.member.y, _e219.member_1.x), array<f32, 3>(_e219.member_1.y, _e219.member_2.x, _e219.member_2.y));
+                    names[_e259] = _e138;
                 }
             }
-            if _e291 {
-                phi_597_ = type_24(array<f32, 3>(_e239.member.x, _e239.member.y, _e239.member_1.x), array<f32, 3>(_e239.member_1.y, _e239.member_2.x, _e239.member_2.y));
+            if _e244 {
+                phi_516_ = type_24(array<f32, 3>(_e192.member.x, _e192.member.y, _e192.member_1.x), array<f32, 3>(_e192.member_1.y, _e192.member_2.x, _e192.member_2.y));
             } else {
-                phi_597_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_516_ = type_24(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e313 = phi_597_;
+            let _e266 = phi_516_;
             workgroupBarrier();
-            let _e316 = params.member.member_2.member_1;
-            let _e319 = select(false, (_e164 == _e167), (_e316 == 1u));
-            let _e320 = (_e39 / 32u);
-            let _e321 = (_e39 % 32u);
-            let _e322 = (_e320 * 32u);
-            let _e324 = atomicLoad((&counters[_e320]));
-            let _e325 = (_e324 / 4u);
-            phi_632_ = type_9(0u, select(_e325, (_e325 + 1u), ((_e324 % 4u) > 0u)));
-            phi_635_ = 0u;
+            let _e269 = params.member.member_2.member_1;
+            let _e272 = select(false, (_e116 == _e119), (_e269 == 1u));
+            let _e273 = (_e39 / 32u);
+            let _e274 = (_e39 % 32u);
+            let _e275 = (_e273 * 32u);
+            let _e277 = atomicLoad((&counters[_e273]));
+            let _e278 = (_e277 / 4u);
+            phi_551_ = type_9(0u, select(_e278, (_e278 + 1u), ((_e277 % 4u) > 0u)));
+            phi_554_ = 0u;
             loop {
-                let _e332 = phi_632_;
-                let _e334 = phi_635_;
-                local = _e334;
-                local_1 = _e334;
-                let _e337 = (_e332.member < _e332.member_1);
-                let _e350 = (bitcast<i32>(select(0u, 1u, _e337)) != 0i);
-                if _e350 {
-                    let _e351 = (4u * select(type_9().member_1, _e332.member, _e337));
-                    let _e354 = columns[(_e322 + _e351)];
-                    let _e393 = columns[((_e322 + _e351) + 1u)];
-                    let _e434 = columns[((_e322 + _e351) + 2u)];
-                    let _e475 = columns[((_e322 + _e351) + 3u)];
-                    phi_636_ = (_e334 | ((((select(0u, 1u, ((((((_e313.member[0] <= _e354.member_1[0]) && (_e354.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e354.member_1[1])) && (_e354.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e354.member_1[2])) && (_e354.member[2] <= _e313.member_1[2]))) << bitcast<u32>((_e351 & 31u))) | (select(0u, 1u, ((((((_e313.member[0] <= _e393.member_1[0]) && (_e393.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e393.member_1[1])) && (_e393.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e393.member_1[2])) && (_e393.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e313.member[0] <= _e434.member_1[0]) && (_e434.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e434.member_1[1])) && (_e434.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e434.member_1[2])) && (_e434.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e313.member[0] <= _e475.member_1[0]) && (_e475.member[0] <= _e313.member_1[0])) && (_e313.member[1] <= _e475.member_1[1])) && (_e475.member[1] <= _e313.member_1[1])) && (_e313.member[2] <= _e475.member_1[2])) && (_e475.member[2] <= _e313.member_1[2]))) << bitcast<u32>(((_e351 + 3u) & 31u)))));
+                let _e285 = phi_551_;
+                let _e287 = phi_554_;
+                local = _e287;
+                local_1 = _e287;
+                let _e290 = (_e285.member < _e285.member_1);
+                let _e303 = (bitcast<i32>(select(0u, 1u, _e290)) != 0i);
+                if _e303 {
+                    let _e304 = (4u * select(type_9().member_1, _e285.member, _e290));
+                    let _e307 = columns[(_e275 + _e304)];
+                    let _e346 = columns[((_e275 + _e304) + 1u)];
+                    let _e387 = columns[((_e275 + _e304) + 2u)];
+                    let _e428 = columns[((_e275 + _e304) + 3u)];
+                    phi_555_ = (_e287 | ((((select(0u, 1u, ((((((_e266.member[0] <= _e307.member_1[0]) && (_e307.member[0] <= _e266.member_1[0])) && (_e266.member[1] <= _e307.member_1[1])) && (_e307.member[1] <= _e266.member_1[1])) && (_e266.member[2] <= _e307.member_1[2])) && (_e307.member[2] <= _e266.member_1[2]))) << bitcast<u32>((_e304 & 31u))) | (select(0u, 1u, ((((((_e266.member[0] <= _e346.member_1[0]) && (_e346.member[0] <= _e266.member_1[0])) && (_e266.member[1] <= _e346.member_1[1])) && (_e346.member[1] <= _e266.member_1[1])) && (_e266.member[2] <= _e346.member_1[2])) && (_e346.member[2] <= _e266.member_1[2]))) << bitcast<u32>(((_e304 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e266.member[0] <= _e387.member_1[0]) && (_e387.member[0] <= _e266.member_1[0])) && (_e266.member[1] <= _e387.member_1[1])) && (_e387.member[1] <= _e266.member_1[1])) && (_e266.member[2] <= _e387.member_1[2])) && (_e387.member[2] <= _e266.member_1[2]))) << bitcast<u32>(((_e304 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e266.member[0] <= _e428.member_1[0]) && (_e428.member[0] <= _e266.member_1[0])) && (_e266.member[1] <= _e428.member_1[1])) && (_e428.member[1] <= _e266.member_1[1])) && (_e266.member[2] <= _e428.member_1[2])) && (_e428.member[2] <= _e266.member_1[2]))) << bitcast<u32>(((_e304 + 3u) & 31u)))));
                 } else {
-                    phi_636_ = u32();
+                    phi_555_ = u32();
                 }
-                let _e515 = phi_636_;
+                let _e468 = phi_555_;
                 continue;
                 continuing {
-                    phi_632_ = type_9(select(_e332.member, (_e332.member + 1u), _e337), select(_e332.member_1, _e332.member_1, _e337));
-                    phi_635_ = _e515;
-                    break if !(_e350);
+                    phi_551_ = type_9(select(_e285.member, (_e285.member + 1u), _e290), select(_e285.member_1, _e285.member_1, _e290));
+                    phi_554_ = _e468;
+                    break if !(_e303);
                 }
             }
-            let _e523 = local;
-            let _e526 = local_1;
-            let _e527 = select(_e526, (_e523 & ((1u << bitcast<u32>((_e324 & 31u))) - 1u)), (_e324 < 32u));
-            let _e530 = params.member.member.member_1;
-            if ((_e530 & 256u) != 0u) {
-                if select(!((_e313.member[0] <= _e313.member_1[0])), true, ((bitcast<u32>(_e313.member_1[0]) & 1u) == 1u)) {
-                    phi_877_ = type_9(0u, _e324);
-                    phi_880_ = _e527;
+            let _e476 = local;
+            let _e479 = local_1;
+            let _e480 = select(_e479, (_e476 & ((1u << bitcast<u32>((_e277 & 31u))) - 1u)), (_e277 < 32u));
+            let _e483 = params.member.member.member_1;
+            if ((_e483 & 256u) != 0u) {
+                if select(!((_e266.member[0] <= _e266.member_1[0])), true, ((bitcast<u32>(_e266.member_1[0]) & 1u) == 1u)) {
+                    phi_796_ = type_9(0u, _e277);
+                    phi_799_ = _e480;
                     loop {
-                        let _e547 = phi_877_;
-                        let _e549 = phi_880_;
-                        local_2 = _e549;
-                        let _e552 = (_e547.member < _e547.member_1);
-                        let _e563 = select(type_9().member_1, _e547.member, _e552);
-                        let _e565 = (bitcast<i32>(select(0u, 1u, _e552)) != 0i);
-                        if _e565 {
-                            let _e568 = columns[(_e322 + _e563)];
-                            phi_881_ = select(_e549, (_e549 & ~((1u << bitcast<u32>((_e563 & 31u))))), select(!((_e568.member[0] <= _e568.member_1[0])), true, ((bitcast<u32>(_e568.member_1[0]) & 1u) == 1u)));
+                        let _e500 = phi_796_;
+                        let _e502 = phi_799_;
+                        local_2 = _e502;
+                        let _e505 = (_e500.member < _e500.member_1);
+                        let _e516 = select(type_9().member_1, _e500.member, _e505);
+                        let _e518 = (bitcast<i32>(select(0u, 1u, _e505)) != 0i);
+                        if _e518 {
+                            let _e521 = columns[(_e275 + _e516)];
+                            phi_800_ = select(_e502, (_e502 & ~((1u << bitcast<u32>((_e516 & 31u))))), select(!((_e521.member[0] <= _e521.member_1[0])), true, ((bitcast<u32>(_e521.member_1[0]) & 1u) == 1u)));
                         } else {
-                            phi_881_ = u32();
+                            phi_800_ = u32();
                         }
-                        let _e586 = phi_881_;
+                        let _e539 = phi_800_;
                         continue;
                         continuing {
-                            phi_877_ = type_9(select(_e547.member, (_e547.member + 1u), _e552), select(_e547.member_1, _e547.member_1, _e552));
-                            phi_880_ = _e586;
-                            break if !(_e565);
+                            phi_796_ = type_9(select(_e500.member, (_e500.member + 1u), _e505), select(_e500.member_1, _e500.member_1, _e505));
+                            phi_799_ = _e539;
+                            break if !(_e518);
                         }
                     }
-                    let _e870 = local_2;
-                    phi_945_ = _e870;
+                    let _e824 = local_2;
+                    phi_864_ = _e824;
                 } else {
-                    phi_945_ = _e527;
+                    phi_864_ = _e480;
                 }
-                let _e589 = phi_945_;
-                phi_946_ = _e589;
+                let _e542 = phi_864_;
+                phi_865_ = _e542;
             } else {
-                phi_946_ = _e527;
+                phi_865_ = _e480;
             }
-            let _e591 = phi_946_;
-            if _e319 {
-                phi_953_ = type_9(0u, _e324);
-                phi_956_ = _e591;
+            let _e544 = phi_865_;
+            if _e272 {
+                phi_872_ = type_9(0u, _e277);
+                phi_875_ = _e544;
                 loop {
-                    let _e594 = phi_953_;
-                    let _e596 = phi_956_;
-                    local_3 = _e596;
-                    let _e599 = (_e594.member < _e594.member_1);
-                    let _e610 = select(type_9().member_1, _e594.member, _e599);
-                    let _e612 = (bitcast<i32>(select(0u, 1u, _e599)) != 0i);
-                    if _e612 {
-                        let _e615 = names[(_e322 + _e610)];
-                        let _e616 = (_e321 < _e615);
-                        phi_957_ = select(_e596, (_e596 & ~((1u << bitcast<u32>((_e610 & 31u))))), select(true, false, select(select(bool(), select(select(false, true, (_e321 == _e615)), bool(), _e616), _e319), true, select(true, _e616, _e319))));
+                    let _e547 = phi_872_;
+                    let _e549 = phi_875_;
+                    local_3 = _e549;
+                    let _e552 = (_e547.member < _e547.member_1);
+                    let _e563 = select(type_9().member_1, _e547.member, _e552);
+                    let _e565 = (bitcast<i32>(select(0u, 1u, _e552)) != 0i);
+                    if _e565 {
+                        let _e568 = names[(_e275 + _e563)];
+                        let _e569 = (_e274 < _e568);
+                        phi_876_ = select(_e549, (_e549 & ~((1u << bitcast<u32>((_e563 & 31u))))), select(true, false, select(select(bool(), select(select(false, true, (_e274 == _e568)), bool(), _e569), _e272), true, select(true, _e569, _e272))));
                     } else {
-                        phi_957_ = u32();
+                        phi_876_ = u32();
                     }
-                    let _e631 = phi_957_;
+                    let _e584 = phi_876_;
                     continue;
                     continuing {
-                        phi_953_ = type_9(select(_e594.member, (_e594.member + 1u), _e599), select(_e594.member_1, _e594.member_1, _e599));
-                        phi_956_ = _e631;
-                        break if !(_e612);
+                        phi_872_ = type_9(select(_e547.member, (_e547.member + 1u), _e552), select(_e547.member_1, _e547.member_1, _e552));
+                        phi_875_ = _e584;
+                        break if !(_e565);
                     }
                 }
-                let _e877 = local_3;
-                phi_1026_ = _e877;
+                let _e831 = local_3;
+                phi_945_ = _e831;
             } else {
-                phi_1026_ = _e591;
+                phi_945_ = _e544;
             }
-            let _e634 = phi_1026_;
-            let _e637 = atomicAdd((&counters[4u]), countOneBits(_e634));
+            let _e587 = phi_945_;
+            let _e590 = atomicAdd((&counters[4u]), countOneBits(_e587));
             workgroupBarrier();
             if (_e39 == 0u) {
-                let _e640 = atomicLoad((&counters[4u]));
-                n_hits[0u] = _e640;
+                let _e593 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e593;
             }
-            let _e643 = workgroupUniformLoad((&n_hits[0u]));
-            let _e644 = (_e643 / 512u);
-            phi_1058_ = type_9(0u, select(_e644, (_e644 + 1u), ((_e643 % 512u) > 0u)));
+            let _e596 = workgroupUniformLoad((&n_hits[0u]));
+            let _e597 = (_e596 / 512u);
+            phi_977_ = type_9(0u, select(_e597, (_e597 + 1u), ((_e596 % 512u) > 0u)));
             loop {
-                let _e651 = phi_1058_;
-                let _e654 = (_e651.member < _e651.member_1);
-                let _e667 = (bitcast<i32>(select(0u, 1u, _e654)) != 0i);
-                if _e667 {
-                    let _e668 = (_e39 / 32u);
-                    let _e674 = ((_e668 << bitcast<u32>(10i)) | ((_e39 % 32u) << bitcast<u32>(5i)));
-                    let _e675 = (select(type_9().member_1, _e651.member, _e654) * 512u);
-                    let _e678 = atomicLoad((&counters[_e668]));
-                    let _e679 = (_e678 / 4u);
-                    phi_1120_ = type_9(0u, select(_e679, (_e679 + 1u), ((_e678 % 4u) > 0u)));
-                    phi_1123_ = (_e637 - _e675);
+                let _e604 = phi_977_;
+                let _e607 = (_e604.member < _e604.member_1);
+                let _e620 = (bitcast<i32>(select(0u, 1u, _e607)) != 0i);
+                if _e620 {
+                    let _e621 = (_e39 / 32u);
+                    let _e627 = ((_e621 << bitcast<u32>(10i)) | ((_e39 % 32u) << bitcast<u32>(5i)));
+                    let _e628 = (select(type_9().member_1, _e604.member, _e607) * 512u);
+                    let _e631 = atomicLoad((&counters[_e621]));
+                    let _e632 = (_e631 / 4u);
+                    phi_1039_ = type_9(0u, select(_e632, (_e632 + 1u), ((_e631 % 4u) > 0u)));
+                    phi_1042_ = (_e590 - _e628);
                     loop {
-                        let _e686 = phi_1120_;
-                        let _e688 = phi_1123_;
-                        let _e691 = (_e686.member < _e686.member_1);
-                        let _e704 = (bitcast<i32>(select(0u, 1u, _e691)) != 0i);
-                        if _e704 {
-                            let _e705 = (4u * select(type_9().member_1, _e686.member, _e691));
-                            let _e711 = (((_e634 >> bitcast<u32>((_e705 & 31u))) & 1u) == 1u);
-                            if _e711 {
-                                if (_e688 < 512u) {
-                                    hits[_e688] = (_e674 + _e705);
+                        let _e639 = phi_1039_;
+                        let _e641 = phi_1042_;
+                        let _e644 = (_e639.member < _e639.member_1);
+                        let _e657 = (bitcast<i32>(select(0u, 1u, _e644)) != 0i);
+                        if _e657 {
+                            let _e658 = (4u * select(type_9().member_1, _e639.member, _e644));
+                            let _e664 = (((_e587 >> bitcast<u32>((_e658 & 31u))) & 1u) == 1u);
+                            if _e664 {
+                                if (_e641 < 512u) {
+                                    hits[_e641] = (_e627 + _e658);
                                 }
                             }
-                            let _e715 = select(_e688, (_e688 + 1u), _e711);
-                            let _e723 = (((_e634 >> bitcast<u32>(((_e705 + 1u) & 31u))) & 1u) == 1u);
-                            if _e723 {
-                                if (_e715 < 512u) {
-                                    hits[_e715] = ((_e674 + _e705) + 1u);
+                            let _e668 = select(_e641, (_e641 + 1u), _e664);
+                            let _e676 = (((_e587 >> bitcast<u32>(((_e658 + 1u) & 31u))) & 1u) == 1u);
+                            if _e676 {
+                                if (_e668 < 512u) {
+                                    hits[_e668] = ((_e627 + _e658) + 1u);
                                 }
                             }
-                            let _e727 = select(_e715, (_e715 + 1u), _e723);
-                            let _e735 = (((_e634 >> bitcast<u32>(((_e705 + 2u) & 31u))) & 1u) == 1u);
-                            if _e735 {
-                                if (_e727 < 512u) {
-                                    hits[_e727] = ((_e674 + _e705) + 2u);
+                            let _e680 = select(_e668, (_e668 + 1u), _e676);
+                            let _e688 = (((_e587 >> bitcast<u32>(((_e658 + 2u) & 31u))) & 1u) == 1u);
+                            if _e688 {
+                                if (_e680 < 512u) {
+                                    hits[_e680] = ((_e627 + _e658) + 2u);
                                 }
                             }
-                            let _e739 = select(_e727, (_e727 + 1u), _e735);
-                            let _e747 = (((_e634 >> bitcast<u32>(((_e705 + 3u) & 31u))) & 1u) == 1u);
-                            if _e747 {
-                                if (_e739 < 512u) {
-                                    hits[_e739] = ((_e674 + _e705) + 3u);
+                            let _e692 = select(_e680, (_e680 + 1u), _e688);
+                            let _e700 = (((_e587 >> bitcast<u32>(((_e658 + 3u) & 31u))) & 1u) == 1u);
+                            if _e700 {
+                                if (_e692 < 512u) {
+                                    hits[_e692] = ((_e627 + _e658) + 3u);
                                 }
                             }
-                            phi_1124_ = select(_e739, (_e739 + 1u), _e747);
+                            phi_1043_ = select(_e692, (_e692 + 1u), _e700);
                         } else {
-                            phi_1124_ = u32();
+                            phi_1043_ = u32();
                         }
-                        let _e753 = phi_1124_;
+                        let _e706 = phi_1043_;
                         continue;
                         continuing {
-                            phi_1120_ = type_9(select(_e686.member, (_e686.member + 1u), _e691), select(_e686.member_1, _e686.member_1, _e691));
-                            phi_1123_ = _e753;
-                            break if !(_e704);
+                            phi_1039_ = type_9(select(_e639.member, (_e639.member + 1u), _e644), select(_e639.member_1, _e639.member_1, _e644));
+                            phi_1042_ = _e706;
+                            break if !(_e657);
                         }
                     }
                     workgroupBarrier();
-                    let _e756 = n_hits[0u];
-                    let _e757 = (_e756 - _e675);
-                    let _e759 = select(_e757, 512u, (512u < _e757));
+                    let _e709 = n_hits[0u];
+                    let _e710 = (_e709 - _e628);
+                    let _e712 = select(_e710, 512u, (512u < _e710));
                     if (_e39 == 0u) {
-                        atomicStore((&counters[5u]), _e759);
+                        atomicStore((&counters[5u]), _e712);
                     }
                     workgroupBarrier();
                     if (_e39 == 0u) {
-                        let _e764 = atomicLoad((&counters[5u]));
-                        if (_e764 > 0u) {
-                            let _e768 = params.member.member.member_1;
-                            if ((_e768 & 1024u) != 0u) {
-                                let _e778 = atomicAdd((&output.member[0u]), _e764);
-                                let _e779 = (_e778 + _e764);
-                                let _e781 = select(_e779, 4294967295u, (_e779 < _e778));
-                                let _e784 = params.member.member_1.member_3;
-                                if (_e781 > _e784) {
-                                    let _e787 = atomicMax((&output.member[2u]), _e781);
+                        let _e717 = atomicLoad((&counters[5u]));
+                        if (_e717 > 0u) {
+                            let _e721 = params.member.member.member_1;
+                            if ((_e721 & 1024u) != 0u) {
+                                let _e731 = atomicAdd((&output.member[0u]), _e717);
+                                let _e732 = (_e731 + _e717);
+                                let _e734 = select(_e732, 4294967295u, (_e732 < _e731));
+                                let _e737 = params.member.member_1.member_3;
+                                if (_e734 > _e737) {
+                                    let _e740 = atomicMax((&output.member[2u]), _e734);
                                 }
-                                phi_1297_ = _e778;
+                                phi_1216_ = _e731;
                             } else {
-                                let _e772 = atomicAdd((&output.member[0u]), _e764);
-                                if ((_e772 + _e764) < _e772) {
-                                    let _e776 = atomicAdd((&output.member[2u]), 1u);
+                                let _e725 = atomicAdd((&output.member[0u]), _e717);
+                                if ((_e725 + _e717) < _e725) {
+                                    let _e729 = atomicAdd((&output.member[2u]), 1u);
                                 }
-                                phi_1297_ = _e772;
+                                phi_1216_ = _e725;
                             }
-                            let _e789 = phi_1297_;
-                            atomicStore((&counters[6u]), _e789);
+                            let _e742 = phi_1216_;
+                            atomicStore((&counters[6u]), _e742);
                         }
                         atomicStore((&counters[5u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e793 = atomicLoad((&counters[6u]));
-                    phi_1304_ = type_9(0u, 4u);
+                    let _e746 = atomicLoad((&counters[6u]));
+                    phi_1223_ = type_9(0u, 4u);
                     loop {
-                        let _e795 = phi_1304_;
-                        let _e798 = (_e795.member < _e795.member_1);
-                        if (bitcast<i32>(select(0u, 1u, _e798)) != 0i) {
-                            let _e813 = (_e39 + (select(type_9().member_1, _e795.member, _e798) * 128u));
-                            if (_e813 >= _e759) {
-                                phi_1377_ = false;
+                        let _e748 = phi_1223_;
+                        let _e751 = (_e748.member < _e748.member_1);
+                        if (bitcast<i32>(select(0u, 1u, _e751)) != 0i) {
+                            let _e766 = (_e39 + (select(type_9().member_1, _e748.member, _e751) * 128u));
+                            if (_e766 >= _e712) {
+                                phi_1296_ = false;
                             } else {
-                                let _e816 = hits[_e813];
-                                let _e819 = ((_e816 >> bitcast<u32>(10i)) & 3u);
-                                let _e827 = names[((_e819 * 32u) + (_e816 & 31u))];
-                                let _e830 = firsts[(2u * _e819)];
-                                let _e835 = firsts[((2u * _e819) + 1u)];
-                                let _e839 = params.member.member_1.member_3;
-                                let _e840 = (_e793 + _e813);
-                                if (_e840 < _e839) {
-                                    let _e842 = (2u * _e840);
-                                    atomicStore((&output.member[(4u + _e842)]), (_e830 + ((_e816 >> bitcast<u32>(5i)) & 31u)));
-                                    atomicStore((&output.member[(_e842 + 5u)]), (_e835 + _e827));
+                                let _e769 = hits[_e766];
+                                let _e772 = ((_e769 >> bitcast<u32>(10i)) & 3u);
+                                let _e780 = names[((_e772 * 32u) + (_e769 & 31u))];
+                                let _e783 = firsts[(2u * _e772)];
+                                let _e788 = firsts[((2u * _e772) + 1u)];
+                                let _e792 = params.member.member_1.member_3;
+                                let _e793 = (_e746 + _e766);
+                                if (_e793 < _e792) {
+                                    let _e795 = (2u * _e793);
+                                    atomicStore((&output.member[(4u + _e795)]), (_e783 + ((_e769 >> bitcast<u32>(5i)) & 31u)));
+                                    atomicStore((&output.member[(_e795 + 5u)]), (_e788 + _e780));
                                 }
-                                phi_1377_ = true;
+                                phi_1296_ = true;
                             }
-                            let _e848 = phi_1377_;
-                            phi_1378_ = _e848;
+                            let _e801 = phi_1296_;
+                            phi_1297_ = _e801;
                         } else {
-                            phi_1378_ = false;
+                            phi_1297_ = false;
                         }
-                        let _e850 = phi_1378_;
+                        let _e803 = phi_1297_;
                         continue;
                         continuing {
-                            phi_1304_ = type_9(select(_e795.member, (_e795.member + 1u), _e798), select(_e795.member_1, _e795.member_1, _e798));
-                            break if !(_e850);
+                            phi_1223_ = type_9(select(_e748.member, (_e748.member + 1u), _e751), select(_e748.member_1, _e748.member_1, _e751));
+                            break if !(_e803);
                         }
                     }
                     workgroupBarrier();
                 }
                 continue;
                 continuing {
-                    phi_1058_ = type_9(select(_e651.member, (_e651.member + 1u), _e654), select(_e651.member_1, _e651.member_1, _e654));
-                    break if !(_e667);
+                    phi_977_ = type_9(select(_e604.member, (_e604.member + 1u), _e607), select(_e604.member_1, _e604.member_1, _e607));
+                    break if !(_e620);
                 }
             }
+            phi_212_ = (_e93 + (_e38.x * _e38.y));
+        } else {
+            phi_212_ = u32();
         }
+        let _e807 = phi_212_;
         continue;
         continuing {
-            phi_244_ = type_9(select(_e104.member, (_e104.member + 1u), _e107), select(_e104.member_1, _e104.member_1, _e107));
-            break if !(_e120);
+            phi_211_ = _e807;
+            break if !(_e99);
         }
     }
     return;

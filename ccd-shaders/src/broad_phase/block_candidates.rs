@@ -6,13 +6,13 @@
 //!
 //! Twin: on a CPU `block_pairs.rs`, whose sink looks at candidates.
 
-use super::block_pairs::{Hits, KEPT, Teams, WANTED};
+use super::block_pairs::{Hits, KEPT, Teams, WANTED, entries};
 use crate::entry::kernel;
 use crate::records::{BoxWords, box_at, ends_at, leaf_at};
-use crate::workgroup::{add_shared, barrier, count, get, length, set, write_pair};
+use crate::workgroup::{add_shared, barrier, count, get, set, write_pair};
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{
-    POOL, THREADS, WIDTH, sets, slot,
+    POOL, TEAMS, THREADS, WIDTH, sets, slot,
 };
 use ccd_core::backend::broad_phase::candidate::{overlap_surely, wanted};
 use ccd_core::backend::layout::{EDGE_EDGE, Frame, Pair};
@@ -22,8 +22,7 @@ use spirv_std::glam::{UVec4, Vec4};
 impl<const N: usize> Teams<'_, N> {
     /// Boxes of the teams' pairs of blocks that overlap.
     #[inline(always)]
-    fn hits_of_leaves(&mut self, kind: u32, input: &[u32], len: u32, round: u32) -> Hits {
-        let (pair, some) = self.pair(input, len, round);
+    fn hits_of_leaves(&mut self, kind: u32, (pair, some): (Pair, bool)) -> Hits {
         self.clear();
         let [set_a, set_b] = sets(kind);
         if self.t.lane % WIDTH == 0 {
@@ -116,12 +115,17 @@ kernel! {
         // A copy: what is read of the record in a loop would be read again and again.
         let (frame, kind) = (&{ params.frame }, params.args.kind);
         let has_ends = frame.has(Frame::FLAG_ENDS);
-        let len = length(input, params.dispatch.capacity_in);
+        let n = entries(params, input);
         let mut teams =
-            Teams { t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts };
-        teams.begin();
-        for round in 0..teams.rounds(len) {
-            let mut found = teams.hits_of_leaves(kind, input, len, round);
+            Teams { t, params, n, nodes, columns, names, ranges, counters, n_hits, hits, firsts };
+        if t.lane == 0 {
+            set(teams.counters, WANTED, 0);
+        }
+        let mut four = t.group;
+        while four < n.div_ceil(TEAMS) {
+            let pair = teams.pair(input, four);
+            let mut found = teams.hits_of_leaves(kind, pair);
+            four += t.groups;
             let passes = teams.number(&mut found);
             if t.lane == 0 {
                 let n = get(teams.counters, WANTED) + get(teams.n_hits, 0);

@@ -30,6 +30,8 @@ pub(super) const WANTED: u32 = 7;
 pub(super) struct Teams<'a, const N: usize> {
     pub t: Thread,
     pub params: &'a Params<Blocks>,
+    /// Entries that are looked at.
+    pub n: u32,
     pub nodes: &'a [BoxWords],
     /// Children of each team's second node that reach into the first, and their numbers.
     pub columns: &'a mut [Aabb; 128],
@@ -45,40 +47,28 @@ pub(super) struct Teams<'a, const N: usize> {
     pub firsts: &'a mut [u32; 8],
 }
 
+/// Entries of a list that a dispatch looks at: from `dispatch.first` on every
+/// `args.step`-th.
+#[inline(always)]
+pub(super) fn entries(params: &Params<Blocks>, list: &[u32]) -> u32 {
+    let Params { dispatch, args, .. } = params;
+    let len = length(list, dispatch.capacity_in);
+    let left = if len > dispatch.first { len - dispatch.first } else { 0 };
+    // Divisions take long.
+    let wanted = if args.step == 1 { left } else { left.div_ceil(args.step) };
+    wanted.min(args.limit)
+}
+
 impl<const N: usize> Teams<'_, N> {
-    /// How often the workgroup takes `TEAMS` of the entries from `dispatch.first` on, every
-    /// `args.step`-th.
+    /// The pair of nodes of the thread's team, when the workgroup takes the `four`-th four of the
+    /// entries; the second part says whether there is one: a team without tests nothing, see
+    /// [`Teams::gather`].
     #[inline(always)]
-    pub(super) fn rounds(&self, len: u32) -> u32 {
-        let (n, group) = (self.entries(len).div_ceil(TEAMS), self.t.group);
-        if n > group { (n - group).div_ceil(self.t.groups) } else { 0 }
-    }
-
-    /// Entries of a list that this dispatch looks at.
-    #[inline(always)]
-    fn entries(&self, len: u32) -> u32 {
-        let Params { dispatch, args, .. } = self.params;
-        let wanted =
-            if len > dispatch.first { (len - dispatch.first).div_ceil(args.step) } else { 0 };
-        wanted.min(args.limit)
-    }
-
-    /// The pair of nodes of the thread's team; the second part says whether there is one: a team
-    /// without tests nothing, see [`Teams::gather`].
-    #[inline(always)]
-    pub(super) fn pair(&self, list: &[u32], len: u32, round: u32) -> (Pair, bool) {
-        let i = (self.t.group + round * self.t.groups) * TEAMS + self.t.lane / WIDTH;
-        let some = i < self.entries(len);
+    pub(super) fn pair(&self, list: &[u32], four: u32) -> (Pair, bool) {
+        let i = four * TEAMS + self.t.lane / WIDTH;
+        let some = i < self.n;
         let (first, step) = (self.params.dispatch.first, self.params.args.step);
         (read_pair(list, first + if some { i * step } else { 0 }), some)
-    }
-
-    /// Before the first round.
-    #[inline(always)]
-    pub(super) fn begin(&mut self) {
-        if self.t.lane == 0 {
-            set(self.counters, WANTED, 0);
-        }
     }
 
     /// Before the teams take their pairs of a round.
@@ -218,10 +208,11 @@ impl<const N: usize> Teams<'_, N> {
     #[inline(always)]
     fn children(mut self, worlds: &[u32], input: &[u32], output: &mut [u32]) {
         let Params { frame, dispatch, args } = self.params;
-        let len = length(input, dispatch.capacity_in);
         let (lane, team, i) = (self.t.lane, self.t.lane / WIDTH, self.t.lane % WIDTH);
-        for round in 0..self.rounds(len) {
-            let (pair, some) = self.pair(input, len, round);
+        let mut four = self.t.group;
+        while four < self.n.div_ceil(TEAMS) {
+            let (pair, some) = self.pair(input, four);
+            four += self.t.groups;
             self.clear();
             if i == 0 {
                 set(self.firsts, 2 * team, pair.a * WIDTH);
@@ -278,7 +269,8 @@ kernel! {
     node_pairs[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128], ranges: [u32; 1],
         counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512], firsts: [u32; 8];
         nodes: [BoxWords], input: [u32], mut output: [u32]) {
-        Teams { t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
+        let n = entries(params, input);
+        Teams { t, params, n, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
             .children(input, input, output);
     }
 }
@@ -288,7 +280,8 @@ kernel! {
     node_pairs_of_worlds[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
         ranges: [u32; 128], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512],
         firsts: [u32; 8]; nodes: [BoxWords], worlds: [u32], input: [u32], mut output: [u32]) {
-        Teams { t, params, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
+        let n = entries(params, input);
+        Teams { t, params, n, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
             .children(worlds, input, output);
     }
 }

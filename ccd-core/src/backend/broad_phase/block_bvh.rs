@@ -161,10 +161,10 @@ fn four_boxes<N: Stored<Aabb<f32>>>(i: usize, end: usize, nodes: &[N]) -> Aabb<f
     a.union(&b).union(&c.union(&d))
 }
 
-/// A hit in one word: which pair of nodes, which child of either side.
+/// A hit in one word: which pair of nodes, which child of the first, which column.
 #[inline(always)]
-pub fn pack(team: u32, i: u32, j: u32) -> u32 {
-    team << 10 | i << 5 | j
+pub fn pack(team: u32, i: u32, column: u32) -> u32 {
+    team << 10 | i << 5 | column
 }
 
 /// The parts of [`pack`].
@@ -172,22 +172,6 @@ pub fn pack(team: u32, i: u32, j: u32) -> u32 {
 pub fn unpack(hit: u32) -> [u32; 3] {
     [hit >> 10 & 3, hit >> 5 & 31, hit & 31]
 }
-
-/// A hit that is kept as the `to`-th of its workgroup.
-#[inline(always)]
-pub fn keep(hit: u32, to: u32) -> u32 {
-    KEPT | to << 12 | hit
-}
-
-/// Which of its workgroup a kept hit is; [`NOT_KEPT`] for one that is not.
-#[inline(always)]
-pub fn kept(hit: u32) -> u32 {
-    if hit & KEPT != 0 { (hit & !KEPT) >> 12 } else { NOT_KEPT }
-}
-
-/// What [`kept`] says of a hit that is not.
-pub const NOT_KEPT: u32 = u32::MAX;
-const KEPT: u32 = 1 << 31;
 
 #[cfg(test)]
 mod tests {
@@ -222,10 +206,8 @@ mod tests {
     #[test]
     fn hits_pack() {
         for hit in [[0, 0, 0], [3, 31, 7], [TEAMS - 1, WIDTH - 1, WIDTH - 1]] {
-            let [team, i, j] = hit;
-            let word = pack(team, i, j);
-            assert_eq!((unpack(word), kept(word)), (hit, NOT_KEPT));
-            assert_eq!((unpack(keep(word, POOL - 1)), kept(keep(word, POOL - 1))), (hit, POOL - 1));
+            let [team, i, column] = hit;
+            assert_eq!(unpack(pack(team, i, column)), hit);
         }
     }
 }
