@@ -33,7 +33,7 @@ pub enum BroadPhaseMethod {
     /// Boxes sorted into the cells of a grid, each compared with those of its own cell and of the
     /// cells around it [Karras 2012a]; boxes of unequal sizes in several grids.
     UniformGrid,
-    /// Blocks of neighbouring boxes in Morton order, descended together: the fastest where boxes
+    /// Blocks of neighbouring boxes in Hilbert order, descended together: the fastest where boxes
     /// overlap many others.
     #[default]
     Blocks,

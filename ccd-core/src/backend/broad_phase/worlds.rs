@@ -38,8 +38,8 @@ pub fn bounds(words: &[u32], world: u32) -> Aabb<f32> {
     out
 }
 
-/// Key by which a device sorts box `i`: its set, its world, then as much of its Hilbert code in that
-/// world as fits beside `bits` bits of worlds.
+/// Key by which a device sorts box `i`: its set, its world, then as much of its Hilbert code in
+/// that world as fits beside `bits` bits of worlds.
 #[inline(always)]
 pub fn sort_key<B: Stored<Aabb<f32>>>(
     i: usize,
