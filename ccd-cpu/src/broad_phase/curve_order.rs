@@ -2,6 +2,7 @@
 //!
 //! Twin: none; on a GPU a sort of keys, as any other.
 
+use crate::broad_phase::hilbert_code::hilbert63;
 use crate::broad_phase::marks::Marks;
 use crate::simd::WIDTH;
 use crate::sort::RadixSort;
@@ -59,10 +60,11 @@ impl CurveOrder {
         order: &mut Vec<u32>,
     ) -> MortonGrid {
         let grid = self.grid(threads, boxes);
-        let curve = self.curve;
+        let is_hilbert = self.curve == Curve::Hilbert;
         let code = |i: usize| {
-            let [low, high] = morton_key::code63(i, boxes, &grid, curve);
-            (high as u64) << 32 | low as u64
+            let [low, high] = morton_key::morton(i, boxes, &grid);
+            let code = (high as u64) << 32 | low as u64;
+            if is_hilbert { hilbert63(code) } else { code }
         };
         let Marks { fixed, world, world_bits: bits, kept, .. } = *marks;
         let is_fixed = |i: usize| fixed.is_some_and(|fixed| fixed(i)) as u64;
@@ -109,7 +111,8 @@ impl CurveOrder {
         order.extend_from_slice(&self.still);
     }
 
-    /// The same of one world where all moves; fills `codes` with the codes of the sorted boxes.
+    /// The same along the Morton curve, of one world where all moves; fills `codes` with the codes
+    /// of the sorted boxes.
     pub fn sort_codes(
         &mut self,
         threads: &Threads,
@@ -117,8 +120,9 @@ impl CurveOrder {
         order: &mut Vec<u32>,
         codes: &mut Vec<[u32; 2]>,
     ) {
-        let (grid, curve) = (self.sort(threads, boxes, &Marks::default(), order), self.curve);
+        debug_assert_eq!(self.curve, Curve::Morton);
+        let grid = self.sort(threads, boxes, &Marks::default(), order);
         codes.resize(boxes.len(), [0; 2]);
-        threads.fill(codes, |i| morton_key::code63(order[i] as usize, boxes, &grid, curve));
+        threads.fill(codes, |i| morton_key::morton(order[i] as usize, boxes, &grid));
     }
 }

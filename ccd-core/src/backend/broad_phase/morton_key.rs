@@ -76,13 +76,13 @@ pub fn merged(words: &[u32]) -> Aabb<f32> {
     out
 }
 
-/// Code along a curve, 63 bits as `[low, high]`, of the centre of box `i`.
+/// Morton code, 63 bits as `[low, high]`, of the centre of box `i`.
 #[inline]
-pub fn code63(i: usize, boxes: &[Aabb<f32>], grid: &MortonGrid, curve: Curve) -> [u32; 2] {
-    morton63(curve.place(grid.cell(&boxes[i]), 21))
+pub fn morton(i: usize, boxes: &[Aabb<f32>], grid: &MortonGrid) -> [u32; 2] {
+    morton63(grid.cell(&boxes[i]))
 }
 
-/// The same in 30 bits.
+/// Code along a curve, in 30 bits, of the centre of a box.
 #[inline(always)]
 pub fn code30(aabb: &Aabb<f32>, grid: &MortonGrid, curve: Curve) -> u32 {
     morton30(curve.place(grid.cell(aabb), 10))

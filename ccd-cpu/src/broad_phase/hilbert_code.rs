@@ -1,0 +1,134 @@
+//! Hilbert codes of 63 bits from Morton codes, two levels of the grid a look into a table.
+//!
+//! Twin: on a GPU `hilbert_cell` of the core's `math/hilbert.rs`, level by level: the same codes,
+//! without a table.
+
+/// What a level does to those below it: the axis that each of three coordinates is of, and whether
+/// it is inverted; as a number below 48.
+#[derive(Clone, Copy)]
+struct Turn {
+    axes: [u8; 3],
+    inverted: [bool; 3],
+}
+
+const TURNS: usize = 48;
+
+/// By turn and two octants: the two octants as they appear, six bits, and above them the turn of
+/// the levels below.
+static TABLE: [[u16; 64]; TURNS] = table();
+
+/// The turn at the top of 22 levels after which 21 are as they are, for codes whose first octant is
+/// 0.
+const FIRST: usize = Turn { axes: [1, 2, 0], inverted: [false; 3] }.number();
+
+/// The bits of the three coordinates in a code.
+const X: u64 = 0x4924_9249_2492_4924;
+const Y: u64 = X >> 1;
+const Z: u64 = X >> 2;
+
+/// The Hilbert code of the cell with this Morton code of 63 bits.
+#[inline]
+pub fn hilbert63(morton: u64) -> u64 {
+    let (mut turn, mut code) = (FIRST, 0);
+    for k in (0..11).rev() {
+        let found = TABLE[turn][(morton >> (6 * k)) as usize & 63] as usize;
+        code = code << 6 | (found & 63) as u64;
+        turn = found >> 6;
+    }
+    // From the Gray code of each level to its place, and back where the levels above it turn.
+    code ^= (code & X) >> 1;
+    code ^= (code & Y) >> 1;
+    let mut above = code & Z;
+    above ^= above >> 3;
+    above ^= above >> 6;
+    above ^= above >> 12;
+    above ^= above >> 24;
+    above ^= above >> 48;
+    above >>= 3;
+    code ^ above ^ above << 1 ^ above << 2
+}
+
+impl Turn {
+    const fn of(number: usize) -> Self {
+        let (a, b) = (number / 16, number / 8 % 2);
+        let b = if b < a { b } else { b + 1 };
+        let flips = number % 8;
+        let inverted = [flips & 4 != 0, flips & 2 != 0, flips & 1 != 0];
+        Self { axes: [a as u8, b as u8, (3 - a - b) as u8], inverted }
+    }
+
+    const fn number(self) -> usize {
+        let [a, b, _] = self.axes;
+        let [x, y, z] = self.inverted;
+        let rank = 2 * a as usize + if b < a { b } else { b - 1 } as usize;
+        8 * rank + 4 * x as usize + 2 * y as usize + z as usize
+    }
+
+    /// An octant (the bits of x, y and z) as it appears, and the turn of the levels below it; see
+    /// `hilbert_cell`.
+    const fn level(mut self, octant: usize) -> (usize, Self) {
+        let mut bits = [false; 3];
+        let mut k = 0;
+        while k < 3 {
+            bits[k] = (octant >> (2 - self.axes[k]) & 1 == 1) != self.inverted[k];
+            k += 1;
+        }
+        self.inverted[0] ^= bits[0];
+        let mut other = 1;
+        while other < 3 {
+            if bits[other] {
+                self.inverted[0] ^= true;
+            } else {
+                self.axes.swap(0, other);
+                self.inverted.swap(0, other);
+            }
+            other += 1;
+        }
+        (4 * bits[0] as usize + 2 * bits[1] as usize + bits[2] as usize, self)
+    }
+}
+
+const fn table() -> [[u16; 64]; TURNS] {
+    let mut out = [[0; 64]; TURNS];
+    let mut turn = 0;
+    while turn < TURNS {
+        let mut octants = 0;
+        while octants < 64 {
+            let (first, below) = Turn::of(turn).level(octants / 8);
+            let (second, below) = below.level(octants % 8);
+            out[turn][octants] = (below.number() << 6 | first << 3 | second) as u16;
+            octants += 1;
+        }
+        turn += 1;
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::broad_phase::tests::random;
+    use ccd_core::math::hilbert::hilbert_cell;
+    use ccd_core::math::morton::morton63;
+
+    #[test]
+    fn codes_are_those_of_the_core() {
+        let code = |cell: [u32; 3]| {
+            let [low, high] = morton63(cell);
+            (high as u64) << 32 | low as u64
+        };
+        let mut unit = random(5);
+        for i in 0..20_000 {
+            // Of all sizes.
+            let cell = [(); 3].map(|()| (unit() * 2_097_152.0) as u32 >> (i % 21));
+            assert_eq!(hilbert63(code(cell)), code(hilbert_cell(cell, 21)), "{cell:?}");
+        }
+    }
+
+    #[test]
+    fn turns_are_numbered() {
+        for number in 0..TURNS {
+            assert_eq!(Turn::of(number).number(), number);
+        }
+    }
+}
