@@ -1,4 +1,4 @@
-//! Hilbert codes of 63 bits from Morton codes, two levels of the grid a look into a table.
+//! Hilbert codes of 63 bits from Morton codes, a level of the grid a look into a table.
 //!
 //! Twin: on a GPU `hilbert_cell` of the core's `math/hilbert.rs`, level by level: the same codes,
 //! without a table.
@@ -13,13 +13,9 @@ struct Turn {
 
 const TURNS: usize = 48;
 
-/// By turn and two octants: the two octants as they appear, six bits, and above them the turn of
-/// the levels below.
-static TABLE: [[u16; 64]; TURNS] = table();
-
-/// The turn at the top of 22 levels after which 21 are as they are, for codes whose first octant is
-/// 0.
-const FIRST: usize = Turn { axes: [1, 2, 0], inverted: [false; 3] }.number();
+/// By turn and octant: the octant as it appears, three bits, and above them the turn of the levels
+/// below.
+static TABLE: [[u16; 8]; TURNS] = table();
 
 /// The bits of the three coordinates in a code.
 const X: u64 = 0x4924_9249_2492_4924;
@@ -29,11 +25,11 @@ const Z: u64 = X >> 2;
 /// The Hilbert code of the cell with this Morton code of 63 bits.
 #[inline]
 pub fn hilbert63(morton: u64) -> u64 {
-    let (mut turn, mut code) = (FIRST, 0);
-    for k in (0..11).rev() {
-        let found = TABLE[turn][(morton >> (6 * k)) as usize & 63] as usize;
-        code = code << 6 | (found & 63) as u64;
-        turn = found >> 6;
+    let (mut turn, mut code) = (0, 0);
+    for level in (0..21).rev() {
+        let found = TABLE[turn][(morton >> (3 * level)) as usize & 7] as usize;
+        code = code << 3 | (found & 7) as u64;
+        turn = found >> 3;
     }
     // From the Gray code of each level to its place, and back where the levels above it turn.
     code ^= (code & X) >> 1;
@@ -88,16 +84,15 @@ impl Turn {
     }
 }
 
-const fn table() -> [[u16; 64]; TURNS] {
-    let mut out = [[0; 64]; TURNS];
+const fn table() -> [[u16; 8]; TURNS] {
+    let mut out = [[0; 8]; TURNS];
     let mut turn = 0;
     while turn < TURNS {
-        let mut octants = 0;
-        while octants < 64 {
-            let (first, below) = Turn::of(turn).level(octants / 8);
-            let (second, below) = below.level(octants % 8);
-            out[turn][octants] = (below.number() << 6 | first << 3 | second) as u16;
-            octants += 1;
+        let mut octant = 0;
+        while octant < 8 {
+            let (appears, below) = Turn::of(turn).level(octant);
+            out[turn][octant] = (below.number() << 3 | appears) as u16;
+            octant += 1;
         }
         turn += 1;
     }

@@ -27,7 +27,7 @@ mod descend;
 pub mod descent_times;
 #[cfg(feature = "catalogue")]
 mod front;
-mod hilbert_code;
+pub mod hilbert_code;
 pub mod leaf_boxes;
 pub mod marks;
 pub mod method;

@@ -132,7 +132,7 @@ kernel! {
                 set(teams.counters, WANTED, n);
             }
             for pass in 0..passes {
-                let n = teams.fill(&mut found, pass);
+                let n = teams.fill(&found, pass);
                 let mut kept = 0;
                 for share in 0..POOL / THREADS {
                     let h = t.lane + share * THREADS;

@@ -25,6 +25,7 @@ const HITS: u32 = 4;
 pub(super) const KEPT: u32 = 5;
 const BASE: u32 = 6;
 pub(super) const WANTED: u32 = 7;
+
 /// A workgroup of four teams, as one of its threads sees it: its nodes and its memory. `N`: words
 /// of worlds; 1 where worlds do not matter.
 pub(super) struct Teams<'a, const N: usize> {
@@ -47,8 +48,7 @@ pub(super) struct Teams<'a, const N: usize> {
     pub firsts: &'a mut [u32; 8],
 }
 
-/// Entries of a list that a dispatch looks at: from `dispatch.first` on every
-/// `args.step`-th.
+/// Entries of a list that a dispatch looks at: from `dispatch.first` on every `args.step`-th.
 #[inline(always)]
 pub(super) fn entries(params: &Params<Blocks>, list: &[u32]) -> u32 {
     let Params { dispatch, args, .. } = params;
@@ -154,7 +154,7 @@ impl<const N: usize> Teams<'_, N> {
 
     /// Fills the pool for the `pass`-th time; returns how many it has.
     #[inline(always)]
-    pub(super) fn fill(&mut self, hits: &mut Hits, pass: u32) -> u32 {
+    pub(super) fn fill(&mut self, hits: &Hits, pass: u32) -> u32 {
         let (team, i) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
         let (row, first) = (pack(team, i, 0), pass * POOL);
         // Column by column, for all rows at once: few instructions, of which none waits.
@@ -228,7 +228,7 @@ impl<const N: usize> Teams<'_, N> {
             let same = args.kind == EDGE_EDGE && pair.a == pair.b;
             let mut hits = self.test(row, same, false, of_row);
             for pass in 0..self.number(&mut hits) {
-                let n = self.fill(&mut hits, pass);
+                let n = self.fill(&hits, pass);
                 if lane == 0 {
                     set(self.counters, KEPT, n);
                 }
@@ -249,7 +249,7 @@ impl<const N: usize> Teams<'_, N> {
     }
 }
 
-/// Hits of a thread's row that are not yet in the pool.
+/// Hits of a thread's row.
 pub(super) struct Hits {
     /// Their columns, as bits.
     columns: u32,

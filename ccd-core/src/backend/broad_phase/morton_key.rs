@@ -8,9 +8,9 @@ use crate::math::morton::{MortonGrid, morton30, morton63};
 /// A curve through the cells of a grid.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Curve {
-    /// What builders of binary trees ask for: an axis and a place for each bit.
+    /// The bits of the axes in turn: what builders of binary trees ask for.
     Morton,
-    /// What blocks of boxes take.
+    /// From neighbour to neighbour: what blocks of boxes take.
     #[default]
     Hilbert,
 }

@@ -1,12 +1,12 @@
 //! Trees of bodies that move rigidly, from positions before any pose.
 
 use super::body::Body;
+use crate::broad_phase::hilbert_code::hilbert63;
 use crate::simd::WIDTH;
 use crate::threads::Threads;
 use ccd_core::Aabb;
-use ccd_core::backend::broad_phase::morton_key::{Curve, code30};
 use ccd_core::backend::rules::Rules;
-use ccd_core::math::morton::MortonGrid;
+use ccd_core::math::morton::{MortonGrid, morton63};
 use ccd_core::model::codimensional::edges_of_no_face;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::precision::Coordinate;
@@ -15,9 +15,15 @@ use std::ops::Range;
 /// Vertices of a clump: four blocks of them, some twelve of edges and eight of faces.
 const CLUMP: usize = 32;
 /// Bits per axis of codes.
-const BITS: u32 = 10;
+const BITS: u32 = 21;
 /// No clump.
 const NONE: u32 = u32::MAX;
+
+/// The upper 30 bits of the Hilbert code of a box's centre.
+fn code_of(aabb: &Aabb, grid: &MortonGrid) -> u32 {
+    let [low, high] = morton63(grid.cell(aabb));
+    (hilbert63((high as u64) << 32 | low as u64) >> 33) as u32
+}
 
 /// The trees of some bodies, and the order of their features' leaves.
 #[derive(Debug, Default)]
@@ -69,7 +75,7 @@ impl Trees {
         for of_body in vertices.chunk_by_mut(|&a, &b| number(a) == number(b)) {
             firsts.push([number(of_body[0]), of_body[0], grids.len() as u32]);
             let grid = MortonGrid::new(&around(of_body).round_out(), BITS);
-            let code = |v: u32| code30(&around(&[v]).round_out(), &grid, Curve::Hilbert);
+            let code = |v: u32| code_of(&around(&[v]).round_out(), &grid);
             threads.sort(of_body, |&v| (code(v), v));
             for ids in of_body.chunks(CLUMP) {
                 ids.iter().for_each(|&v| clump_of[v as usize] = grids.len() as u32);
@@ -90,7 +96,7 @@ impl Trees {
                 }
                 let (of_feature, at) = (around(ids), clump as usize);
                 boxes[at] = Some(boxes[at].map_or(of_feature, |all| all.union(&of_feature)));
-                let code = code30(&of_feature.round_out(), &grids[at], Curve::Hilbert);
+                let code = code_of(&of_feature.round_out(), &grids[at]);
                 all.push([clump, code, id]);
             };
             match set {
