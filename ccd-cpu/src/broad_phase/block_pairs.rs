@@ -19,7 +19,7 @@ use std::ops::Range;
 #[derive(Debug, Default)]
 pub struct BlockSource {
     pub trees: Vec<BlockBvh>,
-    morton: CurveOrder,
+    curve: CurveOrder,
     tasks: Tasks,
 }
 
@@ -60,7 +60,7 @@ impl Order for BlockSource {
             self.trees.resize_with(set.index + 1, BlockBvh::default);
         }
         // What is fixed comes last, so that whole blocks are.
-        self.morton.sort(threads, boxes, marks, order);
+        self.curve.sort(threads, boxes, marks, order);
         if let Some(world) = marks.world {
             fill_blocks(order, world);
         }
