@@ -141,7 +141,7 @@ enum Task {
         #[arg(long, default_value_t = 5)]
         runs: usize,
         /// Measure the GPU instead and write benches/GPU.md (needs the data)
-        #[arg(long)]
+        #[arg(long, group = "by_scenes")]
         gpu: bool,
         /// Where the GPU's report goes
         #[arg(long, requires = "gpu", default_value = "benches/GPU.md")]
@@ -156,12 +156,14 @@ enum Task {
         divergence: bool,
         /// Measure every scheduler with a front and without one over sequences instead, on the CPU
         /// and on the GPU if there is one, and write the tables and plots of docs/SCHEDULING.md
-        #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence"], group = "chosen")]
+        #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence"],
+            groups = ["chosen", "by_scenes"])]
         schedulers: bool,
         /// Measure real scenes and how times and memory grow with the input instead, on the CPU and
         /// on the GPU if there is one, and write the tables and plots of docs/PERFORMANCE.md and,
         /// with a GPU, the table of README.md (needs the data)
-        #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence"], group = "chosen")]
+        #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence"],
+            groups = ["chosen", "by_scenes"])]
         growth: bool,
         /// Measure a body that falls on a large level instead, beside parry3d, and print the table
         #[arg(long, conflicts_with_all = ["gpu", "algorithms", "divergence", "chosen"])]
@@ -196,14 +198,14 @@ enum Task {
     },
 }
 
-/// What the reports of schedulers and of growth measure.
+/// What the reports of schedulers and of growth measure; that of the GPU takes scenes alone.
 #[derive(Clone, Debug, clap::Args)]
 struct ChoiceOptions {
     /// Numbers of threads; --schedulers: 1 and 2; --growth, which takes the largest: all
     #[arg(long, requires = "chosen", value_delimiter = ',')]
     threads: Vec<usize>,
     /// Only scenes whose name contains one of these
-    #[arg(long, value_delimiter = ',')]
+    #[arg(long, requires = "by_scenes", value_delimiter = ',')]
     scenes: Vec<String>,
     /// Few steps of the smaller scenes, few sizes
     #[arg(long, requires = "chosen")]

@@ -2,7 +2,7 @@
 //!
 //! Twin: none; on a GPU a sort of keys, as any other.
 
-use crate::broad_phase::hilbert_code::hilbert63;
+use crate::broad_phase::hilbert_code::{BITS, hilbert_code};
 use crate::broad_phase::marks::Marks;
 use crate::simd::WIDTH;
 use crate::sort::RadixSort;
@@ -11,8 +11,6 @@ use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::morton_key::{self, Curve};
 use ccd_core::math::morton::MortonGrid;
 
-/// Bits per axis of the codes.
-const BITS: u32 = 21;
 /// Boxes that a task merges.
 const CHUNK: usize = 2048;
 
@@ -60,11 +58,13 @@ impl CurveOrder {
         order: &mut Vec<u32>,
     ) -> MortonGrid {
         let grid = self.grid(threads, boxes);
-        let is_hilbert = self.curve == Curve::Hilbert;
-        let code = |i: usize| {
-            let [low, high] = morton_key::morton(i, boxes, &grid);
-            let code = (high as u64) << 32 | low as u64;
-            if is_hilbert { hilbert63(code) } else { code }
+        let curve = self.curve;
+        let code = |i: usize| match curve {
+            Curve::Hilbert => hilbert_code(&boxes[i], &grid),
+            Curve::Morton => {
+                let [low, high] = morton_key::morton(i, boxes, &grid);
+                (high as u64) << 32 | low as u64
+            }
         };
         let Marks { fixed, world, world_bits: bits, kept, .. } = *marks;
         let is_fixed = |i: usize| fixed.is_some_and(|fixed| fixed(i)) as u64;

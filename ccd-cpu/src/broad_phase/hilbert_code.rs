@@ -3,8 +3,14 @@
 //! Twin: on a GPU `hilbert_cell` of the core's `math/hilbert.rs`, level by level: the same codes,
 //! without a table.
 
-/// What a level does to those below it: the axis that each of three coordinates is of, and whether
-/// it is inverted; as a number below 48.
+use ccd_core::Aabb;
+use ccd_core::math::morton::{MortonGrid, morton63};
+
+/// Bits an axis of a code.
+pub const BITS: u32 = 21;
+
+/// How what is below an octant is turned: from which axis each of the three coordinates is taken,
+/// and whether it is inverted; as a number below 48.
 #[derive(Clone, Copy)]
 struct Turn {
     axes: [u8; 3],
@@ -13,8 +19,7 @@ struct Turn {
 
 const TURNS: usize = 48;
 
-/// By turn and octant: the octant as it appears, three bits, and above them the turn of the levels
-/// below.
+/// By turn and octant: the turned octant, three bits, and above them the turn of what is below it.
 static TABLE: [[u16; 8]; TURNS] = table();
 
 /// The bits of the three coordinates in a code.
@@ -22,11 +27,18 @@ const X: u64 = 0x4924_9249_2492_4924;
 const Y: u64 = X >> 1;
 const Z: u64 = X >> 2;
 
-/// The Hilbert code of the cell with this Morton code of 63 bits.
+/// The Hilbert code of the cell of a box's centre, on a grid of [`BITS`] an axis.
 #[inline]
-pub fn hilbert63(morton: u64) -> u64 {
+pub fn hilbert_code(aabb: &Aabb, grid: &MortonGrid) -> u64 {
+    let [low, high] = morton63(grid.cell(aabb));
+    hilbert63((high as u64) << 32 | low as u64)
+}
+
+/// The Hilbert code of the cell with this Morton code.
+#[inline]
+fn hilbert63(morton: u64) -> u64 {
     let (mut turn, mut code) = (0, 0);
-    for level in (0..21).rev() {
+    for level in (0..BITS).rev() {
         let found = TABLE[turn][(morton >> (3 * level)) as usize & 7] as usize;
         code = code << 3 | (found & 7) as u64;
         turn = found >> 3;
@@ -60,7 +72,7 @@ impl Turn {
         8 * rank + 4 * x as usize + 2 * y as usize + z as usize
     }
 
-    /// An octant (the bits of x, y and z) as it appears, and the turn of the levels below it; see
+    /// An octant (the bits of x, y and z) turned, and the turn of what is below it; see
     /// `hilbert_cell`.
     const fn level(mut self, octant: usize) -> (usize, Self) {
         let mut bits = [false; 3];
@@ -90,8 +102,8 @@ const fn table() -> [[u16; 8]; TURNS] {
     while turn < TURNS {
         let mut octant = 0;
         while octant < 8 {
-            let (appears, below) = Turn::of(turn).level(octant);
-            out[turn][octant] = (below.number() << 3 | appears) as u16;
+            let (turned, below) = Turn::of(turn).level(octant);
+            out[turn][octant] = (below.number() << 3 | turned) as u16;
             octant += 1;
         }
         turn += 1;
@@ -104,7 +116,6 @@ mod tests {
     use super::*;
     use crate::broad_phase::tests::random;
     use ccd_core::math::hilbert::hilbert_cell;
-    use ccd_core::math::morton::morton63;
 
     #[test]
     fn codes_are_those_of_the_core() {
@@ -116,7 +127,7 @@ mod tests {
         for i in 0..20_000 {
             // Of all sizes.
             let cell = [(); 3].map(|()| (unit() * 2_097_152.0) as u32 >> (i % 21));
-            assert_eq!(hilbert63(code(cell)), code(hilbert_cell(cell, 21)), "{cell:?}");
+            assert_eq!(hilbert63(code(cell)), code(hilbert_cell(cell, BITS)), "{cell:?}");
         }
     }
 

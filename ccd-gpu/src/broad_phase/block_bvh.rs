@@ -219,7 +219,7 @@ impl Tree {
         }
     }
 
-    /// Sorts all boxes by set, by world, and along the curve. Of the bounds of all boxes,
+    /// Sorts all boxes by set, by world, and along the tree's curve. Of the bounds of all boxes,
     /// those of the first `n_bounding` are enough.
     pub fn sort(&self, recorder: &mut Recorder, frame: &Frame, n_bounding: u32) {
         let (boxes, bounds, n) = (&self.boxes, &self.bounds, frame.start[3]);
@@ -228,13 +228,11 @@ impl Tree {
             worlds.keys(recorder, frame, boxes, n_bounding, [keys, order]);
         } else {
             let dispatch = Dispatch { n: n_bounding, ..Dispatch::default() };
-            let p = Params { frame: *frame, dispatch, args: Plain::default() };
+            let flag = if self.curve == Curve::Hilbert { Frame::FLAG_HILBERT } else { 0 };
+            let frame = Frame { flags: frame.flags | flag, ..*frame };
+            let p = Params { frame, dispatch, args: Plain::default() };
             let groups = n_bounding.div_ceil(Id::SceneBounds.threads() * morton_key::CHUNK as u32);
             recorder.dispatch(&SceneBounds { boxes, bounds }, &p, groups);
-            let mut p = p;
-            if self.curve == Curve::Hilbert {
-                p.frame.flags |= Frame::FLAG_HILBERT;
-            }
             recorder.each(&CurveKeys { boxes, bounds, keys, order }, &p, n);
         }
         recorder.stage("sort");

@@ -1,12 +1,12 @@
 //! Trees of bodies that move rigidly, from positions before any pose.
 
 use super::body::Body;
-use crate::broad_phase::hilbert_code::hilbert63;
+use crate::broad_phase::hilbert_code::{BITS, hilbert_code};
 use crate::simd::WIDTH;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::backend::rules::Rules;
-use ccd_core::math::morton::{MortonGrid, morton63};
+use ccd_core::math::morton::MortonGrid;
 use ccd_core::model::codimensional::edges_of_no_face;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::precision::Coordinate;
@@ -14,15 +14,12 @@ use std::ops::Range;
 
 /// Vertices of a clump: four blocks of them, some twelve of edges and eight of faces.
 const CLUMP: usize = 32;
-/// Bits per axis of codes.
-const BITS: u32 = 21;
 /// No clump.
 const NONE: u32 = u32::MAX;
 
 /// The upper 30 bits of the Hilbert code of a box's centre.
 fn code_of(aabb: &Aabb, grid: &MortonGrid) -> u32 {
-    let [low, high] = morton63(grid.cell(aabb));
-    (hilbert63((high as u64) << 32 | low as u64) >> 33) as u32
+    (hilbert_code(aabb, grid) >> 33) as u32
 }
 
 /// The trees of some bodies, and the order of their features' leaves.
