@@ -330,7 +330,7 @@ impl Recorder<'_> {
         // Before anything is encoded, so that the encoder is a caller's as it was if one fails.
         let groups = bench.bind_groups(&commands)?;
         let mut encoding = Encoding::new(bench, groups, encoder);
-        commands.into_iter().for_each(|command| encoding.encode(command));
+        encoding.encode(&commands);
         Ok(encoding.finish())
     }
 }

@@ -1,7 +1,8 @@
 //! Recorded commands on their way into an encoder of wgpu: passes, bind groups, timestamps.
 
 use super::{Bench, Command, MAX_STAGES, PARAMS_STRIDE, Timing};
-use ccd_core::backend::kernel::Id;
+use ccd_core::backend::kernel::{Access, Id};
+use std::iter::empty;
 use std::vec;
 
 /// Commands on their way into an encoder.
@@ -32,6 +33,31 @@ struct Run {
     groups: u32,
 }
 
+/// The kernels that commands begin with of which none writes what another reads or writes.
+fn independent(commands: &[Command]) -> &[Command] {
+    let is_kernel = |command: &&Command| matches!(command, Command::Run { .. });
+    let n = commands.iter().take_while(is_kernel).count();
+    let meets = |b: &Command, a: &Command| {
+        let of_both = [(a, b), (b, a)];
+        of_both.into_iter().any(|(a, b)| {
+            let mut written = uses(a, Access::Write);
+            let used = || uses(b, Access::Read).chain(uses(b, Access::Write));
+            written.any(|written| used().any(|used| used == written))
+        })
+    };
+    let end = (1..n).find(|&i| commands[..i].iter().any(|before| meets(&commands[i], before)));
+    &commands[..end.unwrap_or(n)]
+}
+
+/// The buffers that a kernel only reads, or writes.
+fn uses(command: &Command, access: Access) -> impl Iterator<Item = &wgpu::Buffer> {
+    let (id, buffers) = match command {
+        Command::Run { id, buffers, .. } => (id.row().buffers, &buffers[..]),
+        _ => (&[][..], &[][..]),
+    };
+    id.iter().zip(buffers).filter(move |((_, used), _)| *used == access).map(|(_, buffer)| buffer)
+}
+
 impl<'a> Encoding<'a> {
     /// `groups`: of the kernels that will be encoded, in their order.
     pub fn new(
@@ -45,20 +71,43 @@ impl<'a> Encoding<'a> {
         Self { bench, groups, encoder, pass, stages, next_stage, offset, done, ended }
     }
 
-    /// Encodes a command.
-    pub fn encode(&mut self, command: Command) {
-        match command {
+    /// Encodes commands.
+    pub fn encode(&mut self, commands: &[Command]) {
+        let mut next_group = 0;
+        for (at, command) in commands.iter().enumerate() {
+            if at == next_group {
+                let group = independent(&commands[at..]);
+                self.wait_for_inputs(group);
+                next_group = at + group.len().max(1);
+            }
+            self.encode_one(command);
+        }
+    }
+
+    /// Has a device wait once for all that a group of kernels reads. Otherwise each of them waits
+    /// for what it reads, and by that for the kernels of the group before it.
+    fn wait_for_inputs(&mut self, group: &[Command]) {
+        if let (Some(pass), [_, _, ..]) = (&mut self.pass, group) {
+            let state = wgpu::BufferUses::STORAGE_READ_ONLY;
+            let read = group.iter().flat_map(|command| uses(command, Access::Read));
+            let states = read.map(|buffer| wgpu::BufferTransition { buffer, state });
+            pass.transition_resources(states, empty());
+        }
+    }
+
+    fn encode_one(&mut self, command: &Command) {
+        match *command {
             Command::Stage(name) => {
                 if self.stages.len() < MAX_STAGES as usize {
                     self.next_stage = Some(name);
                 }
             }
             Command::EndOfWork => self.end_of_work(),
-            Command::Clear { buffer, bytes } => {
+            Command::Clear { ref buffer, bytes } => {
                 self.pass = None;
-                self.encoder.clear_buffer(&buffer, 0, Some(bytes));
+                self.encoder.clear_buffer(buffer, 0, Some(bytes));
             }
-            Command::Copy { from, to, bytes } => {
+            Command::Copy { ref from, ref to, bytes } => {
                 self.pass = None;
                 self.encoder.copy_buffer_to_buffer(&from.0, from.1, &to.0, to.1, bytes);
             }
