@@ -55,33 +55,25 @@ struct type_21 {
 }
 
 struct type_23 {
-    member: array<array<u32, 2>>,
-}
-
-struct type_25 {
     member: u32,
 }
 
-struct type_26 {
+struct type_24 {
     member: type_7,
     member_1: type_8,
-    member_2: type_25,
+    member_2: type_23,
 }
 
-struct type_27 {
-    member: type_26,
+struct type_25 {
+    member: type_24,
 }
 
-struct type_28 {
+struct type_26 {
     member: u32,
     member_1: array<u32, 4>,
 }
 
-struct type_30 {
-    member: array<array<u32, 3>>,
-}
-
-struct type_31 {
+struct type_27 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -90,11 +82,11 @@ struct type_31 {
     member_5: array<u32, 4>,
 }
 
-struct type_33 {
-    member: array<type_31>,
+struct type_29 {
+    member: array<type_27>,
 }
 
-struct type_35 {
+struct type_31 {
     member: array<f64, 3>,
     member_1: array<f64, 3>,
     member_2: array<f64, 3>,
@@ -104,23 +96,23 @@ struct type_35 {
     member_6: f64,
 }
 
-struct type_40 {
+struct type_36 {
     member: array<array<f64, 3>>,
 }
 
-struct type_41 {
+struct type_37 {
     member: array<array<f64, 3>, 4>,
     member_1: array<array<f64, 3>, 4>,
 }
 
-struct type_43 {
+struct type_39 {
     member: array<array<f64, 3>, 2>,
     member_1: array<array<f64, 3>, 2>,
     member_2: array<array<f64, 3>, 2>,
     member_3: f64,
 }
 
-struct type_44 {
+struct type_40 {
     member: f64,
     member_1: f64,
     member_2: array<f64, 3>,
@@ -130,40 +122,38 @@ struct type_44 {
 @group(0) @binding(1) 
 var<storage> paths: type_21;
 @group(0) @binding(0) 
-var<storage> params: type_27;
+var<storage> params: type_25;
 @group(0) @binding(3) 
-var<storage> edges: type_23;
-@group(0) @binding(4) 
-var<storage> faces: type_30;
+var<storage> elements: type_11;
 @group(0) @binding(2) 
-var<storage> positions: type_40;
-@group(0) @binding(5) 
+var<storage> positions: type_36;
+@group(0) @binding(4) 
 var<storage> contacts: type_11;
-@group(0) @binding(6) 
-var<storage, read_write> geometry: type_33;
+@group(0) @binding(5) 
+var<storage, read_write> geometry: type_29;
 
 fn function_(param: array<f64, 3>) -> array<f32, 3> {
     return array<f32, 3>(f32(param[0]), f32(param[1]), f32(param[2]));
 }
 
 fn function_1(param_1: array<f64, 4>, param_2: u32) -> array<f64, 4> {
-    var phi_4733_: array<f64, 4>;
+    var phi_4765_: array<f64, 4>;
 
     switch bitcast<i32>(param_2) {
         case 0: {
-            phi_4733_ = param_1;
+            phi_4765_ = param_1;
             break;
         }
         case 1: {
-            phi_4733_ = array<f64, 4>(param_1[0], param_1[3], param_1[1], param_1[2]);
+            phi_4765_ = array<f64, 4>(param_1[0], param_1[3], param_1[1], param_1[2]);
             break;
         }
         default: {
-            phi_4733_ = array<f64, 4>(param_1[0], param_1[2], param_1[3], param_1[1]);
+            phi_4765_ = array<f64, 4>(param_1[0], param_1[2], param_1[3], param_1[1]);
             break;
         }
     }
-    let _e14 = phi_4733_;
+    let _e14 = phi_4765_;
     return _e14;
 }
 
@@ -171,15 +161,15 @@ fn function_2(param_3: array<array<f64, 3>, 2>) -> array<f64, 3> {
     return array<f64, 3>((param_3[1][0] - param_3[0][0]), (param_3[1][1] - param_3[0][1]), (param_3[1][2] - param_3[0][2]));
 }
 
-fn function_3(param_4: type_44, param_5: type_44) -> type_44 {
-    var phi_4701_: type_44;
+fn function_3(param_4: type_40, param_5: type_40) -> type_40 {
+    var phi_4733_: type_40;
 
     if (param_5.member_3 < param_4.member_3) {
-        phi_4701_ = param_5;
+        phi_4733_ = param_5;
     } else {
-        phi_4701_ = param_4;
+        phi_4733_ = param_4;
     }
-    let _e6 = phi_4701_;
+    let _e6 = phi_4733_;
     return _e6;
 }
 
@@ -189,7 +179,7 @@ fn function_4(param_6: f64, param_7: f64) -> f64 {
     return select(_e3, select(_e3, _e6, (_e6 > _e3)), (param_6 > _e3));
 }
 
-fn function_5(param_8: ptr<function, type_35>, param_9: f64, param_10: f64) -> f64 {
+fn function_5(param_8: ptr<function, type_31>, param_9: f64, param_10: f64) -> f64 {
     let _e4 = (*param_8).member;
     let _e9 = (*param_8).member_2;
     let _e20 = (*param_8).member_1;
@@ -199,17 +189,17 @@ fn function_5(param_8: ptr<function, type_35>, param_9: f64, param_10: f64) -> f
     return _e45;
 }
 
-fn function_6(param_11: ptr<function, type_35>, param_12: f64, param_13: f64) -> type_44 {
+fn function_6(param_11: ptr<function, type_31>, param_12: f64, param_13: f64) -> type_40 {
     let _e4 = (*param_11).member;
     let _e9 = (*param_11).member_1;
     let _e20 = (*param_11).member_2;
     let _e27 = ((_e4[0] - (_e9[0] * param_12)) - (_e20[0] * param_13));
     let _e28 = ((_e4[1] - (_e9[1] * param_12)) - (_e20[1] * param_13));
     let _e29 = ((_e4[2] - (_e9[2] * param_12)) - (_e20[2] * param_13));
-    return type_44(param_12, param_13, array<f64, 3>(_e27, _e28, _e29), (((_e27 * _e27) + (_e28 * _e28)) + (_e29 * _e29)));
+    return type_40(param_12, param_13, array<f64, 3>(_e27, _e28, _e29), (((_e27 * _e27) + (_e28 * _e28)) + (_e29 * _e29)));
 }
 
-fn function_7(param_14: ptr<function, type_35>, param_15: f64, param_16: f64) -> f64 {
+fn function_7(param_14: ptr<function, type_31>, param_15: f64, param_16: f64) -> f64 {
     let _e4 = (*param_14).member;
     let _e9 = (*param_14).member_1;
     let _e20 = (*param_14).member_2;
@@ -219,23 +209,23 @@ fn function_7(param_14: ptr<function, type_35>, param_15: f64, param_16: f64) ->
     return _e45;
 }
 
-fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
-    var phi_4418_: type_44;
-    var phi_4419_: bool;
-    var phi_4420_: type_44;
-    var phi_4421_: bool;
-    var phi_4302_: type_44;
-    var phi_4303_: bool;
-    var phi_4304_: type_44;
-    var phi_4305_: bool;
-    var phi_4306_: type_44;
-    var phi_4307_: bool;
-    var phi_4425_: type_44;
-    var phi_4426_: bool;
-    var phi_4501_: type_44;
-    var phi_4502_: type_44;
-    var phi_4503_: bool;
-    var phi_4507_: type_44;
+fn function_8(param_17: ptr<function, type_31>, param_18: u32) -> type_40 {
+    var phi_4450_: type_40;
+    var phi_4451_: bool;
+    var phi_4452_: type_40;
+    var phi_4453_: bool;
+    var phi_4334_: type_40;
+    var phi_4335_: bool;
+    var phi_4336_: type_40;
+    var phi_4337_: bool;
+    var phi_4338_: type_40;
+    var phi_4339_: bool;
+    var phi_4457_: type_40;
+    var phi_4458_: bool;
+    var phi_4533_: type_40;
+    var phi_4534_: type_40;
+    var phi_4535_: bool;
+    var phi_4539_: type_40;
 
     let _e9 = f64(0f);
     let _e10 = f64(1f);
@@ -259,36 +249,36 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
                     let _e175 = function_7(param_17, _e134, select(_e10, (_e10 - _e134), _e11));
                     let _e178 = function_5(param_17, _e175, select(_e10, (_e10 - _e175), _e11));
                     let _e179 = function_6(param_17, _e178, _e175);
-                    phi_4302_ = _e179;
-                    phi_4303_ = false;
+                    phi_4334_ = _e179;
+                    phi_4335_ = false;
                 } else {
-                    phi_4302_ = type_44();
-                    phi_4303_ = true;
+                    phi_4334_ = type_40();
+                    phi_4335_ = true;
                 }
-                let _e181 = phi_4302_;
-                let _e183 = phi_4303_;
-                phi_4304_ = _e181;
-                phi_4305_ = _e183;
+                let _e181 = phi_4334_;
+                let _e183 = phi_4335_;
+                phi_4336_ = _e181;
+                phi_4337_ = _e183;
             } else {
-                phi_4304_ = type_44();
-                phi_4305_ = true;
+                phi_4336_ = type_40();
+                phi_4337_ = true;
             }
-            let _e185 = phi_4304_;
-            let _e187 = phi_4305_;
-            phi_4306_ = _e185;
-            phi_4307_ = _e187;
+            let _e185 = phi_4336_;
+            let _e187 = phi_4337_;
+            phi_4338_ = _e185;
+            phi_4339_ = _e187;
         } else {
-            phi_4306_ = type_44();
-            phi_4307_ = true;
+            phi_4338_ = type_40();
+            phi_4339_ = true;
         }
-        let _e189 = phi_4306_;
-        let _e191 = phi_4307_;
-        phi_4425_ = _e189;
-        phi_4426_ = _e191;
+        let _e189 = phi_4338_;
+        let _e191 = phi_4339_;
+        phi_4457_ = _e189;
+        phi_4458_ = _e191;
     } else {
         if _e11 {
-            phi_4420_ = type_44();
-            phi_4421_ = true;
+            phi_4452_ = type_40();
+            phi_4453_ = true;
         } else {
             let _e16 = (*param_17).member;
             let _e21 = (*param_17).member_1;
@@ -306,24 +296,24 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
                 let _e79 = ((_e71 + _e75) * f64(0.5f));
                 let _e80 = function_7(param_17, _e79, _e10);
                 let _e81 = function_6(param_17, _e79, _e80);
-                phi_4418_ = _e81;
-                phi_4419_ = false;
+                phi_4450_ = _e81;
+                phi_4451_ = false;
             } else {
-                phi_4418_ = type_44();
-                phi_4419_ = true;
+                phi_4450_ = type_40();
+                phi_4451_ = true;
             }
-            let _e83 = phi_4418_;
-            let _e85 = phi_4419_;
-            phi_4420_ = _e83;
-            phi_4421_ = _e85;
+            let _e83 = phi_4450_;
+            let _e85 = phi_4451_;
+            phi_4452_ = _e83;
+            phi_4453_ = _e85;
         }
-        let _e87 = phi_4420_;
-        let _e89 = phi_4421_;
-        phi_4425_ = _e87;
-        phi_4426_ = _e89;
+        let _e87 = phi_4452_;
+        let _e89 = phi_4453_;
+        phi_4457_ = _e87;
+        phi_4458_ = _e89;
     }
-    let _e193 = phi_4425_;
-    let _e195 = phi_4426_;
+    let _e193 = phi_4457_;
+    let _e195 = phi_4458_;
     if _e195 {
         let _e196 = function_5(param_17, _e9, _e10);
         let _e197 = function_6(param_17, _e196, _e9);
@@ -341,7 +331,7 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
             let _e244 = function_4((((((_e221[0] - _e226[0]) * _e217) + ((_e221[1] - _e226[1]) * _e218)) + ((_e221[2] - _e226[2]) * _e219)) / (((_e217 * _e217) + (_e218 * _e218)) + (_e219 * _e219))), _e10);
             let _e246 = function_6(param_17, (_e10 - _e244), _e244);
             let _e247 = function_3(_e200, _e246);
-            phi_4501_ = _e247;
+            phi_4533_ = _e247;
         } else {
             let _e201 = function_7(param_17, _e10, _e10);
             let _e202 = function_6(param_17, _e10, _e201);
@@ -349,43 +339,43 @@ fn function_8(param_17: ptr<function, type_35>, param_18: u32) -> type_44 {
             let _e204 = function_6(param_17, _e203, _e10);
             let _e205 = function_3(_e202, _e204);
             let _e206 = function_3(_e200, _e205);
-            phi_4501_ = _e206;
+            phi_4533_ = _e206;
         }
-        let _e249 = phi_4501_;
-        phi_4502_ = _e249;
-        phi_4503_ = false;
+        let _e249 = phi_4533_;
+        phi_4534_ = _e249;
+        phi_4535_ = false;
     } else {
-        phi_4502_ = type_44();
-        phi_4503_ = true;
+        phi_4534_ = type_40();
+        phi_4535_ = true;
     }
-    let _e251 = phi_4502_;
-    let _e253 = phi_4503_;
+    let _e251 = phi_4534_;
+    let _e253 = phi_4535_;
     if _e253 {
-        phi_4507_ = _e193;
+        phi_4539_ = _e193;
     } else {
-        phi_4507_ = _e251;
+        phi_4539_ = _e251;
     }
-    let _e255 = phi_4507_;
+    let _e255 = phi_4539_;
     return _e255;
 }
 
 fn function_9(param_19: f64) -> f64 {
-    var phi_4132_: f64;
-    var phi_4134_: f64;
+    var phi_4164_: f64;
+    var phi_4166_: f64;
 
     if ((bitcast<u64>(param_19) & 9218868437227405312lu) != 9218868437227405312lu) {
         if (param_19 >= 2.2250738585072014e-308lf) {
             let _e15 = (9214364837600034816lu - (bitcast<u64>(param_19) & 9218868437227405312lu));
-            phi_4132_ = bitcast<f64>(select(4503599627370496lu, _e15, (_e15 > 4503599627370496lu)));
+            phi_4164_ = bitcast<f64>(select(4503599627370496lu, _e15, (_e15 > 4503599627370496lu)));
         } else {
-            phi_4132_ = (f64(1f) / 2.2250738585072014e-308lf);
+            phi_4164_ = (f64(1f) / 2.2250738585072014e-308lf);
         }
-        let _e20 = phi_4132_;
-        phi_4134_ = _e20;
+        let _e20 = phi_4164_;
+        phi_4166_ = _e20;
     } else {
-        phi_4134_ = f64(1f);
+        phi_4166_ = f64(1f);
     }
-    let _e22 = phi_4134_;
+    let _e22 = phi_4166_;
     return _e22;
 }
 
@@ -395,12 +385,12 @@ fn function_10(param_20: array<f64, 3>, param_21: array<f64, 3>, param_22: f64) 
 }
 
 fn function_11(param_23: ptr<function, array<array<f64, 3>, 4>>, param_24: u32) -> array<array<f64, 3>, 4> {
-    var phi_4105_: array<array<f64, 3>, 4>;
+    var phi_4137_: array<array<f64, 3>, 4>;
 
     switch bitcast<i32>(param_24) {
         case 0: {
             let _e32 = (*param_23);
-            phi_4105_ = array<array<f64, 3>, 4>(array<f64, 3>(_e32[0][0], _e32[0][1], _e32[0][2]), array<f64, 3>(_e32[1][0], _e32[1][1], _e32[1][2]), array<f64, 3>(_e32[2][0], _e32[2][1], _e32[2][2]), array<f64, 3>(_e32[3][0], _e32[3][1], _e32[3][2]));
+            phi_4137_ = array<array<f64, 3>, 4>(array<f64, 3>(_e32[0][0], _e32[0][1], _e32[0][2]), array<f64, 3>(_e32[1][0], _e32[1][1], _e32[1][2]), array<f64, 3>(_e32[2][0], _e32[2][1], _e32[2][2]), array<f64, 3>(_e32[3][0], _e32[3][1], _e32[3][2]));
             break;
         }
         case 1: {
@@ -408,7 +398,7 @@ fn function_11(param_23: ptr<function, array<array<f64, 3>, 4>>, param_24: u32) 
             let _e14 = (*param_23)[2u];
             let _e20 = (*param_23)[3u];
             let _e26 = (*param_23)[1u];
-            phi_4105_ = array<array<f64, 3>, 4>(array<f64, 3>(_e8[0], _e8[1], _e8[2]), array<f64, 3>(_e14[0], _e14[1], _e14[2]), array<f64, 3>(_e20[0], _e20[1], _e20[2]), array<f64, 3>(_e26[0], _e26[1], _e26[2]));
+            phi_4137_ = array<array<f64, 3>, 4>(array<f64, 3>(_e8[0], _e8[1], _e8[2]), array<f64, 3>(_e14[0], _e14[1], _e14[2]), array<f64, 3>(_e20[0], _e20[1], _e20[2]), array<f64, 3>(_e26[0], _e26[1], _e26[2]));
             break;
         }
         default: {
@@ -416,11 +406,11 @@ fn function_11(param_23: ptr<function, array<array<f64, 3>, 4>>, param_24: u32) 
             let _e61 = (*param_23)[3u];
             let _e67 = (*param_23)[1u];
             let _e73 = (*param_23)[2u];
-            phi_4105_ = array<array<f64, 3>, 4>(array<f64, 3>(_e55[0], _e55[1], _e55[2]), array<f64, 3>(_e61[0], _e61[1], _e61[2]), array<f64, 3>(_e67[0], _e67[1], _e67[2]), array<f64, 3>(_e73[0], _e73[1], _e73[2]));
+            phi_4137_ = array<array<f64, 3>, 4>(array<f64, 3>(_e55[0], _e55[1], _e55[2]), array<f64, 3>(_e61[0], _e61[1], _e61[2]), array<f64, 3>(_e67[0], _e67[1], _e67[2]), array<f64, 3>(_e73[0], _e73[1], _e73[2]));
             break;
         }
     }
-    let _e80 = phi_4105_;
+    let _e80 = phi_4137_;
     return _e80;
 }
 
@@ -447,9 +437,9 @@ fn function_12(param_25: ptr<function, array<array<f64, 3>, 4>>, param_26: ptr<f
 }
 
 fn function_13(param_28: array<f32, 3>) -> array<f64, 3> {
-    var phi_3670_: f64;
-    var phi_3713_: f64;
-    var phi_3756_: f64;
+    var phi_3702_: f64;
+    var phi_3745_: f64;
+    var phi_3788_: f64;
 
     let _e10 = bitcast<u32>(param_28[0]);
     let _e11 = (_e10 & 2147483647u);
@@ -457,165 +447,165 @@ fn function_13(param_28: array<f32, 3>) -> array<f64, 3> {
         let _e20 = bitcast<u32>(param_28[0]);
         let _e21 = (_e20 & 2147483647u);
         let _e22 = (_e21 < 8388608u);
-        phi_3670_ = bitcast<f64>(((u64(select(((_e20 ^ _e21) | ((_e21 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e22)) * 4294967296lu) + u64(select((_e20 << bitcast<u32>(29i)), 0u, _e22))));
+        phi_3702_ = bitcast<f64>(((u64(select(((_e20 ^ _e21) | ((_e21 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e22)) * 4294967296lu) + u64(select((_e20 << bitcast<u32>(29i)), 0u, _e22))));
     } else {
-        phi_3670_ = select(-((f64(_e11) * 1.401298464324817e-45lf)), (f64(_e11) * 1.401298464324817e-45lf), (_e10 == _e11));
+        phi_3702_ = select(-((f64(_e11) * 1.401298464324817e-45lf)), (f64(_e11) * 1.401298464324817e-45lf), (_e10 == _e11));
     }
-    let _e38 = phi_3670_;
+    let _e38 = phi_3702_;
     let _e40 = bitcast<u32>(param_28[1]);
     let _e41 = (_e40 & 2147483647u);
     if (_e41 >= 8388608u) {
         let _e50 = bitcast<u32>(param_28[1]);
         let _e51 = (_e50 & 2147483647u);
         let _e52 = (_e51 < 8388608u);
-        phi_3713_ = bitcast<f64>(((u64(select(((_e50 ^ _e51) | ((_e51 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e52)) * 4294967296lu) + u64(select((_e50 << bitcast<u32>(29i)), 0u, _e52))));
+        phi_3745_ = bitcast<f64>(((u64(select(((_e50 ^ _e51) | ((_e51 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e52)) * 4294967296lu) + u64(select((_e50 << bitcast<u32>(29i)), 0u, _e52))));
     } else {
-        phi_3713_ = select(-((f64(_e41) * 1.401298464324817e-45lf)), (f64(_e41) * 1.401298464324817e-45lf), (_e40 == _e41));
+        phi_3745_ = select(-((f64(_e41) * 1.401298464324817e-45lf)), (f64(_e41) * 1.401298464324817e-45lf), (_e40 == _e41));
     }
-    let _e68 = phi_3713_;
+    let _e68 = phi_3745_;
     let _e70 = bitcast<u32>(param_28[2]);
     let _e71 = (_e70 & 2147483647u);
     if (_e71 >= 8388608u) {
         let _e80 = bitcast<u32>(param_28[2]);
         let _e81 = (_e80 & 2147483647u);
         let _e82 = (_e81 < 8388608u);
-        phi_3756_ = bitcast<f64>(((u64(select(((_e80 ^ _e81) | ((_e81 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e82)) * 4294967296lu) + u64(select((_e80 << bitcast<u32>(29i)), 0u, _e82))));
+        phi_3788_ = bitcast<f64>(((u64(select(((_e80 ^ _e81) | ((_e81 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e82)) * 4294967296lu) + u64(select((_e80 << bitcast<u32>(29i)), 0u, _e82))));
     } else {
-        phi_3756_ = select(-((f64(_e71) * 1.401298464324817e-45lf)), (f64(_e71) * 1.401298464324817e-45lf), (_e70 == _e71));
+        phi_3788_ = select(-((f64(_e71) * 1.401298464324817e-45lf)), (f64(_e71) * 1.401298464324817e-45lf), (_e70 == _e71));
     }
-    let _e98 = phi_3756_;
+    let _e98 = phi_3788_;
     return array<f64, 3>(_e38, _e68, _e98);
 }
 
 fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_35;
+    var local: type_31;
     var local_1: array<array<f64, 3>, 4>;
     var local_2: array<array<f64, 3>, 4>;
-    var phi_216_: u32;
-    var phi_261_: u32;
-    var phi_264_: type_9;
-    var phi_431_: type_28;
-    var phi_636_: type_41;
-    var phi_693_: u32;
-    var phi_854_: type_43;
-    var phi_1312_: type_16;
-    var phi_1315_: f64;
-    var phi_1313_: type_16;
-    var phi_1356_: type_17;
-    var phi_1316_: f64;
+    var phi_203_: u32;
+    var phi_248_: u32;
+    var phi_251_: type_9;
+    var phi_463_: type_26;
+    var phi_668_: type_37;
+    var phi_725_: u32;
+    var phi_886_: type_39;
+    var phi_1344_: type_16;
+    var phi_1347_: f64;
+    var phi_1345_: type_16;
+    var phi_1388_: type_17;
+    var phi_1348_: f64;
     var local_3: f64;
-    var phi_1369_: f64;
-    var phi_1379_: f64;
-    var phi_1435_: type_16;
-    var phi_1438_: f64;
-    var phi_1436_: type_16;
-    var phi_1479_: type_17;
-    var phi_1439_: f64;
+    var phi_1401_: f64;
+    var phi_1411_: f64;
+    var phi_1467_: type_16;
+    var phi_1470_: f64;
+    var phi_1468_: type_16;
+    var phi_1511_: type_17;
+    var phi_1471_: f64;
     var local_4: f64;
-    var phi_1492_: f64;
-    var phi_1502_: f64;
-    var phi_2207_: type_16;
-    var phi_2210_: f64;
-    var phi_2208_: type_16;
-    var phi_2251_: type_17;
-    var phi_2211_: f64;
+    var phi_1524_: f64;
+    var phi_1534_: f64;
+    var phi_2239_: type_16;
+    var phi_2242_: f64;
+    var phi_2240_: type_16;
+    var phi_2283_: type_17;
+    var phi_2243_: f64;
     var local_5: f64;
-    var phi_2264_: f64;
-    var phi_2334_: array<f64, 3>;
-    var phi_2335_: bool;
-    var phi_2336_: array<f64, 3>;
-    var phi_2337_: bool;
-    var phi_2383_: array<f64, 3>;
-    var phi_2384_: bool;
-    var phi_2385_: array<f64, 3>;
-    var phi_2386_: bool;
-    var phi_2387_: array<f64, 3>;
-    var phi_2388_: bool;
-    var phi_2477_: bool;
-    var phi_2487_: array<f64, 3>;
-    var phi_2488_: bool;
-    var phi_2489_: array<f64, 3>;
-    var phi_2490_: bool;
-    var phi_2504_: array<f64, 3>;
-    var phi_2505_: array<f64, 3>;
-    var phi_2506_: array<f64, 3>;
-    var phi_2646_: type_16;
-    var phi_2649_: f64;
-    var phi_2647_: type_16;
-    var phi_2690_: type_17;
-    var phi_2650_: f64;
+    var phi_2296_: f64;
+    var phi_2366_: array<f64, 3>;
+    var phi_2367_: bool;
+    var phi_2368_: array<f64, 3>;
+    var phi_2369_: bool;
+    var phi_2415_: array<f64, 3>;
+    var phi_2416_: bool;
+    var phi_2417_: array<f64, 3>;
+    var phi_2418_: bool;
+    var phi_2419_: array<f64, 3>;
+    var phi_2420_: bool;
+    var phi_2509_: bool;
+    var phi_2519_: array<f64, 3>;
+    var phi_2520_: bool;
+    var phi_2521_: array<f64, 3>;
+    var phi_2522_: bool;
+    var phi_2536_: array<f64, 3>;
+    var phi_2537_: array<f64, 3>;
+    var phi_2538_: array<f64, 3>;
+    var phi_2678_: type_16;
+    var phi_2681_: f64;
+    var phi_2679_: type_16;
+    var phi_2722_: type_17;
+    var phi_2682_: f64;
     var local_6: f64;
-    var phi_2703_: f64;
-    var phi_2732_: array<f64, 3>;
-    var phi_2825_: type_16;
-    var phi_2828_: f64;
-    var phi_2826_: type_16;
-    var phi_2869_: type_17;
-    var phi_2829_: f64;
+    var phi_2735_: f64;
+    var phi_2764_: array<f64, 3>;
+    var phi_2857_: type_16;
+    var phi_2860_: f64;
+    var phi_2858_: type_16;
+    var phi_2901_: type_17;
+    var phi_2861_: f64;
     var local_7: f64;
-    var phi_2882_: f64;
-    var phi_2900_: array<f64, 3>;
-    var phi_2901_: bool;
-    var phi_2902_: array<f64, 3>;
-    var phi_2903_: bool;
-    var phi_3191_: array<f64, 3>;
-    var phi_3192_: bool;
-    var phi_3203_: array<f64, 3>;
-    var phi_3268_: type_16;
-    var phi_3271_: f64;
-    var phi_3269_: type_16;
-    var phi_3312_: type_17;
-    var phi_3272_: f64;
+    var phi_2914_: f64;
+    var phi_2932_: array<f64, 3>;
+    var phi_2933_: bool;
+    var phi_2934_: array<f64, 3>;
+    var phi_2935_: bool;
+    var phi_3223_: array<f64, 3>;
+    var phi_3224_: bool;
+    var phi_3235_: array<f64, 3>;
+    var phi_3300_: type_16;
+    var phi_3303_: f64;
+    var phi_3301_: type_16;
+    var phi_3344_: type_17;
+    var phi_3304_: f64;
     var local_8: f64;
-    var phi_3325_: f64;
-    var phi_3415_: type_16;
-    var phi_3418_: f64;
-    var phi_3416_: type_16;
-    var phi_3459_: type_17;
-    var phi_3419_: f64;
+    var phi_3357_: f64;
+    var phi_3447_: type_16;
+    var phi_3450_: f64;
+    var phi_3448_: type_16;
+    var phi_3491_: type_17;
+    var phi_3451_: f64;
     var local_9: f64;
-    var phi_3472_: f64;
-    var phi_3491_: array<f64, 3>;
-    var phi_2968_: type_16;
-    var phi_2971_: f64;
-    var phi_2969_: type_16;
-    var phi_3012_: type_17;
-    var phi_2972_: f64;
-    var local_10: f64;
-    var phi_3025_: f64;
-    var phi_3492_: array<f64, 3>;
-    var phi_3514_: array<f64, 3>;
-    var phi_3515_: bool;
-    var phi_3516_: array<f64, 3>;
-    var phi_3517_: array<f64, 3>;
-    var phi_3518_: bool;
-    var phi_1706_: type_16;
-    var phi_1709_: f64;
-    var phi_1707_: type_16;
-    var phi_1750_: type_17;
-    var phi_1710_: f64;
-    var local_11: f64;
-    var phi_1763_: f64;
-    var phi_1781_: array<f64, 3>;
-    var phi_1782_: bool;
-    var phi_1783_: array<f64, 3>;
-    var phi_1784_: bool;
-    var phi_1785_: array<f64, 3>;
-    var phi_1786_: bool;
-    var phi_1848_: type_16;
-    var phi_1851_: f64;
-    var phi_1849_: type_16;
-    var phi_1892_: type_17;
-    var phi_1852_: f64;
-    var local_12: f64;
-    var phi_1905_: f64;
-    var phi_1923_: array<f64, 3>;
-    var phi_3522_: array<f64, 3>;
+    var phi_3504_: f64;
     var phi_3523_: array<f64, 3>;
-    var phi_3524_: bool;
-    var phi_3605_: array<f64, 3>;
-    var phi_3606_: array<f64, 3>;
-    var phi_3607_: array<f64, 4>;
+    var phi_3000_: type_16;
+    var phi_3003_: f64;
+    var phi_3001_: type_16;
+    var phi_3044_: type_17;
+    var phi_3004_: f64;
+    var local_10: f64;
+    var phi_3057_: f64;
+    var phi_3524_: array<f64, 3>;
+    var phi_3546_: array<f64, 3>;
+    var phi_3547_: bool;
+    var phi_3548_: array<f64, 3>;
+    var phi_3549_: array<f64, 3>;
+    var phi_3550_: bool;
+    var phi_1738_: type_16;
+    var phi_1741_: f64;
+    var phi_1739_: type_16;
+    var phi_1782_: type_17;
+    var phi_1742_: f64;
+    var local_11: f64;
+    var phi_1795_: f64;
+    var phi_1813_: array<f64, 3>;
+    var phi_1814_: bool;
+    var phi_1815_: array<f64, 3>;
+    var phi_1816_: bool;
+    var phi_1817_: array<f64, 3>;
+    var phi_1818_: bool;
+    var phi_1880_: type_16;
+    var phi_1883_: f64;
+    var phi_1881_: type_16;
+    var phi_1924_: type_17;
+    var phi_1884_: f64;
+    var local_12: f64;
+    var phi_1937_: f64;
+    var phi_1955_: array<f64, 3>;
+    var phi_3554_: array<f64, 3>;
+    var phi_3555_: array<f64, 3>;
+    var phi_3556_: bool;
+    var phi_3637_: array<f64, 3>;
+    var phi_3638_: array<f64, 3>;
+    var phi_3639_: array<f64, 4>;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -623,22 +613,22 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e51 = id_2;
-    let _e52 = n_2;
-    let _e53 = lane_2;
-    let _e65 = ((_e51.y * _e52.x) + _e51.x);
-    let _e68 = (_e52.x * _e52.y);
+    let _e52 = id_2;
+    let _e53 = n_2;
+    let _e54 = lane_2;
+    let _e65 = ((_e52.y * _e53.x) + _e52.x);
+    let _e68 = (_e53.x * _e53.y);
     let _e71 = params.member.member_1.member_2;
     let _e73 = contacts.member[0u];
     let _e75 = select(_e73, _e71, (_e71 < _e73));
     let _e77 = params.member.member_1.member_1;
     if (_e75 > _e77) {
         let _e80 = params.member.member_1.member_1;
-        phi_216_ = (_e75 - _e80);
+        phi_203_ = (_e75 - _e80);
     } else {
-        phi_216_ = 0u;
+        phi_203_ = 0u;
     }
-    let _e83 = phi_216_;
+    let _e83 = phi_203_;
     let _e85 = params.member.member_1.member;
     let _e87 = select(_e83, _e85, (_e85 < _e83));
     let _e88 = (_e87 / 64u);
@@ -652,18 +642,18 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         if (_e68 == 0u) {
             return;
         }
-        phi_261_ = select(_e96, (_e96 + 1u), ((_e94 % _e68) > 0u));
+        phi_248_ = select(_e96, (_e96 + 1u), ((_e94 % _e68) > 0u));
     } else {
-        phi_261_ = 0u;
+        phi_248_ = 0u;
     }
-    let _e103 = phi_261_;
-    phi_264_ = type_9(0u, _e103);
+    let _e103 = phi_248_;
+    phi_251_ = type_9(0u, _e103);
     loop {
-        let _e106 = phi_264_;
+        let _e106 = phi_251_;
         let _e109 = (_e106.member < _e106.member_1);
         let _e122 = (bitcast<i32>(select(0u, 1u, _e109)) != 0i);
         if _e122 {
-            let _e126 = (((_e65 + (select(type_9().member_1, _e106.member, _e109) * _e68)) * 64u) + _e53);
+            let _e126 = (((_e65 + (select(type_9().member_1, _e106.member, _e109) * _e68)) * 64u) + _e54);
             if (_e126 < _e87) {
                 let _e130 = params.member.member_1.member_1;
                 let _e131 = (_e130 + _e126);
@@ -675,1010 +665,1018 @@ fn function_14(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e147 = contacts.member[(_e132 + 8u)];
                 let _e150 = contacts.member[(_e132 + 9u)];
                 if (_e135 == 0u) {
-                    let _e163 = faces.member[_e144];
-                    phi_431_ = type_28(0u, array<u32, 4>(_e141, _e163[0], _e163[1], _e163[2]));
+                    let _e169 = params.member.member.member[1u];
+                    let _e172 = ((2u * _e169) + (3u * _e144));
+                    let _e174 = elements.member[_e172];
+                    let _e177 = elements.member[(_e172 + 1u)];
+                    let _e180 = elements.member[(_e172 + 2u)];
+                    phi_463_ = type_26(0u, array<u32, 4>(_e141, _e174, _e177, _e180));
                 } else {
-                    let _e153 = edges.member[_e141];
-                    let _e155 = edges.member[_e144];
-                    phi_431_ = type_28(1u, array<u32, 4>(_e153[0], _e153[1], _e155[0], _e155[1]));
+                    let _e153 = (2u * _e141);
+                    let _e155 = elements.member[_e153];
+                    let _e158 = elements.member[(_e153 + 1u)];
+                    let _e159 = (2u * _e144);
+                    let _e161 = elements.member[_e159];
+                    let _e164 = elements.member[(_e159 + 1u)];
+                    phi_463_ = type_26(1u, array<u32, 4>(_e155, _e158, _e161, _e164));
                 }
-                let _e170 = phi_431_;
-                let _e175 = params.member.member.member_1;
-                if ((_e175 & 8u) != 0u) {
-                    let _e219 = paths.member[_e170.member_1[0]];
-                    let _e222 = paths.member[_e170.member_1[1]];
-                    let _e229 = paths.member[_e170.member_1[2]];
-                    let _e232 = paths.member[_e170.member_1[3]];
-                    let _e269 = function_13(array<f32, 3>(_e219.member[0], _e219.member[1], _e219.member[2]));
-                    let _e270 = function_13(array<f32, 3>(_e222.member[0], _e222.member[1], _e222.member[2]));
-                    let _e271 = function_13(array<f32, 3>(_e229.member[0], _e229.member[1], _e229.member[2]));
-                    let _e272 = function_13(array<f32, 3>(_e232.member[0], _e232.member[1], _e232.member[2]));
-                    let _e274 = function_13(array<f32, 3>(_e219.member_1[0], _e219.member_1[1], _e219.member_1[2]));
-                    let _e275 = function_13(array<f32, 3>(_e222.member_1[0], _e222.member_1[1], _e222.member_1[2]));
-                    let _e276 = function_13(array<f32, 3>(_e229.member_1[0], _e229.member_1[1], _e229.member_1[2]));
-                    let _e277 = function_13(array<f32, 3>(_e232.member_1[0], _e232.member_1[1], _e232.member_1[2]));
-                    phi_636_ = type_41(array<array<f64, 3>, 4>(_e269, _e270, _e271, _e272), array<array<f64, 3>, 4>(_e274, _e275, _e276, _e277));
+                let _e184 = phi_463_;
+                let _e189 = params.member.member.member_1;
+                if ((_e189 & 8u) != 0u) {
+                    let _e233 = paths.member[_e184.member_1[0]];
+                    let _e236 = paths.member[_e184.member_1[1]];
+                    let _e243 = paths.member[_e184.member_1[2]];
+                    let _e246 = paths.member[_e184.member_1[3]];
+                    let _e283 = function_13(array<f32, 3>(_e233.member[0], _e233.member[1], _e233.member[2]));
+                    let _e284 = function_13(array<f32, 3>(_e236.member[0], _e236.member[1], _e236.member[2]));
+                    let _e285 = function_13(array<f32, 3>(_e243.member[0], _e243.member[1], _e243.member[2]));
+                    let _e286 = function_13(array<f32, 3>(_e246.member[0], _e246.member[1], _e246.member[2]));
+                    let _e288 = function_13(array<f32, 3>(_e233.member_1[0], _e233.member_1[1], _e233.member_1[2]));
+                    let _e289 = function_13(array<f32, 3>(_e236.member_1[0], _e236.member_1[1], _e236.member_1[2]));
+                    let _e290 = function_13(array<f32, 3>(_e243.member_1[0], _e243.member_1[1], _e243.member_1[2]));
+                    let _e291 = function_13(array<f32, 3>(_e246.member_1[0], _e246.member_1[1], _e246.member_1[2]));
+                    phi_668_ = type_37(array<array<f64, 3>, 4>(_e283, _e284, _e285, _e286), array<array<f64, 3>, 4>(_e288, _e289, _e290, _e291));
                 } else {
-                    let _e180 = positions.member[_e170.member_1[0]];
-                    let _e183 = params.member.member.member[0u];
-                    let _e186 = positions.member[(_e183 + _e170.member_1[0])];
-                    let _e189 = positions.member[_e170.member_1[1]];
-                    let _e192 = params.member.member.member[0u];
-                    let _e195 = positions.member[(_e192 + _e170.member_1[1])];
-                    let _e198 = positions.member[_e170.member_1[2]];
-                    let _e201 = params.member.member.member[0u];
-                    let _e204 = positions.member[(_e201 + _e170.member_1[2])];
-                    let _e207 = positions.member[_e170.member_1[3]];
-                    let _e210 = params.member.member.member[0u];
-                    let _e213 = positions.member[(_e210 + _e170.member_1[3])];
-                    phi_636_ = type_41(array<array<f64, 3>, 4>(_e180, _e189, _e198, _e207), array<array<f64, 3>, 4>(_e186, _e195, _e204, _e213));
+                    let _e194 = positions.member[_e184.member_1[0]];
+                    let _e197 = params.member.member.member[0u];
+                    let _e200 = positions.member[(_e197 + _e184.member_1[0])];
+                    let _e203 = positions.member[_e184.member_1[1]];
+                    let _e206 = params.member.member.member[0u];
+                    let _e209 = positions.member[(_e206 + _e184.member_1[1])];
+                    let _e212 = positions.member[_e184.member_1[2]];
+                    let _e215 = params.member.member.member[0u];
+                    let _e218 = positions.member[(_e215 + _e184.member_1[2])];
+                    let _e221 = positions.member[_e184.member_1[3]];
+                    let _e224 = params.member.member.member[0u];
+                    let _e227 = positions.member[(_e224 + _e184.member_1[3])];
+                    phi_668_ = type_37(array<array<f64, 3>, 4>(_e194, _e203, _e212, _e221), array<array<f64, 3>, 4>(_e200, _e209, _e218, _e227));
                 }
-                let _e281 = phi_636_;
-                local_1 = array<array<f64, 3>, 4>(array<f64, 3>(_e281.member[0][0], _e281.member[0][1], _e281.member[0][2]), array<f64, 3>(_e281.member[1][0], _e281.member[1][1], _e281.member[1][2]), array<f64, 3>(_e281.member[2][0], _e281.member[2][1], _e281.member[2][2]), array<f64, 3>(_e281.member[3][0], _e281.member[3][1], _e281.member[3][2]));
-                local_2 = array<array<f64, 3>, 4>(array<f64, 3>(_e281.member_1[0][0], _e281.member_1[0][1], _e281.member_1[0][2]), array<f64, 3>(_e281.member_1[1][0], _e281.member_1[1][1], _e281.member_1[1][2]), array<f64, 3>(_e281.member_1[2][0], _e281.member_1[2][1], _e281.member_1[2][2]), array<f64, 3>(_e281.member_1[3][0], _e281.member_1[3][1], _e281.member_1[3][2]));
-                let _e331 = f64(1f);
-                let _e332 = function_4(bitcast<f64>(((u64(_e150) * 4294967296lu) + u64(_e147))), _e331);
-                if (_e170.member == 0u) {
-                    let _e334 = function_12((&local_1), (&local_2), _e332);
-                    phi_693_ = _e334;
+                let _e295 = phi_668_;
+                local_1 = array<array<f64, 3>, 4>(array<f64, 3>(_e295.member[0][0], _e295.member[0][1], _e295.member[0][2]), array<f64, 3>(_e295.member[1][0], _e295.member[1][1], _e295.member[1][2]), array<f64, 3>(_e295.member[2][0], _e295.member[2][1], _e295.member[2][2]), array<f64, 3>(_e295.member[3][0], _e295.member[3][1], _e295.member[3][2]));
+                local_2 = array<array<f64, 3>, 4>(array<f64, 3>(_e295.member_1[0][0], _e295.member_1[0][1], _e295.member_1[0][2]), array<f64, 3>(_e295.member_1[1][0], _e295.member_1[1][1], _e295.member_1[1][2]), array<f64, 3>(_e295.member_1[2][0], _e295.member_1[2][1], _e295.member_1[2][2]), array<f64, 3>(_e295.member_1[3][0], _e295.member_1[3][1], _e295.member_1[3][2]));
+                let _e345 = f64(1f);
+                let _e346 = function_4(bitcast<f64>(((u64(_e150) * 4294967296lu) + u64(_e147))), _e345);
+                if (_e184.member == 0u) {
+                    let _e348 = function_12((&local_1), (&local_2), _e346);
+                    phi_725_ = _e348;
                 } else {
-                    phi_693_ = 0u;
+                    phi_725_ = 0u;
                 }
-                let _e336 = phi_693_;
-                let _e337 = function_11((&local_1), _e336);
-                let _e338 = function_11((&local_2), _e336);
-                if (_e170.member != 0u) {
-                    phi_854_ = type_43(array<array<f64, 3>, 2>(array<f64, 3>((_e337[2][0] - _e337[0][0]), (_e337[2][1] - _e337[0][1]), (_e337[2][2] - _e337[0][2])), array<f64, 3>((_e338[2][0] - _e338[0][0]), (_e338[2][1] - _e338[0][1]), (_e338[2][2] - _e338[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e337[1][0] - _e337[0][0]), (_e337[1][1] - _e337[0][1]), (_e337[1][2] - _e337[0][2])), array<f64, 3>((_e338[1][0] - _e338[0][0]), (_e338[1][1] - _e338[0][1]), (_e338[1][2] - _e338[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e337[2][0] - _e337[3][0]), (_e337[2][1] - _e337[3][1]), (_e337[2][2] - _e337[3][2])), array<f64, 3>((_e338[2][0] - _e338[3][0]), (_e338[2][1] - _e338[3][1]), (_e338[2][2] - _e338[3][2]))), (0.0lf + 0.0lf));
+                let _e350 = phi_725_;
+                let _e351 = function_11((&local_1), _e350);
+                let _e352 = function_11((&local_2), _e350);
+                if (_e184.member != 0u) {
+                    phi_886_ = type_39(array<array<f64, 3>, 2>(array<f64, 3>((_e351[2][0] - _e351[0][0]), (_e351[2][1] - _e351[0][1]), (_e351[2][2] - _e351[0][2])), array<f64, 3>((_e352[2][0] - _e352[0][0]), (_e352[2][1] - _e352[0][1]), (_e352[2][2] - _e352[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e351[1][0] - _e351[0][0]), (_e351[1][1] - _e351[0][1]), (_e351[1][2] - _e351[0][2])), array<f64, 3>((_e352[1][0] - _e352[0][0]), (_e352[1][1] - _e352[0][1]), (_e352[1][2] - _e352[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e351[2][0] - _e351[3][0]), (_e351[2][1] - _e351[3][1]), (_e351[2][2] - _e351[3][2])), array<f64, 3>((_e352[2][0] - _e352[3][0]), (_e352[2][1] - _e352[3][1]), (_e352[2][2] - _e352[3][2]))), (0.0lf + 0.0lf));
                 } else {
-                    phi_854_ = type_43(array<array<f64, 3>, 2>(array<f64, 3>((_e337[0][0] - _e337[1][0]), (_e337[0][1] - _e337[1][1]), (_e337[0][2] - _e337[1][2])), array<f64, 3>((_e338[0][0] - _e338[1][0]), (_e338[0][1] - _e338[1][1]), (_e338[0][2] - _e338[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e337[2][0] - _e337[1][0]), (_e337[2][1] - _e337[1][1]), (_e337[2][2] - _e337[1][2])), array<f64, 3>((_e338[2][0] - _e338[1][0]), (_e338[2][1] - _e338[1][1]), (_e338[2][2] - _e338[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e337[3][0] - _e337[1][0]), (_e337[3][1] - _e337[1][1]), (_e337[3][2] - _e337[1][2])), array<f64, 3>((_e338[3][0] - _e338[1][0]), (_e338[3][1] - _e338[1][1]), (_e338[3][2] - _e338[1][2]))), (0.0lf + 0.0lf));
+                    phi_886_ = type_39(array<array<f64, 3>, 2>(array<f64, 3>((_e351[0][0] - _e351[1][0]), (_e351[0][1] - _e351[1][1]), (_e351[0][2] - _e351[1][2])), array<f64, 3>((_e352[0][0] - _e352[1][0]), (_e352[0][1] - _e352[1][1]), (_e352[0][2] - _e352[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e351[2][0] - _e351[1][0]), (_e351[2][1] - _e351[1][1]), (_e351[2][2] - _e351[1][2])), array<f64, 3>((_e352[2][0] - _e352[1][0]), (_e352[2][1] - _e352[1][1]), (_e352[2][2] - _e352[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e351[3][0] - _e351[1][0]), (_e351[3][1] - _e351[1][1]), (_e351[3][2] - _e351[1][2])), array<f64, 3>((_e352[3][0] - _e352[1][0]), (_e352[3][1] - _e352[1][1]), (_e352[3][2] - _e352[1][2]))), (0.0lf + 0.0lf));
                 }
-                let _e495 = phi_854_;
-                let _e500 = function_10(_e495.member[0], _e495.member[1], _e332);
-                let _e505 = function_10(_e495.member_1[0], _e495.member_1[1], _e332);
-                let _e510 = function_10(_e495.member_2[0], _e495.member_2[1], _e332);
-                let _e514 = select(_e500[0], -(_e500[0]), (_e500[0] < 0.0lf));
-                let _e518 = select(_e500[1], -(_e500[1]), (_e500[1] < 0.0lf));
-                let _e520 = select(_e518, _e514, (_e514 > _e518));
-                let _e524 = select(_e500[2], -(_e500[2]), (_e500[2] < 0.0lf));
-                let _e526 = select(_e524, _e520, (_e520 > _e524));
-                let _e530 = select(_e505[0], -(_e505[0]), (_e505[0] < 0.0lf));
-                let _e534 = select(_e505[1], -(_e505[1]), (_e505[1] < 0.0lf));
-                let _e536 = select(_e534, _e530, (_e530 > _e534));
-                let _e540 = select(_e505[2], -(_e505[2]), (_e505[2] < 0.0lf));
-                let _e542 = select(_e540, _e536, (_e536 > _e540));
-                let _e544 = select(_e542, _e526, (_e526 > _e542));
-                let _e548 = select(_e510[0], -(_e510[0]), (_e510[0] < 0.0lf));
-                let _e552 = select(_e510[1], -(_e510[1]), (_e510[1] < 0.0lf));
-                let _e554 = select(_e552, _e548, (_e548 > _e552));
-                let _e558 = select(_e510[2], -(_e510[2]), (_e510[2] < 0.0lf));
-                let _e560 = select(_e558, _e554, (_e554 > _e558));
-                let _e563 = function_9(select(_e560, _e544, (_e544 > _e560)));
-                let _e571 = (_e505[0] * _e563);
-                let _e573 = (_e505[1] * _e563);
-                let _e575 = (_e505[2] * _e563);
-                let _e577 = (_e510[0] * _e563);
-                let _e579 = (_e510[1] * _e563);
-                let _e581 = (_e510[2] * _e563);
-                let _e587 = select(_e495.member[0][0], -(_e495.member[0][0]), (_e495.member[0][0] < 0.0lf));
-                let _e591 = select(_e495.member[0][1], -(_e495.member[0][1]), (_e495.member[0][1] < 0.0lf));
-                let _e593 = select(_e591, _e587, (_e587 > _e591));
-                let _e597 = select(_e495.member[0][2], -(_e495.member[0][2]), (_e495.member[0][2] < 0.0lf));
-                let _e599 = select(_e597, _e593, (_e593 > _e597));
-                let _e605 = select(_e495.member[1][0], -(_e495.member[1][0]), (_e495.member[1][0] < 0.0lf));
-                let _e609 = select(_e495.member[1][1], -(_e495.member[1][1]), (_e495.member[1][1] < 0.0lf));
-                let _e611 = select(_e609, _e605, (_e605 > _e609));
-                let _e615 = select(_e495.member[1][2], -(_e495.member[1][2]), (_e495.member[1][2] < 0.0lf));
-                let _e617 = select(_e615, _e611, (_e611 > _e615));
-                let _e627 = select(_e495.member_1[0][0], -(_e495.member_1[0][0]), (_e495.member_1[0][0] < 0.0lf));
-                let _e631 = select(_e495.member_1[0][1], -(_e495.member_1[0][1]), (_e495.member_1[0][1] < 0.0lf));
-                let _e633 = select(_e631, _e627, (_e627 > _e631));
-                let _e637 = select(_e495.member_1[0][2], -(_e495.member_1[0][2]), (_e495.member_1[0][2] < 0.0lf));
-                let _e639 = select(_e637, _e633, (_e633 > _e637));
-                let _e645 = select(_e495.member_1[1][0], -(_e495.member_1[1][0]), (_e495.member_1[1][0] < 0.0lf));
-                let _e649 = select(_e495.member_1[1][1], -(_e495.member_1[1][1]), (_e495.member_1[1][1] < 0.0lf));
-                let _e651 = select(_e649, _e645, (_e645 > _e649));
-                let _e655 = select(_e495.member_1[1][2], -(_e495.member_1[1][2]), (_e495.member_1[1][2] < 0.0lf));
-                let _e657 = select(_e655, _e651, (_e651 > _e655));
-                let _e661 = (select(_e657, _e639, (_e639 > _e657)) + _e495.member_3);
-                let _e667 = select(_e495.member_2[0][0], -(_e495.member_2[0][0]), (_e495.member_2[0][0] < 0.0lf));
-                let _e671 = select(_e495.member_2[0][1], -(_e495.member_2[0][1]), (_e495.member_2[0][1] < 0.0lf));
-                let _e673 = select(_e671, _e667, (_e667 > _e671));
-                let _e677 = select(_e495.member_2[0][2], -(_e495.member_2[0][2]), (_e495.member_2[0][2] < 0.0lf));
-                let _e679 = select(_e677, _e673, (_e673 > _e677));
-                let _e685 = select(_e495.member_2[1][0], -(_e495.member_2[1][0]), (_e495.member_2[1][0] < 0.0lf));
-                let _e689 = select(_e495.member_2[1][1], -(_e495.member_2[1][1]), (_e495.member_2[1][1] < 0.0lf));
-                let _e691 = select(_e689, _e685, (_e685 > _e689));
-                let _e695 = select(_e495.member_2[1][2], -(_e495.member_2[1][2]), (_e495.member_2[1][2] < 0.0lf));
-                let _e697 = select(_e695, _e691, (_e691 > _e695));
-                let _e701 = (select(_e697, _e679, (_e679 > _e697)) + _e495.member_3);
-                let _e703 = (1.1102230246251565e-16lf * f64(16f));
-                let _e706 = (_e495.member_3 * f64(4f));
-                let _e714 = ((_e573 * _e581) - (_e575 * _e579));
-                let _e717 = ((_e575 * _e577) - (_e571 * _e581));
-                let _e720 = ((_e571 * _e579) - (_e573 * _e577));
-                let _e728 = select(_e577, -(_e577), (_e577 < 0.0lf));
-                let _e731 = select(_e579, -(_e579), (_e579 < 0.0lf));
-                let _e733 = select(_e731, _e728, (_e728 > _e731));
-                let _e736 = select(_e581, -(_e581), (_e581 < 0.0lf));
-                let _e743 = select(_e571, -(_e571), (_e571 < 0.0lf));
-                let _e746 = select(_e573, -(_e573), (_e573 < 0.0lf));
-                let _e748 = select(_e746, _e743, (_e743 > _e746));
-                let _e751 = select(_e575, -(_e575), (_e575 < 0.0lf));
-                let _e755 = (((((_e661 * _e703) + _e706) * _e563) * select(_e736, _e733, (_e733 > _e736))) + ((((_e701 * _e703) + _e706) * _e563) * select(_e751, _e748, (_e748 > _e751))));
-                let _e760 = (((_e714 * _e714) + (_e717 * _e717)) + (_e720 * _e720));
-                if (_e760 <= 2.2250738585072014e-308lf) {
-                    phi_1369_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e760 > 0.0lf));
+                let _e509 = phi_886_;
+                let _e514 = function_10(_e509.member[0], _e509.member[1], _e346);
+                let _e519 = function_10(_e509.member_1[0], _e509.member_1[1], _e346);
+                let _e524 = function_10(_e509.member_2[0], _e509.member_2[1], _e346);
+                let _e528 = select(_e514[0], -(_e514[0]), (_e514[0] < 0.0lf));
+                let _e532 = select(_e514[1], -(_e514[1]), (_e514[1] < 0.0lf));
+                let _e534 = select(_e532, _e528, (_e528 > _e532));
+                let _e538 = select(_e514[2], -(_e514[2]), (_e514[2] < 0.0lf));
+                let _e540 = select(_e538, _e534, (_e534 > _e538));
+                let _e544 = select(_e519[0], -(_e519[0]), (_e519[0] < 0.0lf));
+                let _e548 = select(_e519[1], -(_e519[1]), (_e519[1] < 0.0lf));
+                let _e550 = select(_e548, _e544, (_e544 > _e548));
+                let _e554 = select(_e519[2], -(_e519[2]), (_e519[2] < 0.0lf));
+                let _e556 = select(_e554, _e550, (_e550 > _e554));
+                let _e558 = select(_e556, _e540, (_e540 > _e556));
+                let _e562 = select(_e524[0], -(_e524[0]), (_e524[0] < 0.0lf));
+                let _e566 = select(_e524[1], -(_e524[1]), (_e524[1] < 0.0lf));
+                let _e568 = select(_e566, _e562, (_e562 > _e566));
+                let _e572 = select(_e524[2], -(_e524[2]), (_e524[2] < 0.0lf));
+                let _e574 = select(_e572, _e568, (_e568 > _e572));
+                let _e577 = function_9(select(_e574, _e558, (_e558 > _e574)));
+                let _e585 = (_e519[0] * _e577);
+                let _e587 = (_e519[1] * _e577);
+                let _e589 = (_e519[2] * _e577);
+                let _e591 = (_e524[0] * _e577);
+                let _e593 = (_e524[1] * _e577);
+                let _e595 = (_e524[2] * _e577);
+                let _e601 = select(_e509.member[0][0], -(_e509.member[0][0]), (_e509.member[0][0] < 0.0lf));
+                let _e605 = select(_e509.member[0][1], -(_e509.member[0][1]), (_e509.member[0][1] < 0.0lf));
+                let _e607 = select(_e605, _e601, (_e601 > _e605));
+                let _e611 = select(_e509.member[0][2], -(_e509.member[0][2]), (_e509.member[0][2] < 0.0lf));
+                let _e613 = select(_e611, _e607, (_e607 > _e611));
+                let _e619 = select(_e509.member[1][0], -(_e509.member[1][0]), (_e509.member[1][0] < 0.0lf));
+                let _e623 = select(_e509.member[1][1], -(_e509.member[1][1]), (_e509.member[1][1] < 0.0lf));
+                let _e625 = select(_e623, _e619, (_e619 > _e623));
+                let _e629 = select(_e509.member[1][2], -(_e509.member[1][2]), (_e509.member[1][2] < 0.0lf));
+                let _e631 = select(_e629, _e625, (_e625 > _e629));
+                let _e641 = select(_e509.member_1[0][0], -(_e509.member_1[0][0]), (_e509.member_1[0][0] < 0.0lf));
+                let _e645 = select(_e509.member_1[0][1], -(_e509.member_1[0][1]), (_e509.member_1[0][1] < 0.0lf));
+                let _e647 = select(_e645, _e641, (_e641 > _e645));
+                let _e651 = select(_e509.member_1[0][2], -(_e509.member_1[0][2]), (_e509.member_1[0][2] < 0.0lf));
+                let _e653 = select(_e651, _e647, (_e647 > _e651));
+                let _e659 = select(_e509.member_1[1][0], -(_e509.member_1[1][0]), (_e509.member_1[1][0] < 0.0lf));
+                let _e663 = select(_e509.member_1[1][1], -(_e509.member_1[1][1]), (_e509.member_1[1][1] < 0.0lf));
+                let _e665 = select(_e663, _e659, (_e659 > _e663));
+                let _e669 = select(_e509.member_1[1][2], -(_e509.member_1[1][2]), (_e509.member_1[1][2] < 0.0lf));
+                let _e671 = select(_e669, _e665, (_e665 > _e669));
+                let _e675 = (select(_e671, _e653, (_e653 > _e671)) + _e509.member_3);
+                let _e681 = select(_e509.member_2[0][0], -(_e509.member_2[0][0]), (_e509.member_2[0][0] < 0.0lf));
+                let _e685 = select(_e509.member_2[0][1], -(_e509.member_2[0][1]), (_e509.member_2[0][1] < 0.0lf));
+                let _e687 = select(_e685, _e681, (_e681 > _e685));
+                let _e691 = select(_e509.member_2[0][2], -(_e509.member_2[0][2]), (_e509.member_2[0][2] < 0.0lf));
+                let _e693 = select(_e691, _e687, (_e687 > _e691));
+                let _e699 = select(_e509.member_2[1][0], -(_e509.member_2[1][0]), (_e509.member_2[1][0] < 0.0lf));
+                let _e703 = select(_e509.member_2[1][1], -(_e509.member_2[1][1]), (_e509.member_2[1][1] < 0.0lf));
+                let _e705 = select(_e703, _e699, (_e699 > _e703));
+                let _e709 = select(_e509.member_2[1][2], -(_e509.member_2[1][2]), (_e509.member_2[1][2] < 0.0lf));
+                let _e711 = select(_e709, _e705, (_e705 > _e709));
+                let _e715 = (select(_e711, _e693, (_e693 > _e711)) + _e509.member_3);
+                let _e717 = (1.1102230246251565e-16lf * f64(16f));
+                let _e720 = (_e509.member_3 * f64(4f));
+                let _e728 = ((_e587 * _e595) - (_e589 * _e593));
+                let _e731 = ((_e589 * _e591) - (_e585 * _e595));
+                let _e734 = ((_e585 * _e593) - (_e587 * _e591));
+                let _e742 = select(_e591, -(_e591), (_e591 < 0.0lf));
+                let _e745 = select(_e593, -(_e593), (_e593 < 0.0lf));
+                let _e747 = select(_e745, _e742, (_e742 > _e745));
+                let _e750 = select(_e595, -(_e595), (_e595 < 0.0lf));
+                let _e757 = select(_e585, -(_e585), (_e585 < 0.0lf));
+                let _e760 = select(_e587, -(_e587), (_e587 < 0.0lf));
+                let _e762 = select(_e760, _e757, (_e757 > _e760));
+                let _e765 = select(_e589, -(_e589), (_e589 < 0.0lf));
+                let _e769 = (((((_e675 * _e717) + _e720) * _e577) * select(_e750, _e747, (_e747 > _e750))) + ((((_e715 * _e717) + _e720) * _e577) * select(_e765, _e762, (_e762 > _e765))));
+                let _e774 = (((_e728 * _e728) + (_e731 * _e731)) + (_e734 * _e734));
+                if (_e774 <= 2.2250738585072014e-308lf) {
+                    phi_1401_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e774 > 0.0lf));
                 } else {
-                    phi_1312_ = type_16(0i, 5i);
-                    phi_1315_ = bitcast<f64>(((bitcast<u64>(_e760) / 2lu) + 2303426169912950784lu));
+                    phi_1344_ = type_16(0i, 5i);
+                    phi_1347_ = bitcast<f64>(((bitcast<u64>(_e774) / 2lu) + 2303426169912950784lu));
                     loop {
-                        let _e767 = phi_1312_;
-                        let _e769 = phi_1315_;
-                        local_3 = _e769;
-                        if (_e767.member < _e767.member_1) {
-                            let _e776 = (_e767.member + 1i);
-                            phi_1313_ = type_16(select(_e776, type_17().member_1, select(false, true, ((false == (_e776 > _e767.member)) != false))), _e767.member_1);
-                            phi_1356_ = type_17(1u, _e767.member);
+                        let _e781 = phi_1344_;
+                        let _e783 = phi_1347_;
+                        local_3 = _e783;
+                        if (_e781.member < _e781.member_1) {
+                            let _e790 = (_e781.member + 1i);
+                            phi_1345_ = type_16(select(_e790, type_17().member_1, select(false, true, ((false == (_e790 > _e781.member)) != false))), _e781.member_1);
+                            phi_1388_ = type_17(1u, _e781.member);
                         } else {
-                            phi_1313_ = _e767;
-                            phi_1356_ = type_17(0u, type_17().member_1);
+                            phi_1345_ = _e781;
+                            phi_1388_ = type_17(0u, type_17().member_1);
                         }
-                        let _e787 = phi_1313_;
-                        let _e789 = phi_1356_;
-                        let _e792 = (bitcast<i32>(_e789.member) != 0i);
-                        if _e792 {
-                            phi_1316_ = (0.5lf * (_e769 + (_e760 / _e769)));
+                        let _e801 = phi_1345_;
+                        let _e803 = phi_1388_;
+                        let _e806 = (bitcast<i32>(_e803.member) != 0i);
+                        if _e806 {
+                            phi_1348_ = (0.5lf * (_e783 + (_e774 / _e783)));
                         } else {
-                            phi_1316_ = f64();
+                            phi_1348_ = f64();
                         }
-                        let _e797 = phi_1316_;
+                        let _e811 = phi_1348_;
                         continue;
                         continuing {
-                            phi_1312_ = _e787;
-                            phi_1315_ = _e797;
-                            break if !(_e792);
+                            phi_1344_ = _e801;
+                            phi_1347_ = _e811;
+                            break if !(_e806);
                         }
                     }
-                    let _e802 = local_3;
-                    phi_1369_ = (_e802 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                    let _e816 = local_3;
+                    phi_1401_ = (_e816 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                 }
-                let _e808 = phi_1369_;
-                if (_e808 > f64(0f)) {
-                    phi_1379_ = ((_e808 + (_e760 / _e808)) * f64(0.5f));
+                let _e822 = phi_1401_;
+                if (_e822 > f64(0f)) {
+                    phi_1411_ = ((_e822 + (_e774 / _e822)) * f64(0.5f));
                 } else {
-                    phi_1379_ = _e808;
+                    phi_1411_ = _e822;
                 }
-                let _e816 = phi_1379_;
-                local = type_35(array<f64, 3>((_e500[0] * _e563), (_e500[1] * _e563), (_e500[2] * _e563)), array<f64, 3>(_e571, _e573, _e575), array<f64, 3>(_e577, _e579, _e581), array<f64, 3>(_e714, _e717, _e720), select(f64(0f), _e816, (_e816 > _e755)), _e755, ((((((select(_e617, _e599, (_e599 > _e617)) + _e495.member_3) + _e661) + _e701) * _e703) + _e706) * _e563));
-                let _e825 = function_8((&local), _e170.member);
-                if (_e825.member_3 <= 2.2250738585072014e-308lf) {
-                    phi_1492_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e825.member_3 > 0.0lf));
+                let _e830 = phi_1411_;
+                local = type_31(array<f64, 3>((_e514[0] * _e577), (_e514[1] * _e577), (_e514[2] * _e577)), array<f64, 3>(_e585, _e587, _e589), array<f64, 3>(_e591, _e593, _e595), array<f64, 3>(_e728, _e731, _e734), select(f64(0f), _e830, (_e830 > _e769)), _e769, ((((((select(_e631, _e613, (_e613 > _e631)) + _e509.member_3) + _e675) + _e715) * _e717) + _e720) * _e577));
+                let _e839 = function_8((&local), _e184.member);
+                if (_e839.member_3 <= 2.2250738585072014e-308lf) {
+                    phi_1524_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e839.member_3 > 0.0lf));
                 } else {
-                    phi_1435_ = type_16(0i, 5i);
-                    phi_1438_ = bitcast<f64>(((bitcast<u64>(_e825.member_3) / 2lu) + 2303426169912950784lu));
+                    phi_1467_ = type_16(0i, 5i);
+                    phi_1470_ = bitcast<f64>(((bitcast<u64>(_e839.member_3) / 2lu) + 2303426169912950784lu));
                     loop {
-                        let _e835 = phi_1435_;
-                        let _e837 = phi_1438_;
-                        local_4 = _e837;
-                        if (_e835.member < _e835.member_1) {
-                            let _e844 = (_e835.member + 1i);
-                            phi_1436_ = type_16(select(_e844, type_17().member_1, select(false, true, ((false == (_e844 > _e835.member)) != false))), _e835.member_1);
-                            phi_1479_ = type_17(1u, _e835.member);
+                        let _e849 = phi_1467_;
+                        let _e851 = phi_1470_;
+                        local_4 = _e851;
+                        if (_e849.member < _e849.member_1) {
+                            let _e858 = (_e849.member + 1i);
+                            phi_1468_ = type_16(select(_e858, type_17().member_1, select(false, true, ((false == (_e858 > _e849.member)) != false))), _e849.member_1);
+                            phi_1511_ = type_17(1u, _e849.member);
                         } else {
-                            phi_1436_ = _e835;
-                            phi_1479_ = type_17(0u, type_17().member_1);
+                            phi_1468_ = _e849;
+                            phi_1511_ = type_17(0u, type_17().member_1);
                         }
-                        let _e855 = phi_1436_;
-                        let _e857 = phi_1479_;
-                        let _e860 = (bitcast<i32>(_e857.member) != 0i);
-                        if _e860 {
-                            phi_1439_ = (0.5lf * (_e837 + (_e825.member_3 / _e837)));
+                        let _e869 = phi_1468_;
+                        let _e871 = phi_1511_;
+                        let _e874 = (bitcast<i32>(_e871.member) != 0i);
+                        if _e874 {
+                            phi_1471_ = (0.5lf * (_e851 + (_e839.member_3 / _e851)));
                         } else {
-                            phi_1439_ = f64();
+                            phi_1471_ = f64();
                         }
-                        let _e865 = phi_1439_;
+                        let _e879 = phi_1471_;
                         continue;
                         continuing {
-                            phi_1435_ = _e855;
-                            phi_1438_ = _e865;
-                            break if !(_e860);
+                            phi_1467_ = _e869;
+                            phi_1470_ = _e879;
+                            break if !(_e874);
                         }
                     }
-                    let _e870 = local_4;
-                    phi_1492_ = (_e870 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                    let _e884 = local_4;
+                    phi_1524_ = (_e884 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                 }
-                let _e876 = phi_1492_;
-                if (_e876 > f64(0f)) {
-                    phi_1502_ = ((_e876 + (_e825.member_3 / _e876)) * f64(0.5f));
+                let _e890 = phi_1524_;
+                if (_e890 > f64(0f)) {
+                    phi_1534_ = ((_e890 + (_e839.member_3 / _e890)) * f64(0.5f));
                 } else {
-                    phi_1502_ = _e876;
+                    phi_1534_ = _e890;
                 }
-                let _e884 = phi_1502_;
-                let _e887 = select(-(_e331), _e331, (_e170.member == 0u));
-                let _e889 = function_2(_e495.member);
-                let _e891 = function_2(_e495.member_1);
-                let _e905 = function_2(_e495.member_2);
-                let _e915 = (((_e889[0] - (_e891[0] * _e825.member)) - (_e905[0] * _e825.member_1)) * _e887);
-                let _e916 = (((_e889[1] - (_e891[1] * _e825.member)) - (_e905[1] * _e825.member_1)) * _e887);
-                let _e917 = (((_e889[2] - (_e891[2] * _e825.member)) - (_e905[2] * _e825.member_1)) * _e887);
-                let _e919 = f64(0f);
-                let _e920 = f64(1f);
-                let _e925 = select(false, (_e825.member < _e920), (_e825.member > _e919));
-                let _e928 = select(false, (_e825.member_1 < _e920), (_e825.member_1 > _e919));
-                let _e929 = (_e887 > _e919);
-                let _e940 = select(select(bool(), select(bool(), select(true, ((_e825.member + _e825.member_1) < (_e920 - (1.1102230246251565e-16lf * f64(4f)))), _e929), _e928), _e925), false, select(true, select(true, false, _e928), _e925));
-                let _e942 = local.member_4;
-                let _e943 = (_e942 > _e919);
-                let _e945 = local.member_3;
-                let _e949 = (_e945[0] * _e887);
-                let _e950 = (_e945[1] * _e887);
-                let _e951 = (_e945[2] * _e887);
-                let _e953 = local.member_6;
-                if (_e884 > _e953) {
-                    let _e1972 = (_e825.member_2[0] * _e887);
-                    let _e1974 = (_e825.member_2[1] * _e887);
-                    let _e1976 = (_e825.member_2[2] * _e887);
-                    if _e943 {
-                        if _e940 {
-                            let _e1978 = local.member_5;
-                            let _e1981 = local.member_6;
-                            let _e1983 = local.member_4;
-                            if ((_e1978 * _e884) <= (_e1981 * _e1983)) {
-                                let _e1991 = ((((_e1972 * _e949) + (_e1974 * _e950)) + (_e1976 * _e951)) >= _e919);
-                                let _e1992 = -(_e920);
-                                let _e1996 = select((_e949 * _e1992), _e949, _e1991);
-                                let _e1997 = select((_e950 * _e1992), _e950, _e1991);
-                                let _e1998 = select((_e951 * _e1992), _e951, _e1991);
-                                let _e2001 = select(_e1996, -(_e1996), (_e1996 < 0.0lf));
-                                let _e2004 = select(_e1997, -(_e1997), (_e1997 < 0.0lf));
-                                let _e2006 = select(_e2004, _e2001, (_e2001 > _e2004));
-                                let _e2009 = select(_e1998, -(_e1998), (_e1998 < 0.0lf));
-                                let _e2012 = function_9(select(_e2009, _e2006, (_e2006 > _e2009)));
-                                let _e2013 = (_e1996 * _e2012);
-                                let _e2014 = (_e1997 * _e2012);
-                                let _e2015 = (_e1998 * _e2012);
-                                let _e2021 = (((_e2013 * _e2013) + (_e2014 * _e2014)) + (_e2015 * _e2015));
-                                if (_e2021 <= 2.2250738585072014e-308lf) {
-                                    phi_1763_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2021 > 0.0lf));
+                let _e898 = phi_1534_;
+                let _e901 = select(-(_e345), _e345, (_e184.member == 0u));
+                let _e903 = function_2(_e509.member);
+                let _e905 = function_2(_e509.member_1);
+                let _e919 = function_2(_e509.member_2);
+                let _e929 = (((_e903[0] - (_e905[0] * _e839.member)) - (_e919[0] * _e839.member_1)) * _e901);
+                let _e930 = (((_e903[1] - (_e905[1] * _e839.member)) - (_e919[1] * _e839.member_1)) * _e901);
+                let _e931 = (((_e903[2] - (_e905[2] * _e839.member)) - (_e919[2] * _e839.member_1)) * _e901);
+                let _e933 = f64(0f);
+                let _e934 = f64(1f);
+                let _e939 = select(false, (_e839.member < _e934), (_e839.member > _e933));
+                let _e942 = select(false, (_e839.member_1 < _e934), (_e839.member_1 > _e933));
+                let _e943 = (_e901 > _e933);
+                let _e954 = select(select(bool(), select(bool(), select(true, ((_e839.member + _e839.member_1) < (_e934 - (1.1102230246251565e-16lf * f64(4f)))), _e943), _e942), _e939), false, select(true, select(true, false, _e942), _e939));
+                let _e956 = local.member_4;
+                let _e957 = (_e956 > _e933);
+                let _e959 = local.member_3;
+                let _e963 = (_e959[0] * _e901);
+                let _e964 = (_e959[1] * _e901);
+                let _e965 = (_e959[2] * _e901);
+                let _e967 = local.member_6;
+                if (_e898 > _e967) {
+                    let _e1986 = (_e839.member_2[0] * _e901);
+                    let _e1988 = (_e839.member_2[1] * _e901);
+                    let _e1990 = (_e839.member_2[2] * _e901);
+                    if _e957 {
+                        if _e954 {
+                            let _e1992 = local.member_5;
+                            let _e1995 = local.member_6;
+                            let _e1997 = local.member_4;
+                            if ((_e1992 * _e898) <= (_e1995 * _e1997)) {
+                                let _e2005 = ((((_e1986 * _e963) + (_e1988 * _e964)) + (_e1990 * _e965)) >= _e933);
+                                let _e2006 = -(_e934);
+                                let _e2010 = select((_e963 * _e2006), _e963, _e2005);
+                                let _e2011 = select((_e964 * _e2006), _e964, _e2005);
+                                let _e2012 = select((_e965 * _e2006), _e965, _e2005);
+                                let _e2015 = select(_e2010, -(_e2010), (_e2010 < 0.0lf));
+                                let _e2018 = select(_e2011, -(_e2011), (_e2011 < 0.0lf));
+                                let _e2020 = select(_e2018, _e2015, (_e2015 > _e2018));
+                                let _e2023 = select(_e2012, -(_e2012), (_e2012 < 0.0lf));
+                                let _e2026 = function_9(select(_e2023, _e2020, (_e2020 > _e2023)));
+                                let _e2027 = (_e2010 * _e2026);
+                                let _e2028 = (_e2011 * _e2026);
+                                let _e2029 = (_e2012 * _e2026);
+                                let _e2035 = (((_e2027 * _e2027) + (_e2028 * _e2028)) + (_e2029 * _e2029));
+                                if (_e2035 <= 2.2250738585072014e-308lf) {
+                                    phi_1795_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2035 > 0.0lf));
                                 } else {
-                                    phi_1706_ = type_16(0i, 5i);
-                                    phi_1709_ = bitcast<f64>(((bitcast<u64>(_e2021) / 2lu) + 2303426169912950784lu));
+                                    phi_1738_ = type_16(0i, 5i);
+                                    phi_1741_ = bitcast<f64>(((bitcast<u64>(_e2035) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e2028 = phi_1706_;
-                                        let _e2030 = phi_1709_;
-                                        local_11 = _e2030;
-                                        if (_e2028.member < _e2028.member_1) {
-                                            let _e2037 = (_e2028.member + 1i);
-                                            phi_1707_ = type_16(select(_e2037, type_17().member_1, select(false, true, ((false == (_e2037 > _e2028.member)) != false))), _e2028.member_1);
-                                            phi_1750_ = type_17(1u, _e2028.member);
+                                        let _e2042 = phi_1738_;
+                                        let _e2044 = phi_1741_;
+                                        local_11 = _e2044;
+                                        if (_e2042.member < _e2042.member_1) {
+                                            let _e2051 = (_e2042.member + 1i);
+                                            phi_1739_ = type_16(select(_e2051, type_17().member_1, select(false, true, ((false == (_e2051 > _e2042.member)) != false))), _e2042.member_1);
+                                            phi_1782_ = type_17(1u, _e2042.member);
                                         } else {
-                                            phi_1707_ = _e2028;
-                                            phi_1750_ = type_17(0u, type_17().member_1);
+                                            phi_1739_ = _e2042;
+                                            phi_1782_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e2048 = phi_1707_;
-                                        let _e2050 = phi_1750_;
-                                        let _e2053 = (bitcast<i32>(_e2050.member) != 0i);
-                                        if _e2053 {
-                                            phi_1710_ = (0.5lf * (_e2030 + (_e2021 / _e2030)));
+                                        let _e2062 = phi_1739_;
+                                        let _e2064 = phi_1782_;
+                                        let _e2067 = (bitcast<i32>(_e2064.member) != 0i);
+                                        if _e2067 {
+                                            phi_1742_ = (0.5lf * (_e2044 + (_e2035 / _e2044)));
                                         } else {
-                                            phi_1710_ = f64();
+                                            phi_1742_ = f64();
                                         }
-                                        let _e2058 = phi_1710_;
+                                        let _e2072 = phi_1742_;
                                         continue;
                                         continuing {
-                                            phi_1706_ = _e2048;
-                                            phi_1709_ = _e2058;
-                                            break if !(_e2053);
+                                            phi_1738_ = _e2062;
+                                            phi_1741_ = _e2072;
+                                            break if !(_e2067);
                                         }
                                     }
-                                    let _e2063 = local_11;
-                                    phi_1763_ = (_e2063 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e2077 = local_11;
+                                    phi_1795_ = (_e2077 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e2069 = phi_1763_;
-                                let _e2070 = (f64(1f) / _e2069);
-                                let _e2071 = (_e2013 * _e2070);
-                                let _e2072 = (_e2014 * _e2070);
-                                let _e2073 = (_e2015 * _e2070);
-                                let _e2082 = ((f64(3f) - (((_e2071 * _e2071) + (_e2072 * _e2072)) + (_e2073 * _e2073))) * f64(0.5f));
-                                phi_1781_ = array<f64, 3>((_e2071 * _e2082), (_e2072 * _e2082), (_e2073 * _e2082));
-                                phi_1782_ = false;
+                                let _e2083 = phi_1795_;
+                                let _e2084 = (f64(1f) / _e2083);
+                                let _e2085 = (_e2027 * _e2084);
+                                let _e2086 = (_e2028 * _e2084);
+                                let _e2087 = (_e2029 * _e2084);
+                                let _e2096 = ((f64(3f) - (((_e2085 * _e2085) + (_e2086 * _e2086)) + (_e2087 * _e2087))) * f64(0.5f));
+                                phi_1813_ = array<f64, 3>((_e2085 * _e2096), (_e2086 * _e2096), (_e2087 * _e2096));
+                                phi_1814_ = false;
                             } else {
-                                phi_1781_ = array<f64, 3>();
-                                phi_1782_ = true;
+                                phi_1813_ = array<f64, 3>();
+                                phi_1814_ = true;
                             }
-                            let _e2088 = phi_1781_;
-                            let _e2090 = phi_1782_;
-                            phi_1783_ = _e2088;
-                            phi_1784_ = _e2090;
+                            let _e2102 = phi_1813_;
+                            let _e2104 = phi_1814_;
+                            phi_1815_ = _e2102;
+                            phi_1816_ = _e2104;
                         } else {
-                            phi_1783_ = array<f64, 3>();
-                            phi_1784_ = true;
+                            phi_1815_ = array<f64, 3>();
+                            phi_1816_ = true;
                         }
-                        let _e2092 = phi_1783_;
-                        let _e2094 = phi_1784_;
-                        phi_1785_ = _e2092;
-                        phi_1786_ = _e2094;
+                        let _e2106 = phi_1815_;
+                        let _e2108 = phi_1816_;
+                        phi_1817_ = _e2106;
+                        phi_1818_ = _e2108;
                     } else {
-                        phi_1785_ = array<f64, 3>();
-                        phi_1786_ = true;
+                        phi_1817_ = array<f64, 3>();
+                        phi_1818_ = true;
                     }
-                    let _e2096 = phi_1785_;
-                    let _e2098 = phi_1786_;
-                    if _e2098 {
-                        let _e2101 = select(_e1972, -(_e1972), (_e1972 < 0.0lf));
-                        let _e2104 = select(_e1974, -(_e1974), (_e1974 < 0.0lf));
-                        let _e2106 = select(_e2104, _e2101, (_e2101 > _e2104));
-                        let _e2109 = select(_e1976, -(_e1976), (_e1976 < 0.0lf));
-                        let _e2112 = function_9(select(_e2109, _e2106, (_e2106 > _e2109)));
-                        let _e2113 = (_e1972 * _e2112);
-                        let _e2114 = (_e1974 * _e2112);
-                        let _e2115 = (_e1976 * _e2112);
-                        let _e2121 = (((_e2113 * _e2113) + (_e2114 * _e2114)) + (_e2115 * _e2115));
-                        if (_e2121 <= 2.2250738585072014e-308lf) {
-                            phi_1905_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2121 > 0.0lf));
+                    let _e2110 = phi_1817_;
+                    let _e2112 = phi_1818_;
+                    if _e2112 {
+                        let _e2115 = select(_e1986, -(_e1986), (_e1986 < 0.0lf));
+                        let _e2118 = select(_e1988, -(_e1988), (_e1988 < 0.0lf));
+                        let _e2120 = select(_e2118, _e2115, (_e2115 > _e2118));
+                        let _e2123 = select(_e1990, -(_e1990), (_e1990 < 0.0lf));
+                        let _e2126 = function_9(select(_e2123, _e2120, (_e2120 > _e2123)));
+                        let _e2127 = (_e1986 * _e2126);
+                        let _e2128 = (_e1988 * _e2126);
+                        let _e2129 = (_e1990 * _e2126);
+                        let _e2135 = (((_e2127 * _e2127) + (_e2128 * _e2128)) + (_e2129 * _e2129));
+                        if (_e2135 <= 2.2250738585072014e-308lf) {
+                            phi_1937_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2135 > 0.0lf));
                         } else {
-                            phi_1848_ = type_16(0i, 5i);
-                            phi_1851_ = bitcast<f64>(((bitcast<u64>(_e2121) / 2lu) + 2303426169912950784lu));
+                            phi_1880_ = type_16(0i, 5i);
+                            phi_1883_ = bitcast<f64>(((bitcast<u64>(_e2135) / 2lu) + 2303426169912950784lu));
                             loop {
-                                let _e2128 = phi_1848_;
-                                let _e2130 = phi_1851_;
-                                local_12 = _e2130;
-                                if (_e2128.member < _e2128.member_1) {
-                                    let _e2137 = (_e2128.member + 1i);
-                                    phi_1849_ = type_16(select(_e2137, type_17().member_1, select(false, true, ((false == (_e2137 > _e2128.member)) != false))), _e2128.member_1);
-                                    phi_1892_ = type_17(1u, _e2128.member);
+                                let _e2142 = phi_1880_;
+                                let _e2144 = phi_1883_;
+                                local_12 = _e2144;
+                                if (_e2142.member < _e2142.member_1) {
+                                    let _e2151 = (_e2142.member + 1i);
+                                    phi_1881_ = type_16(select(_e2151, type_17().member_1, select(false, true, ((false == (_e2151 > _e2142.member)) != false))), _e2142.member_1);
+                                    phi_1924_ = type_17(1u, _e2142.member);
                                 } else {
-                                    phi_1849_ = _e2128;
-                                    phi_1892_ = type_17(0u, type_17().member_1);
+                                    phi_1881_ = _e2142;
+                                    phi_1924_ = type_17(0u, type_17().member_1);
                                 }
-                                let _e2148 = phi_1849_;
-                                let _e2150 = phi_1892_;
-                                let _e2153 = (bitcast<i32>(_e2150.member) != 0i);
-                                if _e2153 {
-                                    phi_1852_ = (0.5lf * (_e2130 + (_e2121 / _e2130)));
+                                let _e2162 = phi_1881_;
+                                let _e2164 = phi_1924_;
+                                let _e2167 = (bitcast<i32>(_e2164.member) != 0i);
+                                if _e2167 {
+                                    phi_1884_ = (0.5lf * (_e2144 + (_e2135 / _e2144)));
                                 } else {
-                                    phi_1852_ = f64();
+                                    phi_1884_ = f64();
                                 }
-                                let _e2158 = phi_1852_;
+                                let _e2172 = phi_1884_;
                                 continue;
                                 continuing {
-                                    phi_1848_ = _e2148;
-                                    phi_1851_ = _e2158;
-                                    break if !(_e2153);
+                                    phi_1880_ = _e2162;
+                                    phi_1883_ = _e2172;
+                                    break if !(_e2167);
                                 }
                             }
-                            let _e2163 = local_12;
-                            phi_1905_ = (_e2163 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                            let _e2177 = local_12;
+                            phi_1937_ = (_e2177 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                         }
-                        let _e2169 = phi_1905_;
-                        let _e2170 = (f64(1f) / _e2169);
-                        let _e2171 = (_e2113 * _e2170);
-                        let _e2172 = (_e2114 * _e2170);
-                        let _e2173 = (_e2115 * _e2170);
-                        let _e2182 = ((f64(3f) - (((_e2171 * _e2171) + (_e2172 * _e2172)) + (_e2173 * _e2173))) * f64(0.5f));
-                        phi_1923_ = array<f64, 3>((_e2171 * _e2182), (_e2172 * _e2182), (_e2173 * _e2182));
+                        let _e2183 = phi_1937_;
+                        let _e2184 = (f64(1f) / _e2183);
+                        let _e2185 = (_e2127 * _e2184);
+                        let _e2186 = (_e2128 * _e2184);
+                        let _e2187 = (_e2129 * _e2184);
+                        let _e2196 = ((f64(3f) - (((_e2185 * _e2185) + (_e2186 * _e2186)) + (_e2187 * _e2187))) * f64(0.5f));
+                        phi_1955_ = array<f64, 3>((_e2185 * _e2196), (_e2186 * _e2196), (_e2187 * _e2196));
                     } else {
-                        phi_1923_ = _e2096;
+                        phi_1955_ = _e2110;
                     }
-                    let _e2188 = phi_1923_;
-                    phi_3522_ = _e2188;
-                    phi_3523_ = array<f64, 3>();
-                    phi_3524_ = true;
+                    let _e2202 = phi_1955_;
+                    phi_3554_ = _e2202;
+                    phi_3555_ = array<f64, 3>();
+                    phi_3556_ = true;
                 } else {
-                    let _e960 = select(_e495.member[0][0], -(_e495.member[0][0]), (_e495.member[0][0] < 0.0lf));
-                    let _e964 = select(_e495.member[0][1], -(_e495.member[0][1]), (_e495.member[0][1] < 0.0lf));
-                    let _e966 = select(_e964, _e960, (_e960 > _e964));
-                    let _e970 = select(_e495.member[0][2], -(_e495.member[0][2]), (_e495.member[0][2] < 0.0lf));
-                    let _e972 = select(_e970, _e966, (_e966 > _e970));
-                    let _e978 = select(_e495.member[1][0], -(_e495.member[1][0]), (_e495.member[1][0] < 0.0lf));
-                    let _e982 = select(_e495.member[1][1], -(_e495.member[1][1]), (_e495.member[1][1] < 0.0lf));
-                    let _e984 = select(_e982, _e978, (_e978 > _e982));
-                    let _e988 = select(_e495.member[1][2], -(_e495.member[1][2]), (_e495.member[1][2] < 0.0lf));
-                    let _e990 = select(_e988, _e984, (_e984 > _e988));
-                    let _e1000 = select(_e495.member_1[0][0], -(_e495.member_1[0][0]), (_e495.member_1[0][0] < 0.0lf));
-                    let _e1004 = select(_e495.member_1[0][1], -(_e495.member_1[0][1]), (_e495.member_1[0][1] < 0.0lf));
-                    let _e1006 = select(_e1004, _e1000, (_e1000 > _e1004));
-                    let _e1010 = select(_e495.member_1[0][2], -(_e495.member_1[0][2]), (_e495.member_1[0][2] < 0.0lf));
-                    let _e1012 = select(_e1010, _e1006, (_e1006 > _e1010));
-                    let _e1018 = select(_e495.member_1[1][0], -(_e495.member_1[1][0]), (_e495.member_1[1][0] < 0.0lf));
-                    let _e1022 = select(_e495.member_1[1][1], -(_e495.member_1[1][1]), (_e495.member_1[1][1] < 0.0lf));
-                    let _e1024 = select(_e1022, _e1018, (_e1018 > _e1022));
-                    let _e1028 = select(_e495.member_1[1][2], -(_e495.member_1[1][2]), (_e495.member_1[1][2] < 0.0lf));
-                    let _e1030 = select(_e1028, _e1024, (_e1024 > _e1028));
-                    let _e1040 = select(_e495.member_2[0][0], -(_e495.member_2[0][0]), (_e495.member_2[0][0] < 0.0lf));
-                    let _e1044 = select(_e495.member_2[0][1], -(_e495.member_2[0][1]), (_e495.member_2[0][1] < 0.0lf));
-                    let _e1046 = select(_e1044, _e1040, (_e1040 > _e1044));
-                    let _e1050 = select(_e495.member_2[0][2], -(_e495.member_2[0][2]), (_e495.member_2[0][2] < 0.0lf));
-                    let _e1052 = select(_e1050, _e1046, (_e1046 > _e1050));
-                    let _e1058 = select(_e495.member_2[1][0], -(_e495.member_2[1][0]), (_e495.member_2[1][0] < 0.0lf));
-                    let _e1062 = select(_e495.member_2[1][1], -(_e495.member_2[1][1]), (_e495.member_2[1][1] < 0.0lf));
-                    let _e1064 = select(_e1062, _e1058, (_e1058 > _e1062));
-                    let _e1068 = select(_e495.member_2[1][2], -(_e495.member_2[1][2]), (_e495.member_2[1][2] < 0.0lf));
-                    let _e1070 = select(_e1068, _e1064, (_e1064 > _e1068));
-                    let _e1083 = (((((select(_e990, _e972, (_e972 > _e990)) + _e495.member_3) + (select(_e1030, _e1012, (_e1012 > _e1030)) + _e495.member_3)) + (select(_e1070, _e1052, (_e1052 > _e1070)) + _e495.member_3)) * (1.1102230246251565e-16lf * f64(32f))) + (_e495.member_3 * f64(8f)));
-                    if _e943 {
-                        let _e1086 = select(_e949, -(_e949), (_e949 < 0.0lf));
-                        let _e1089 = select(_e950, -(_e950), (_e950 < 0.0lf));
-                        let _e1091 = select(_e1089, _e1086, (_e1086 > _e1089));
-                        let _e1094 = select(_e951, -(_e951), (_e951 < 0.0lf));
-                        let _e1097 = function_9(select(_e1094, _e1091, (_e1091 > _e1094)));
-                        let _e1098 = (_e949 * _e1097);
-                        let _e1099 = (_e950 * _e1097);
-                        let _e1100 = (_e951 * _e1097);
-                        let _e1106 = (((_e1098 * _e1098) + (_e1099 * _e1099)) + (_e1100 * _e1100));
-                        if (_e1106 <= 2.2250738585072014e-308lf) {
-                            phi_2264_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1106 > 0.0lf));
+                    let _e974 = select(_e509.member[0][0], -(_e509.member[0][0]), (_e509.member[0][0] < 0.0lf));
+                    let _e978 = select(_e509.member[0][1], -(_e509.member[0][1]), (_e509.member[0][1] < 0.0lf));
+                    let _e980 = select(_e978, _e974, (_e974 > _e978));
+                    let _e984 = select(_e509.member[0][2], -(_e509.member[0][2]), (_e509.member[0][2] < 0.0lf));
+                    let _e986 = select(_e984, _e980, (_e980 > _e984));
+                    let _e992 = select(_e509.member[1][0], -(_e509.member[1][0]), (_e509.member[1][0] < 0.0lf));
+                    let _e996 = select(_e509.member[1][1], -(_e509.member[1][1]), (_e509.member[1][1] < 0.0lf));
+                    let _e998 = select(_e996, _e992, (_e992 > _e996));
+                    let _e1002 = select(_e509.member[1][2], -(_e509.member[1][2]), (_e509.member[1][2] < 0.0lf));
+                    let _e1004 = select(_e1002, _e998, (_e998 > _e1002));
+                    let _e1014 = select(_e509.member_1[0][0], -(_e509.member_1[0][0]), (_e509.member_1[0][0] < 0.0lf));
+                    let _e1018 = select(_e509.member_1[0][1], -(_e509.member_1[0][1]), (_e509.member_1[0][1] < 0.0lf));
+                    let _e1020 = select(_e1018, _e1014, (_e1014 > _e1018));
+                    let _e1024 = select(_e509.member_1[0][2], -(_e509.member_1[0][2]), (_e509.member_1[0][2] < 0.0lf));
+                    let _e1026 = select(_e1024, _e1020, (_e1020 > _e1024));
+                    let _e1032 = select(_e509.member_1[1][0], -(_e509.member_1[1][0]), (_e509.member_1[1][0] < 0.0lf));
+                    let _e1036 = select(_e509.member_1[1][1], -(_e509.member_1[1][1]), (_e509.member_1[1][1] < 0.0lf));
+                    let _e1038 = select(_e1036, _e1032, (_e1032 > _e1036));
+                    let _e1042 = select(_e509.member_1[1][2], -(_e509.member_1[1][2]), (_e509.member_1[1][2] < 0.0lf));
+                    let _e1044 = select(_e1042, _e1038, (_e1038 > _e1042));
+                    let _e1054 = select(_e509.member_2[0][0], -(_e509.member_2[0][0]), (_e509.member_2[0][0] < 0.0lf));
+                    let _e1058 = select(_e509.member_2[0][1], -(_e509.member_2[0][1]), (_e509.member_2[0][1] < 0.0lf));
+                    let _e1060 = select(_e1058, _e1054, (_e1054 > _e1058));
+                    let _e1064 = select(_e509.member_2[0][2], -(_e509.member_2[0][2]), (_e509.member_2[0][2] < 0.0lf));
+                    let _e1066 = select(_e1064, _e1060, (_e1060 > _e1064));
+                    let _e1072 = select(_e509.member_2[1][0], -(_e509.member_2[1][0]), (_e509.member_2[1][0] < 0.0lf));
+                    let _e1076 = select(_e509.member_2[1][1], -(_e509.member_2[1][1]), (_e509.member_2[1][1] < 0.0lf));
+                    let _e1078 = select(_e1076, _e1072, (_e1072 > _e1076));
+                    let _e1082 = select(_e509.member_2[1][2], -(_e509.member_2[1][2]), (_e509.member_2[1][2] < 0.0lf));
+                    let _e1084 = select(_e1082, _e1078, (_e1078 > _e1082));
+                    let _e1097 = (((((select(_e1004, _e986, (_e986 > _e1004)) + _e509.member_3) + (select(_e1044, _e1026, (_e1026 > _e1044)) + _e509.member_3)) + (select(_e1084, _e1066, (_e1066 > _e1084)) + _e509.member_3)) * (1.1102230246251565e-16lf * f64(32f))) + (_e509.member_3 * f64(8f)));
+                    if _e957 {
+                        let _e1100 = select(_e963, -(_e963), (_e963 < 0.0lf));
+                        let _e1103 = select(_e964, -(_e964), (_e964 < 0.0lf));
+                        let _e1105 = select(_e1103, _e1100, (_e1100 > _e1103));
+                        let _e1108 = select(_e965, -(_e965), (_e965 < 0.0lf));
+                        let _e1111 = function_9(select(_e1108, _e1105, (_e1105 > _e1108)));
+                        let _e1112 = (_e963 * _e1111);
+                        let _e1113 = (_e964 * _e1111);
+                        let _e1114 = (_e965 * _e1111);
+                        let _e1120 = (((_e1112 * _e1112) + (_e1113 * _e1113)) + (_e1114 * _e1114));
+                        if (_e1120 <= 2.2250738585072014e-308lf) {
+                            phi_2296_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1120 > 0.0lf));
                         } else {
-                            phi_2207_ = type_16(0i, 5i);
-                            phi_2210_ = bitcast<f64>(((bitcast<u64>(_e1106) / 2lu) + 2303426169912950784lu));
+                            phi_2239_ = type_16(0i, 5i);
+                            phi_2242_ = bitcast<f64>(((bitcast<u64>(_e1120) / 2lu) + 2303426169912950784lu));
                             loop {
-                                let _e1113 = phi_2207_;
-                                let _e1115 = phi_2210_;
-                                local_5 = _e1115;
-                                if (_e1113.member < _e1113.member_1) {
-                                    let _e1122 = (_e1113.member + 1i);
-                                    phi_2208_ = type_16(select(_e1122, type_17().member_1, select(false, true, ((false == (_e1122 > _e1113.member)) != false))), _e1113.member_1);
-                                    phi_2251_ = type_17(1u, _e1113.member);
+                                let _e1127 = phi_2239_;
+                                let _e1129 = phi_2242_;
+                                local_5 = _e1129;
+                                if (_e1127.member < _e1127.member_1) {
+                                    let _e1136 = (_e1127.member + 1i);
+                                    phi_2240_ = type_16(select(_e1136, type_17().member_1, select(false, true, ((false == (_e1136 > _e1127.member)) != false))), _e1127.member_1);
+                                    phi_2283_ = type_17(1u, _e1127.member);
                                 } else {
-                                    phi_2208_ = _e1113;
-                                    phi_2251_ = type_17(0u, type_17().member_1);
+                                    phi_2240_ = _e1127;
+                                    phi_2283_ = type_17(0u, type_17().member_1);
                                 }
-                                let _e1133 = phi_2208_;
-                                let _e1135 = phi_2251_;
-                                let _e1138 = (bitcast<i32>(_e1135.member) != 0i);
-                                if _e1138 {
-                                    phi_2211_ = (0.5lf * (_e1115 + (_e1106 / _e1115)));
+                                let _e1147 = phi_2240_;
+                                let _e1149 = phi_2283_;
+                                let _e1152 = (bitcast<i32>(_e1149.member) != 0i);
+                                if _e1152 {
+                                    phi_2243_ = (0.5lf * (_e1129 + (_e1120 / _e1129)));
                                 } else {
-                                    phi_2211_ = f64();
+                                    phi_2243_ = f64();
                                 }
-                                let _e1143 = phi_2211_;
+                                let _e1157 = phi_2243_;
                                 continue;
                                 continuing {
-                                    phi_2207_ = _e1133;
-                                    phi_2210_ = _e1143;
-                                    break if !(_e1138);
+                                    phi_2239_ = _e1147;
+                                    phi_2242_ = _e1157;
+                                    break if !(_e1152);
                                 }
                             }
-                            let _e1148 = local_5;
-                            phi_2264_ = (_e1148 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                            let _e1162 = local_5;
+                            phi_2296_ = (_e1162 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                         }
-                        let _e1154 = phi_2264_;
-                        let _e1155 = (f64(1f) / _e1154);
-                        let _e1156 = (_e1098 * _e1155);
-                        let _e1157 = (_e1099 * _e1155);
-                        let _e1158 = (_e1100 * _e1155);
-                        let _e1167 = ((f64(3f) - (((_e1156 * _e1156) + (_e1157 * _e1157)) + (_e1158 * _e1158))) * f64(0.5f));
-                        let _e1168 = (_e1156 * _e1167);
-                        let _e1169 = (_e1157 * _e1167);
-                        let _e1170 = (_e1158 * _e1167);
-                        let _e1175 = (((_e915 * _e1168) + (_e916 * _e1169)) + (_e917 * _e1170));
-                        let _e1188 = local.member_5;
-                        let _e1190 = local.member_4;
-                        if (select(_e1175, -(_e1175), (_e1175 < 0.0lf)) > (_e1083 + (((select(_e915, -(_e915), (_e915 < 0.0lf)) + select(_e916, -(_e916), (_e916 < 0.0lf))) + select(_e917, -(_e917), (_e917 < 0.0lf))) * (_e1188 / _e1190)))) {
-                            let _e1198 = (_e1175 < _e919);
-                            let _e1199 = -(_e920);
-                            phi_2334_ = array<f64, 3>(select((_e1168 * _e1199), _e1168, _e1198), select((_e1169 * _e1199), _e1169, _e1198), select((_e1170 * _e1199), _e1170, _e1198));
-                            phi_2335_ = false;
+                        let _e1168 = phi_2296_;
+                        let _e1169 = (f64(1f) / _e1168);
+                        let _e1170 = (_e1112 * _e1169);
+                        let _e1171 = (_e1113 * _e1169);
+                        let _e1172 = (_e1114 * _e1169);
+                        let _e1181 = ((f64(3f) - (((_e1170 * _e1170) + (_e1171 * _e1171)) + (_e1172 * _e1172))) * f64(0.5f));
+                        let _e1182 = (_e1170 * _e1181);
+                        let _e1183 = (_e1171 * _e1181);
+                        let _e1184 = (_e1172 * _e1181);
+                        let _e1189 = (((_e929 * _e1182) + (_e930 * _e1183)) + (_e931 * _e1184));
+                        let _e1202 = local.member_5;
+                        let _e1204 = local.member_4;
+                        if (select(_e1189, -(_e1189), (_e1189 < 0.0lf)) > (_e1097 + (((select(_e929, -(_e929), (_e929 < 0.0lf)) + select(_e930, -(_e930), (_e930 < 0.0lf))) + select(_e931, -(_e931), (_e931 < 0.0lf))) * (_e1202 / _e1204)))) {
+                            let _e1212 = (_e1189 < _e933);
+                            let _e1213 = -(_e934);
+                            phi_2366_ = array<f64, 3>(select((_e1182 * _e1213), _e1182, _e1212), select((_e1183 * _e1213), _e1183, _e1212), select((_e1184 * _e1213), _e1184, _e1212));
+                            phi_2367_ = false;
                         } else {
-                            phi_2334_ = array<f64, 3>();
-                            phi_2335_ = true;
+                            phi_2366_ = array<f64, 3>();
+                            phi_2367_ = true;
                         }
-                        let _e1208 = phi_2334_;
-                        let _e1210 = phi_2335_;
-                        phi_2336_ = _e1208;
-                        phi_2337_ = _e1210;
+                        let _e1222 = phi_2366_;
+                        let _e1224 = phi_2367_;
+                        phi_2368_ = _e1222;
+                        phi_2369_ = _e1224;
                     } else {
-                        phi_2336_ = array<f64, 3>();
-                        phi_2337_ = true;
+                        phi_2368_ = array<f64, 3>();
+                        phi_2369_ = true;
                     }
-                    let _e1212 = phi_2336_;
-                    let _e1214 = phi_2337_;
-                    if _e1214 {
-                        if select(true, select(true, false, _e940), _e943) {
-                            if _e929 {
-                                if _e925 {
-                                    if _e928 {
-                                        let _e1218 = local.member_2;
-                                        let _e1223 = local.member_1;
-                                        phi_2383_ = array<f64, 3>((_e1218[0] - _e1223[0]), (_e1218[1] - _e1223[1]), (_e1218[2] - _e1223[2]));
-                                        phi_2384_ = false;
-                                    } else {
-                                        phi_2383_ = array<f64, 3>();
-                                        phi_2384_ = true;
-                                    }
-                                    let _e1232 = phi_2383_;
-                                    let _e1234 = phi_2384_;
-                                    phi_2385_ = _e1232;
-                                    phi_2386_ = _e1234;
-                                } else {
-                                    phi_2385_ = array<f64, 3>();
-                                    phi_2386_ = true;
-                                }
-                                let _e1236 = phi_2385_;
-                                let _e1238 = phi_2386_;
-                                phi_2387_ = _e1236;
-                                phi_2388_ = _e1238;
-                            } else {
-                                phi_2387_ = array<f64, 3>();
-                                phi_2388_ = true;
-                            }
-                            let _e1240 = phi_2387_;
-                            let _e1242 = phi_2388_;
-                            if _e1242 {
-                                if _e925 {
-                                    if _e928 {
-                                        let _e1244 = local.member_2;
-                                        let _e1250 = select(_e1244[0], -(_e1244[0]), (_e1244[0] < 0.0lf));
-                                        let _e1253 = select(_e1244[1], -(_e1244[1]), (_e1244[1] < 0.0lf));
-                                        let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
-                                        let _e1258 = select(_e1244[2], -(_e1244[2]), (_e1244[2] < 0.0lf));
-                                        let _e1262 = local.member_1;
-                                        let _e1268 = select(_e1262[0], -(_e1262[0]), (_e1262[0] < 0.0lf));
-                                        let _e1271 = select(_e1262[1], -(_e1262[1]), (_e1262[1] < 0.0lf));
-                                        let _e1273 = select(_e1271, _e1268, (_e1268 > _e1271));
-                                        let _e1276 = select(_e1262[2], -(_e1262[2]), (_e1262[2] < 0.0lf));
-                                        phi_2477_ = select(true, false, (select(_e1258, _e1255, (_e1255 > _e1258)) > select(_e1276, _e1273, (_e1273 > _e1276))));
-                                    } else {
-                                        phi_2477_ = true;
-                                    }
-                                    let _e1282 = phi_2477_;
-                                    if _e1282 {
-                                        let _e1284 = local.member_1;
-                                        phi_2487_ = array<f64, 3>(_e1284[0], _e1284[1], _e1284[2]);
-                                        phi_2488_ = false;
-                                    } else {
-                                        phi_2487_ = array<f64, 3>();
-                                        phi_2488_ = true;
-                                    }
-                                    let _e1290 = phi_2487_;
-                                    let _e1292 = phi_2488_;
-                                    phi_2489_ = _e1290;
-                                    phi_2490_ = _e1292;
-                                } else {
-                                    phi_2489_ = array<f64, 3>();
-                                    phi_2490_ = true;
-                                }
-                                let _e1294 = phi_2489_;
-                                let _e1296 = phi_2490_;
-                                if _e1296 {
-                                    if _e928 {
-                                        let _e1299 = local.member_2;
-                                        phi_2504_ = array<f64, 3>(_e1299[0], _e1299[1], _e1299[2]);
-                                    } else {
-                                        phi_2504_ = array<f64, 3>(_e919, _e919, _e919);
-                                    }
-                                    let _e1305 = phi_2504_;
-                                    phi_2505_ = _e1305;
-                                } else {
-                                    phi_2505_ = _e1294;
-                                }
-                                let _e1307 = phi_2505_;
-                                phi_2506_ = _e1307;
-                            } else {
-                                phi_2506_ = _e1240;
-                            }
-                            let _e1309 = phi_2506_;
-                            let _e1313 = select(_e1309[0], -(_e1309[0]), (_e1309[0] < 0.0lf));
-                            let _e1317 = select(_e1309[1], -(_e1309[1]), (_e1309[1] < 0.0lf));
-                            let _e1319 = select(_e1317, _e1313, (_e1313 > _e1317));
-                            let _e1323 = select(_e1309[2], -(_e1309[2]), (_e1309[2] < 0.0lf));
-                            let _e1327 = local.member_6;
-                            let _e1328 = (select(_e1323, _e1319, (_e1319 > _e1323)) > _e1327);
-                            let _e1330 = select(_e919, _e1309[0], _e1328);
-                            let _e1332 = select(_e919, _e1309[1], _e1328);
-                            let _e1334 = select(_e919, _e1309[2], _e1328);
-                            let _e1337 = select(_e1330, -(_e1330), (_e1330 < 0.0lf));
-                            let _e1340 = select(_e1332, -(_e1332), (_e1332 < 0.0lf));
-                            let _e1342 = select(_e1340, _e1337, (_e1337 > _e1340));
-                            let _e1345 = select(_e1334, -(_e1334), (_e1334 < 0.0lf));
-                            if (select(_e1345, _e1342, (_e1342 > _e1345)) > f64(0f)) {
-                                let _e1352 = select(_e1330, -(_e1330), (_e1330 < 0.0lf));
-                                let _e1355 = select(_e1332, -(_e1332), (_e1332 < 0.0lf));
-                                let _e1357 = select(_e1355, _e1352, (_e1352 > _e1355));
-                                let _e1360 = select(_e1334, -(_e1334), (_e1334 < 0.0lf));
-                                let _e1363 = function_9(select(_e1360, _e1357, (_e1357 > _e1360)));
-                                let _e1364 = (_e1330 * _e1363);
-                                let _e1365 = (_e1332 * _e1363);
-                                let _e1366 = (_e1334 * _e1363);
-                                let _e1372 = (((_e1364 * _e1364) + (_e1365 * _e1365)) + (_e1366 * _e1366));
-                                if (_e1372 <= 2.2250738585072014e-308lf) {
-                                    phi_2703_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1372 > 0.0lf));
-                                } else {
-                                    phi_2646_ = type_16(0i, 5i);
-                                    phi_2649_ = bitcast<f64>(((bitcast<u64>(_e1372) / 2lu) + 2303426169912950784lu));
-                                    loop {
-                                        let _e1379 = phi_2646_;
-                                        let _e1381 = phi_2649_;
-                                        local_6 = _e1381;
-                                        if (_e1379.member < _e1379.member_1) {
-                                            let _e1388 = (_e1379.member + 1i);
-                                            phi_2647_ = type_16(select(_e1388, type_17().member_1, select(false, true, ((false == (_e1388 > _e1379.member)) != false))), _e1379.member_1);
-                                            phi_2690_ = type_17(1u, _e1379.member);
-                                        } else {
-                                            phi_2647_ = _e1379;
-                                            phi_2690_ = type_17(0u, type_17().member_1);
-                                        }
-                                        let _e1399 = phi_2647_;
-                                        let _e1401 = phi_2690_;
-                                        let _e1404 = (bitcast<i32>(_e1401.member) != 0i);
-                                        if _e1404 {
-                                            phi_2650_ = (0.5lf * (_e1381 + (_e1372 / _e1381)));
-                                        } else {
-                                            phi_2650_ = f64();
-                                        }
-                                        let _e1409 = phi_2650_;
-                                        continue;
-                                        continuing {
-                                            phi_2646_ = _e1399;
-                                            phi_2649_ = _e1409;
-                                            break if !(_e1404);
-                                        }
-                                    }
-                                    let _e1414 = local_6;
-                                    phi_2703_ = (_e1414 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
-                                }
-                                let _e1420 = phi_2703_;
-                                let _e1421 = (f64(1f) / _e1420);
-                                let _e1422 = (_e1364 * _e1421);
-                                let _e1423 = (_e1365 * _e1421);
-                                let _e1424 = (_e1366 * _e1421);
-                                let _e1433 = ((f64(3f) - (((_e1422 * _e1422) + (_e1423 * _e1423)) + (_e1424 * _e1424))) * f64(0.5f));
-                                let _e1434 = (_e1422 * _e1433);
-                                let _e1435 = (_e1423 * _e1433);
-                                let _e1436 = (_e1424 * _e1433);
-                                let _e1441 = (((_e915 * _e1434) + (_e916 * _e1435)) + (_e917 * _e1436));
-                                phi_2732_ = array<f64, 3>((_e915 - (_e1434 * _e1441)), (_e916 - (_e1435 * _e1441)), (_e917 - (_e1436 * _e1441)));
-                            } else {
-                                phi_2732_ = array<f64, 3>(_e915, _e916, _e917);
-                            }
-                            let _e1450 = phi_2732_;
-                            if (((select(_e1450[0], -(_e1450[0]), (_e1450[0] < 0.0lf)) + select(_e1450[1], -(_e1450[1]), (_e1450[1] < 0.0lf))) + select(_e1450[2], -(_e1450[2]), (_e1450[2] < 0.0lf))) > _e1083) {
-                                let _e1466 = -(_e920);
-                                let _e1468 = (_e1450[0] * _e1466);
-                                let _e1470 = (_e1450[1] * _e1466);
-                                let _e1472 = (_e1450[2] * _e1466);
-                                let _e1475 = select(_e1468, -(_e1468), (_e1468 < 0.0lf));
-                                let _e1478 = select(_e1470, -(_e1470), (_e1470 < 0.0lf));
-                                let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
-                                let _e1483 = select(_e1472, -(_e1472), (_e1472 < 0.0lf));
-                                let _e1486 = function_9(select(_e1483, _e1480, (_e1480 > _e1483)));
-                                let _e1487 = (_e1468 * _e1486);
-                                let _e1488 = (_e1470 * _e1486);
-                                let _e1489 = (_e1472 * _e1486);
-                                let _e1495 = (((_e1487 * _e1487) + (_e1488 * _e1488)) + (_e1489 * _e1489));
-                                if (_e1495 <= 2.2250738585072014e-308lf) {
-                                    phi_2882_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1495 > 0.0lf));
-                                } else {
-                                    phi_2825_ = type_16(0i, 5i);
-                                    phi_2828_ = bitcast<f64>(((bitcast<u64>(_e1495) / 2lu) + 2303426169912950784lu));
-                                    loop {
-                                        let _e1502 = phi_2825_;
-                                        let _e1504 = phi_2828_;
-                                        local_7 = _e1504;
-                                        if (_e1502.member < _e1502.member_1) {
-                                            let _e1511 = (_e1502.member + 1i);
-                                            phi_2826_ = type_16(select(_e1511, type_17().member_1, select(false, true, ((false == (_e1511 > _e1502.member)) != false))), _e1502.member_1);
-                                            phi_2869_ = type_17(1u, _e1502.member);
-                                        } else {
-                                            phi_2826_ = _e1502;
-                                            phi_2869_ = type_17(0u, type_17().member_1);
-                                        }
-                                        let _e1522 = phi_2826_;
-                                        let _e1524 = phi_2869_;
-                                        let _e1527 = (bitcast<i32>(_e1524.member) != 0i);
-                                        if _e1527 {
-                                            phi_2829_ = (0.5lf * (_e1504 + (_e1495 / _e1504)));
-                                        } else {
-                                            phi_2829_ = f64();
-                                        }
-                                        let _e1532 = phi_2829_;
-                                        continue;
-                                        continuing {
-                                            phi_2825_ = _e1522;
-                                            phi_2828_ = _e1532;
-                                            break if !(_e1527);
-                                        }
-                                    }
-                                    let _e1537 = local_7;
-                                    phi_2882_ = (_e1537 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
-                                }
-                                let _e1543 = phi_2882_;
-                                let _e1544 = (f64(1f) / _e1543);
-                                let _e1545 = (_e1487 * _e1544);
-                                let _e1546 = (_e1488 * _e1544);
-                                let _e1547 = (_e1489 * _e1544);
-                                let _e1556 = ((f64(3f) - (((_e1545 * _e1545) + (_e1546 * _e1546)) + (_e1547 * _e1547))) * f64(0.5f));
-                                phi_2900_ = array<f64, 3>((_e1545 * _e1556), (_e1546 * _e1556), (_e1547 * _e1556));
-                                phi_2901_ = false;
-                            } else {
-                                phi_2900_ = array<f64, 3>();
-                                phi_2901_ = true;
-                            }
-                            let _e1562 = phi_2900_;
-                            let _e1564 = phi_2901_;
-                            phi_2902_ = _e1562;
-                            phi_2903_ = _e1564;
-                        } else {
-                            phi_2902_ = array<f64, 3>();
-                            phi_2903_ = true;
-                        }
-                        let _e1566 = phi_2902_;
-                        let _e1568 = phi_2903_;
-                        if _e1568 {
+                    let _e1226 = phi_2368_;
+                    let _e1228 = phi_2369_;
+                    if _e1228 {
+                        if select(true, select(true, false, _e954), _e957) {
                             if _e943 {
-                                let _e1849 = select(_e949, -(_e949), (_e949 < 0.0lf));
-                                let _e1852 = select(_e950, -(_e950), (_e950 < 0.0lf));
-                                let _e1854 = select(_e1852, _e1849, (_e1849 > _e1852));
-                                let _e1857 = select(_e951, -(_e951), (_e951 < 0.0lf));
-                                let _e1860 = function_9(select(_e1857, _e1854, (_e1854 > _e1857)));
-                                let _e1861 = (_e949 * _e1860);
-                                let _e1862 = (_e950 * _e1860);
-                                let _e1863 = (_e951 * _e1860);
-                                let _e1869 = (((_e1861 * _e1861) + (_e1862 * _e1862)) + (_e1863 * _e1863));
-                                if (_e1869 <= 2.2250738585072014e-308lf) {
-                                    phi_3025_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1869 > 0.0lf));
+                                if _e939 {
+                                    if _e942 {
+                                        let _e1232 = local.member_2;
+                                        let _e1237 = local.member_1;
+                                        phi_2415_ = array<f64, 3>((_e1232[0] - _e1237[0]), (_e1232[1] - _e1237[1]), (_e1232[2] - _e1237[2]));
+                                        phi_2416_ = false;
+                                    } else {
+                                        phi_2415_ = array<f64, 3>();
+                                        phi_2416_ = true;
+                                    }
+                                    let _e1246 = phi_2415_;
+                                    let _e1248 = phi_2416_;
+                                    phi_2417_ = _e1246;
+                                    phi_2418_ = _e1248;
                                 } else {
-                                    phi_2968_ = type_16(0i, 5i);
-                                    phi_2971_ = bitcast<f64>(((bitcast<u64>(_e1869) / 2lu) + 2303426169912950784lu));
+                                    phi_2417_ = array<f64, 3>();
+                                    phi_2418_ = true;
+                                }
+                                let _e1250 = phi_2417_;
+                                let _e1252 = phi_2418_;
+                                phi_2419_ = _e1250;
+                                phi_2420_ = _e1252;
+                            } else {
+                                phi_2419_ = array<f64, 3>();
+                                phi_2420_ = true;
+                            }
+                            let _e1254 = phi_2419_;
+                            let _e1256 = phi_2420_;
+                            if _e1256 {
+                                if _e939 {
+                                    if _e942 {
+                                        let _e1258 = local.member_2;
+                                        let _e1264 = select(_e1258[0], -(_e1258[0]), (_e1258[0] < 0.0lf));
+                                        let _e1267 = select(_e1258[1], -(_e1258[1]), (_e1258[1] < 0.0lf));
+                                        let _e1269 = select(_e1267, _e1264, (_e1264 > _e1267));
+                                        let _e1272 = select(_e1258[2], -(_e1258[2]), (_e1258[2] < 0.0lf));
+                                        let _e1276 = local.member_1;
+                                        let _e1282 = select(_e1276[0], -(_e1276[0]), (_e1276[0] < 0.0lf));
+                                        let _e1285 = select(_e1276[1], -(_e1276[1]), (_e1276[1] < 0.0lf));
+                                        let _e1287 = select(_e1285, _e1282, (_e1282 > _e1285));
+                                        let _e1290 = select(_e1276[2], -(_e1276[2]), (_e1276[2] < 0.0lf));
+                                        phi_2509_ = select(true, false, (select(_e1272, _e1269, (_e1269 > _e1272)) > select(_e1290, _e1287, (_e1287 > _e1290))));
+                                    } else {
+                                        phi_2509_ = true;
+                                    }
+                                    let _e1296 = phi_2509_;
+                                    if _e1296 {
+                                        let _e1298 = local.member_1;
+                                        phi_2519_ = array<f64, 3>(_e1298[0], _e1298[1], _e1298[2]);
+                                        phi_2520_ = false;
+                                    } else {
+                                        phi_2519_ = array<f64, 3>();
+                                        phi_2520_ = true;
+                                    }
+                                    let _e1304 = phi_2519_;
+                                    let _e1306 = phi_2520_;
+                                    phi_2521_ = _e1304;
+                                    phi_2522_ = _e1306;
+                                } else {
+                                    phi_2521_ = array<f64, 3>();
+                                    phi_2522_ = true;
+                                }
+                                let _e1308 = phi_2521_;
+                                let _e1310 = phi_2522_;
+                                if _e1310 {
+                                    if _e942 {
+                                        let _e1313 = local.member_2;
+                                        phi_2536_ = array<f64, 3>(_e1313[0], _e1313[1], _e1313[2]);
+                                    } else {
+                                        phi_2536_ = array<f64, 3>(_e933, _e933, _e933);
+                                    }
+                                    let _e1319 = phi_2536_;
+                                    phi_2537_ = _e1319;
+                                } else {
+                                    phi_2537_ = _e1308;
+                                }
+                                let _e1321 = phi_2537_;
+                                phi_2538_ = _e1321;
+                            } else {
+                                phi_2538_ = _e1254;
+                            }
+                            let _e1323 = phi_2538_;
+                            let _e1327 = select(_e1323[0], -(_e1323[0]), (_e1323[0] < 0.0lf));
+                            let _e1331 = select(_e1323[1], -(_e1323[1]), (_e1323[1] < 0.0lf));
+                            let _e1333 = select(_e1331, _e1327, (_e1327 > _e1331));
+                            let _e1337 = select(_e1323[2], -(_e1323[2]), (_e1323[2] < 0.0lf));
+                            let _e1341 = local.member_6;
+                            let _e1342 = (select(_e1337, _e1333, (_e1333 > _e1337)) > _e1341);
+                            let _e1344 = select(_e933, _e1323[0], _e1342);
+                            let _e1346 = select(_e933, _e1323[1], _e1342);
+                            let _e1348 = select(_e933, _e1323[2], _e1342);
+                            let _e1351 = select(_e1344, -(_e1344), (_e1344 < 0.0lf));
+                            let _e1354 = select(_e1346, -(_e1346), (_e1346 < 0.0lf));
+                            let _e1356 = select(_e1354, _e1351, (_e1351 > _e1354));
+                            let _e1359 = select(_e1348, -(_e1348), (_e1348 < 0.0lf));
+                            if (select(_e1359, _e1356, (_e1356 > _e1359)) > f64(0f)) {
+                                let _e1366 = select(_e1344, -(_e1344), (_e1344 < 0.0lf));
+                                let _e1369 = select(_e1346, -(_e1346), (_e1346 < 0.0lf));
+                                let _e1371 = select(_e1369, _e1366, (_e1366 > _e1369));
+                                let _e1374 = select(_e1348, -(_e1348), (_e1348 < 0.0lf));
+                                let _e1377 = function_9(select(_e1374, _e1371, (_e1371 > _e1374)));
+                                let _e1378 = (_e1344 * _e1377);
+                                let _e1379 = (_e1346 * _e1377);
+                                let _e1380 = (_e1348 * _e1377);
+                                let _e1386 = (((_e1378 * _e1378) + (_e1379 * _e1379)) + (_e1380 * _e1380));
+                                if (_e1386 <= 2.2250738585072014e-308lf) {
+                                    phi_2735_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1386 > 0.0lf));
+                                } else {
+                                    phi_2678_ = type_16(0i, 5i);
+                                    phi_2681_ = bitcast<f64>(((bitcast<u64>(_e1386) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e1876 = phi_2968_;
-                                        let _e1878 = phi_2971_;
-                                        local_10 = _e1878;
-                                        if (_e1876.member < _e1876.member_1) {
-                                            let _e1885 = (_e1876.member + 1i);
-                                            phi_2969_ = type_16(select(_e1885, type_17().member_1, select(false, true, ((false == (_e1885 > _e1876.member)) != false))), _e1876.member_1);
-                                            phi_3012_ = type_17(1u, _e1876.member);
+                                        let _e1393 = phi_2678_;
+                                        let _e1395 = phi_2681_;
+                                        local_6 = _e1395;
+                                        if (_e1393.member < _e1393.member_1) {
+                                            let _e1402 = (_e1393.member + 1i);
+                                            phi_2679_ = type_16(select(_e1402, type_17().member_1, select(false, true, ((false == (_e1402 > _e1393.member)) != false))), _e1393.member_1);
+                                            phi_2722_ = type_17(1u, _e1393.member);
                                         } else {
-                                            phi_2969_ = _e1876;
-                                            phi_3012_ = type_17(0u, type_17().member_1);
+                                            phi_2679_ = _e1393;
+                                            phi_2722_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e1896 = phi_2969_;
-                                        let _e1898 = phi_3012_;
-                                        let _e1901 = (bitcast<i32>(_e1898.member) != 0i);
-                                        if _e1901 {
-                                            phi_2972_ = (0.5lf * (_e1878 + (_e1869 / _e1878)));
+                                        let _e1413 = phi_2679_;
+                                        let _e1415 = phi_2722_;
+                                        let _e1418 = (bitcast<i32>(_e1415.member) != 0i);
+                                        if _e1418 {
+                                            phi_2682_ = (0.5lf * (_e1395 + (_e1386 / _e1395)));
                                         } else {
-                                            phi_2972_ = f64();
+                                            phi_2682_ = f64();
                                         }
-                                        let _e1906 = phi_2972_;
+                                        let _e1423 = phi_2682_;
                                         continue;
                                         continuing {
-                                            phi_2968_ = _e1896;
-                                            phi_2971_ = _e1906;
-                                            break if !(_e1901);
+                                            phi_2678_ = _e1413;
+                                            phi_2681_ = _e1423;
+                                            break if !(_e1418);
                                         }
                                     }
-                                    let _e1911 = local_10;
-                                    phi_3025_ = (_e1911 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e1428 = local_6;
+                                    phi_2735_ = (_e1428 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e1917 = phi_3025_;
-                                let _e1918 = (f64(1f) / _e1917);
-                                let _e1919 = (_e1861 * _e1918);
-                                let _e1920 = (_e1862 * _e1918);
-                                let _e1921 = (_e1863 * _e1918);
-                                let _e1930 = ((f64(3f) - (((_e1919 * _e1919) + (_e1920 * _e1920)) + (_e1921 * _e1921))) * f64(0.5f));
-                                phi_3492_ = array<f64, 3>((_e1919 * _e1930), (_e1920 * _e1930), (_e1921 * _e1930));
+                                let _e1434 = phi_2735_;
+                                let _e1435 = (f64(1f) / _e1434);
+                                let _e1436 = (_e1378 * _e1435);
+                                let _e1437 = (_e1379 * _e1435);
+                                let _e1438 = (_e1380 * _e1435);
+                                let _e1447 = ((f64(3f) - (((_e1436 * _e1436) + (_e1437 * _e1437)) + (_e1438 * _e1438))) * f64(0.5f));
+                                let _e1448 = (_e1436 * _e1447);
+                                let _e1449 = (_e1437 * _e1447);
+                                let _e1450 = (_e1438 * _e1447);
+                                let _e1455 = (((_e929 * _e1448) + (_e930 * _e1449)) + (_e931 * _e1450));
+                                phi_2764_ = array<f64, 3>((_e929 - (_e1448 * _e1455)), (_e930 - (_e1449 * _e1455)), (_e931 - (_e1450 * _e1455)));
                             } else {
-                                let _e1570 = local.member_1;
-                                let _e1575 = local.member_2;
-                                let _e1579 = f64(0f);
-                                let _e1580 = f64(1f);
-                                let _e1583 = select(_e1575[0], -(_e1575[0]), (_e1575[0] < 0.0lf));
-                                let _e1586 = select(_e1575[1], -(_e1575[1]), (_e1575[1] < 0.0lf));
-                                let _e1588 = select(_e1586, _e1583, (_e1583 > _e1586));
-                                let _e1591 = select(_e1575[2], -(_e1575[2]), (_e1575[2] < 0.0lf));
-                                let _e1596 = select(_e1570[0], -(_e1570[0]), (_e1570[0] < 0.0lf));
-                                let _e1599 = select(_e1570[1], -(_e1570[1]), (_e1570[1] < 0.0lf));
-                                let _e1601 = select(_e1599, _e1596, (_e1596 > _e1599));
-                                let _e1604 = select(_e1570[2], -(_e1570[2]), (_e1570[2] < 0.0lf));
-                                let _e1607 = (select(_e1591, _e1588, (_e1588 > _e1591)) > select(_e1604, _e1601, (_e1601 > _e1604)));
-                                let _e1608 = select(_e1570[0], _e1575[0], _e1607);
-                                let _e1609 = select(_e1570[1], _e1575[1], _e1607);
-                                let _e1610 = select(_e1570[2], _e1575[2], _e1607);
-                                let _e1613 = select(_e1608, -(_e1608), (_e1608 < 0.0lf));
-                                let _e1616 = select(_e1609, -(_e1609), (_e1609 < 0.0lf));
-                                let _e1618 = select(_e1616, _e1613, (_e1613 > _e1616));
-                                let _e1621 = select(_e1610, -(_e1610), (_e1610 < 0.0lf));
-                                if (select(_e1621, _e1618, (_e1618 > _e1621)) > _e1579) {
-                                    let _e1628 = select(_e1608, -(_e1608), (_e1608 < 0.0lf));
-                                    let _e1631 = select(_e1609, -(_e1609), (_e1609 < 0.0lf));
-                                    let _e1634 = select(_e1610, -(_e1610), (_e1610 < 0.0lf));
-                                    if (_e1628 <= _e1631) {
-                                        let _e1636 = (_e1628 <= _e1634);
-                                        phi_3191_ = array<f64, 3>(select(array<f64, 3>()[0], _e1580, _e1636), select(array<f64, 3>()[1], _e1579, _e1636), select(array<f64, 3>()[2], _e1579, _e1636));
-                                        phi_3192_ = select(true, false, _e1636);
-                                    } else {
-                                        phi_3191_ = array<f64, 3>();
-                                        phi_3192_ = true;
-                                    }
-                                    let _e1646 = phi_3191_;
-                                    let _e1648 = phi_3192_;
-                                    if _e1648 {
-                                        let _e1649 = (_e1631 <= _e1634);
-                                        phi_3203_ = array<f64, 3>(_e1579, select(_e1579, _e1580, _e1649), select(_e1580, _e1579, _e1649));
-                                    } else {
-                                        phi_3203_ = _e1646;
-                                    }
-                                    let _e1654 = phi_3203_;
-                                    let _e1657 = select(_e1608, -(_e1608), (_e1608 < 0.0lf));
-                                    let _e1660 = select(_e1609, -(_e1609), (_e1609 < 0.0lf));
-                                    let _e1662 = select(_e1660, _e1657, (_e1657 > _e1660));
-                                    let _e1665 = select(_e1610, -(_e1610), (_e1610 < 0.0lf));
-                                    let _e1668 = function_9(select(_e1665, _e1662, (_e1662 > _e1665)));
-                                    let _e1669 = (_e1608 * _e1668);
-                                    let _e1670 = (_e1609 * _e1668);
-                                    let _e1671 = (_e1610 * _e1668);
-                                    let _e1677 = (((_e1669 * _e1669) + (_e1670 * _e1670)) + (_e1671 * _e1671));
-                                    if (_e1677 <= 2.2250738585072014e-308lf) {
-                                        phi_3325_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1677 > 0.0lf));
-                                    } else {
-                                        phi_3268_ = type_16(0i, 5i);
-                                        phi_3271_ = bitcast<f64>(((bitcast<u64>(_e1677) / 2lu) + 2303426169912950784lu));
-                                        loop {
-                                            let _e1684 = phi_3268_;
-                                            let _e1686 = phi_3271_;
-                                            local_8 = _e1686;
-                                            if (_e1684.member < _e1684.member_1) {
-                                                let _e1693 = (_e1684.member + 1i);
-                                                phi_3269_ = type_16(select(_e1693, type_17().member_1, select(false, true, ((false == (_e1693 > _e1684.member)) != false))), _e1684.member_1);
-                                                phi_3312_ = type_17(1u, _e1684.member);
-                                            } else {
-                                                phi_3269_ = _e1684;
-                                                phi_3312_ = type_17(0u, type_17().member_1);
-                                            }
-                                            let _e1704 = phi_3269_;
-                                            let _e1706 = phi_3312_;
-                                            let _e1709 = (bitcast<i32>(_e1706.member) != 0i);
-                                            if _e1709 {
-                                                phi_3272_ = (0.5lf * (_e1686 + (_e1677 / _e1686)));
-                                            } else {
-                                                phi_3272_ = f64();
-                                            }
-                                            let _e1714 = phi_3272_;
-                                            continue;
-                                            continuing {
-                                                phi_3268_ = _e1704;
-                                                phi_3271_ = _e1714;
-                                                break if !(_e1709);
-                                            }
-                                        }
-                                        let _e1719 = local_8;
-                                        phi_3325_ = (_e1719 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
-                                    }
-                                    let _e1725 = phi_3325_;
-                                    let _e1726 = (f64(1f) / _e1725);
-                                    let _e1727 = (_e1669 * _e1726);
-                                    let _e1728 = (_e1670 * _e1726);
-                                    let _e1729 = (_e1671 * _e1726);
-                                    let _e1738 = ((f64(3f) - (((_e1727 * _e1727) + (_e1728 * _e1728)) + (_e1729 * _e1729))) * f64(0.5f));
-                                    let _e1739 = (_e1727 * _e1738);
-                                    let _e1740 = (_e1728 * _e1738);
-                                    let _e1741 = (_e1729 * _e1738);
-                                    let _e1746 = ((_e1740 * _e1654[2]) - (_e1741 * _e1654[1]));
-                                    let _e1751 = ((_e1741 * _e1654[0]) - (_e1739 * _e1654[2]));
-                                    let _e1756 = ((_e1739 * _e1654[1]) - (_e1740 * _e1654[0]));
-                                    let _e1759 = select(_e1746, -(_e1746), (_e1746 < 0.0lf));
-                                    let _e1762 = select(_e1751, -(_e1751), (_e1751 < 0.0lf));
-                                    let _e1764 = select(_e1762, _e1759, (_e1759 > _e1762));
-                                    let _e1767 = select(_e1756, -(_e1756), (_e1756 < 0.0lf));
-                                    let _e1770 = function_9(select(_e1767, _e1764, (_e1764 > _e1767)));
-                                    let _e1771 = (_e1746 * _e1770);
-                                    let _e1772 = (_e1751 * _e1770);
-                                    let _e1773 = (_e1756 * _e1770);
-                                    let _e1779 = (((_e1771 * _e1771) + (_e1772 * _e1772)) + (_e1773 * _e1773));
-                                    if (_e1779 <= 2.2250738585072014e-308lf) {
-                                        phi_3472_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1779 > 0.0lf));
-                                    } else {
-                                        phi_3415_ = type_16(0i, 5i);
-                                        phi_3418_ = bitcast<f64>(((bitcast<u64>(_e1779) / 2lu) + 2303426169912950784lu));
-                                        loop {
-                                            let _e1786 = phi_3415_;
-                                            let _e1788 = phi_3418_;
-                                            local_9 = _e1788;
-                                            if (_e1786.member < _e1786.member_1) {
-                                                let _e1795 = (_e1786.member + 1i);
-                                                phi_3416_ = type_16(select(_e1795, type_17().member_1, select(false, true, ((false == (_e1795 > _e1786.member)) != false))), _e1786.member_1);
-                                                phi_3459_ = type_17(1u, _e1786.member);
-                                            } else {
-                                                phi_3416_ = _e1786;
-                                                phi_3459_ = type_17(0u, type_17().member_1);
-                                            }
-                                            let _e1806 = phi_3416_;
-                                            let _e1808 = phi_3459_;
-                                            let _e1811 = (bitcast<i32>(_e1808.member) != 0i);
-                                            if _e1811 {
-                                                phi_3419_ = (0.5lf * (_e1788 + (_e1779 / _e1788)));
-                                            } else {
-                                                phi_3419_ = f64();
-                                            }
-                                            let _e1816 = phi_3419_;
-                                            continue;
-                                            continuing {
-                                                phi_3415_ = _e1806;
-                                                phi_3418_ = _e1816;
-                                                break if !(_e1811);
-                                            }
-                                        }
-                                        let _e1821 = local_9;
-                                        phi_3472_ = (_e1821 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
-                                    }
-                                    let _e1827 = phi_3472_;
-                                    let _e1828 = (f64(1f) / _e1827);
-                                    let _e1829 = (_e1771 * _e1828);
-                                    let _e1830 = (_e1772 * _e1828);
-                                    let _e1831 = (_e1773 * _e1828);
-                                    let _e1840 = ((f64(3f) - (((_e1829 * _e1829) + (_e1830 * _e1830)) + (_e1831 * _e1831))) * f64(0.5f));
-                                    phi_3491_ = array<f64, 3>((_e1829 * _e1840), (_e1830 * _e1840), (_e1831 * _e1840));
-                                } else {
-                                    phi_3491_ = array<f64, 3>(_e1580, _e1579, _e1579);
-                                }
-                                let _e1846 = phi_3491_;
-                                phi_3492_ = _e1846;
+                                phi_2764_ = array<f64, 3>(_e929, _e930, _e931);
                             }
-                            let _e1936 = phi_3492_;
-                            let _e1945 = ((((_e915 * _e1936[0]) + (_e916 * _e1936[1])) + (_e917 * _e1936[2])) > _e1083);
-                            let _e1946 = -(_e920);
-                            phi_3514_ = array<f64, 3>(select(_e1936[0], (_e1936[0] * _e1946), _e1945), select(_e1936[1], (_e1936[1] * _e1946), _e1945), select(_e1936[2], (_e1936[2] * _e1946), _e1945));
-                            phi_3515_ = false;
+                            let _e1464 = phi_2764_;
+                            if (((select(_e1464[0], -(_e1464[0]), (_e1464[0] < 0.0lf)) + select(_e1464[1], -(_e1464[1]), (_e1464[1] < 0.0lf))) + select(_e1464[2], -(_e1464[2]), (_e1464[2] < 0.0lf))) > _e1097) {
+                                let _e1480 = -(_e934);
+                                let _e1482 = (_e1464[0] * _e1480);
+                                let _e1484 = (_e1464[1] * _e1480);
+                                let _e1486 = (_e1464[2] * _e1480);
+                                let _e1489 = select(_e1482, -(_e1482), (_e1482 < 0.0lf));
+                                let _e1492 = select(_e1484, -(_e1484), (_e1484 < 0.0lf));
+                                let _e1494 = select(_e1492, _e1489, (_e1489 > _e1492));
+                                let _e1497 = select(_e1486, -(_e1486), (_e1486 < 0.0lf));
+                                let _e1500 = function_9(select(_e1497, _e1494, (_e1494 > _e1497)));
+                                let _e1501 = (_e1482 * _e1500);
+                                let _e1502 = (_e1484 * _e1500);
+                                let _e1503 = (_e1486 * _e1500);
+                                let _e1509 = (((_e1501 * _e1501) + (_e1502 * _e1502)) + (_e1503 * _e1503));
+                                if (_e1509 <= 2.2250738585072014e-308lf) {
+                                    phi_2914_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1509 > 0.0lf));
+                                } else {
+                                    phi_2857_ = type_16(0i, 5i);
+                                    phi_2860_ = bitcast<f64>(((bitcast<u64>(_e1509) / 2lu) + 2303426169912950784lu));
+                                    loop {
+                                        let _e1516 = phi_2857_;
+                                        let _e1518 = phi_2860_;
+                                        local_7 = _e1518;
+                                        if (_e1516.member < _e1516.member_1) {
+                                            let _e1525 = (_e1516.member + 1i);
+                                            phi_2858_ = type_16(select(_e1525, type_17().member_1, select(false, true, ((false == (_e1525 > _e1516.member)) != false))), _e1516.member_1);
+                                            phi_2901_ = type_17(1u, _e1516.member);
+                                        } else {
+                                            phi_2858_ = _e1516;
+                                            phi_2901_ = type_17(0u, type_17().member_1);
+                                        }
+                                        let _e1536 = phi_2858_;
+                                        let _e1538 = phi_2901_;
+                                        let _e1541 = (bitcast<i32>(_e1538.member) != 0i);
+                                        if _e1541 {
+                                            phi_2861_ = (0.5lf * (_e1518 + (_e1509 / _e1518)));
+                                        } else {
+                                            phi_2861_ = f64();
+                                        }
+                                        let _e1546 = phi_2861_;
+                                        continue;
+                                        continuing {
+                                            phi_2857_ = _e1536;
+                                            phi_2860_ = _e1546;
+                                            break if !(_e1541);
+                                        }
+                                    }
+                                    let _e1551 = local_7;
+                                    phi_2914_ = (_e1551 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                }
+                                let _e1557 = phi_2914_;
+                                let _e1558 = (f64(1f) / _e1557);
+                                let _e1559 = (_e1501 * _e1558);
+                                let _e1560 = (_e1502 * _e1558);
+                                let _e1561 = (_e1503 * _e1558);
+                                let _e1570 = ((f64(3f) - (((_e1559 * _e1559) + (_e1560 * _e1560)) + (_e1561 * _e1561))) * f64(0.5f));
+                                phi_2932_ = array<f64, 3>((_e1559 * _e1570), (_e1560 * _e1570), (_e1561 * _e1570));
+                                phi_2933_ = false;
+                            } else {
+                                phi_2932_ = array<f64, 3>();
+                                phi_2933_ = true;
+                            }
+                            let _e1576 = phi_2932_;
+                            let _e1578 = phi_2933_;
+                            phi_2934_ = _e1576;
+                            phi_2935_ = _e1578;
                         } else {
-                            phi_3514_ = array<f64, 3>();
-                            phi_3515_ = true;
+                            phi_2934_ = array<f64, 3>();
+                            phi_2935_ = true;
                         }
-                        let _e1961 = phi_3514_;
-                        let _e1963 = phi_3515_;
-                        phi_3516_ = _e1961;
-                        phi_3517_ = _e1566;
-                        phi_3518_ = _e1963;
+                        let _e1580 = phi_2934_;
+                        let _e1582 = phi_2935_;
+                        if _e1582 {
+                            if _e957 {
+                                let _e1863 = select(_e963, -(_e963), (_e963 < 0.0lf));
+                                let _e1866 = select(_e964, -(_e964), (_e964 < 0.0lf));
+                                let _e1868 = select(_e1866, _e1863, (_e1863 > _e1866));
+                                let _e1871 = select(_e965, -(_e965), (_e965 < 0.0lf));
+                                let _e1874 = function_9(select(_e1871, _e1868, (_e1868 > _e1871)));
+                                let _e1875 = (_e963 * _e1874);
+                                let _e1876 = (_e964 * _e1874);
+                                let _e1877 = (_e965 * _e1874);
+                                let _e1883 = (((_e1875 * _e1875) + (_e1876 * _e1876)) + (_e1877 * _e1877));
+                                if (_e1883 <= 2.2250738585072014e-308lf) {
+                                    phi_3057_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1883 > 0.0lf));
+                                } else {
+                                    phi_3000_ = type_16(0i, 5i);
+                                    phi_3003_ = bitcast<f64>(((bitcast<u64>(_e1883) / 2lu) + 2303426169912950784lu));
+                                    loop {
+                                        let _e1890 = phi_3000_;
+                                        let _e1892 = phi_3003_;
+                                        local_10 = _e1892;
+                                        if (_e1890.member < _e1890.member_1) {
+                                            let _e1899 = (_e1890.member + 1i);
+                                            phi_3001_ = type_16(select(_e1899, type_17().member_1, select(false, true, ((false == (_e1899 > _e1890.member)) != false))), _e1890.member_1);
+                                            phi_3044_ = type_17(1u, _e1890.member);
+                                        } else {
+                                            phi_3001_ = _e1890;
+                                            phi_3044_ = type_17(0u, type_17().member_1);
+                                        }
+                                        let _e1910 = phi_3001_;
+                                        let _e1912 = phi_3044_;
+                                        let _e1915 = (bitcast<i32>(_e1912.member) != 0i);
+                                        if _e1915 {
+                                            phi_3004_ = (0.5lf * (_e1892 + (_e1883 / _e1892)));
+                                        } else {
+                                            phi_3004_ = f64();
+                                        }
+                                        let _e1920 = phi_3004_;
+                                        continue;
+                                        continuing {
+                                            phi_3000_ = _e1910;
+                                            phi_3003_ = _e1920;
+                                            break if !(_e1915);
+                                        }
+                                    }
+                                    let _e1925 = local_10;
+                                    phi_3057_ = (_e1925 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                }
+                                let _e1931 = phi_3057_;
+                                let _e1932 = (f64(1f) / _e1931);
+                                let _e1933 = (_e1875 * _e1932);
+                                let _e1934 = (_e1876 * _e1932);
+                                let _e1935 = (_e1877 * _e1932);
+                                let _e1944 = ((f64(3f) - (((_e1933 * _e1933) + (_e1934 * _e1934)) + (_e1935 * _e1935))) * f64(0.5f));
+                                phi_3524_ = array<f64, 3>((_e1933 * _e1944), (_e1934 * _e1944), (_e1935 * _e1944));
+                            } else {
+                                let _e1584 = local.member_1;
+                                let _e1589 = local.member_2;
+                                let _e1593 = f64(0f);
+                                let _e1594 = f64(1f);
+                                let _e1597 = select(_e1589[0], -(_e1589[0]), (_e1589[0] < 0.0lf));
+                                let _e1600 = select(_e1589[1], -(_e1589[1]), (_e1589[1] < 0.0lf));
+                                let _e1602 = select(_e1600, _e1597, (_e1597 > _e1600));
+                                let _e1605 = select(_e1589[2], -(_e1589[2]), (_e1589[2] < 0.0lf));
+                                let _e1610 = select(_e1584[0], -(_e1584[0]), (_e1584[0] < 0.0lf));
+                                let _e1613 = select(_e1584[1], -(_e1584[1]), (_e1584[1] < 0.0lf));
+                                let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
+                                let _e1618 = select(_e1584[2], -(_e1584[2]), (_e1584[2] < 0.0lf));
+                                let _e1621 = (select(_e1605, _e1602, (_e1602 > _e1605)) > select(_e1618, _e1615, (_e1615 > _e1618)));
+                                let _e1622 = select(_e1584[0], _e1589[0], _e1621);
+                                let _e1623 = select(_e1584[1], _e1589[1], _e1621);
+                                let _e1624 = select(_e1584[2], _e1589[2], _e1621);
+                                let _e1627 = select(_e1622, -(_e1622), (_e1622 < 0.0lf));
+                                let _e1630 = select(_e1623, -(_e1623), (_e1623 < 0.0lf));
+                                let _e1632 = select(_e1630, _e1627, (_e1627 > _e1630));
+                                let _e1635 = select(_e1624, -(_e1624), (_e1624 < 0.0lf));
+                                if (select(_e1635, _e1632, (_e1632 > _e1635)) > _e1593) {
+                                    let _e1642 = select(_e1622, -(_e1622), (_e1622 < 0.0lf));
+                                    let _e1645 = select(_e1623, -(_e1623), (_e1623 < 0.0lf));
+                                    let _e1648 = select(_e1624, -(_e1624), (_e1624 < 0.0lf));
+                                    if (_e1642 <= _e1645) {
+                                        let _e1650 = (_e1642 <= _e1648);
+                                        phi_3223_ = array<f64, 3>(select(array<f64, 3>()[0], _e1594, _e1650), select(array<f64, 3>()[1], _e1593, _e1650), select(array<f64, 3>()[2], _e1593, _e1650));
+                                        phi_3224_ = select(true, false, _e1650);
+                                    } else {
+                                        phi_3223_ = array<f64, 3>();
+                                        phi_3224_ = true;
+                                    }
+                                    let _e1660 = phi_3223_;
+                                    let _e1662 = phi_3224_;
+                                    if _e1662 {
+                                        let _e1663 = (_e1645 <= _e1648);
+                                        phi_3235_ = array<f64, 3>(_e1593, select(_e1593, _e1594, _e1663), select(_e1594, _e1593, _e1663));
+                                    } else {
+                                        phi_3235_ = _e1660;
+                                    }
+                                    let _e1668 = phi_3235_;
+                                    let _e1671 = select(_e1622, -(_e1622), (_e1622 < 0.0lf));
+                                    let _e1674 = select(_e1623, -(_e1623), (_e1623 < 0.0lf));
+                                    let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
+                                    let _e1679 = select(_e1624, -(_e1624), (_e1624 < 0.0lf));
+                                    let _e1682 = function_9(select(_e1679, _e1676, (_e1676 > _e1679)));
+                                    let _e1683 = (_e1622 * _e1682);
+                                    let _e1684 = (_e1623 * _e1682);
+                                    let _e1685 = (_e1624 * _e1682);
+                                    let _e1691 = (((_e1683 * _e1683) + (_e1684 * _e1684)) + (_e1685 * _e1685));
+                                    if (_e1691 <= 2.2250738585072014e-308lf) {
+                                        phi_3357_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1691 > 0.0lf));
+                                    } else {
+                                        phi_3300_ = type_16(0i, 5i);
+                                        phi_3303_ = bitcast<f64>(((bitcast<u64>(_e1691) / 2lu) + 2303426169912950784lu));
+                                        loop {
+                                            let _e1698 = phi_3300_;
+                                            let _e1700 = phi_3303_;
+                                            local_8 = _e1700;
+                                            if (_e1698.member < _e1698.member_1) {
+                                                let _e1707 = (_e1698.member + 1i);
+                                                phi_3301_ = type_16(select(_e1707, type_17().member_1, select(false, true, ((false == (_e1707 > _e1698.member)) != false))), _e1698.member_1);
+                                                phi_3344_ = type_17(1u, _e1698.member);
+                                            } else {
+                                                phi_3301_ = _e1698;
+                                                phi_3344_ = type_17(0u, type_17().member_1);
+                                            }
+                                            let _e1718 = phi_3301_;
+                                            let _e1720 = phi_3344_;
+                                            let _e1723 = (bitcast<i32>(_e1720.member) != 0i);
+                                            if _e1723 {
+                                                phi_3304_ = (0.5lf * (_e1700 + (_e1691 / _e1700)));
+                                            } else {
+                                                phi_3304_ = f64();
+                                            }
+                                            let _e1728 = phi_3304_;
+                                            continue;
+                                            continuing {
+                                                phi_3300_ = _e1718;
+                                                phi_3303_ = _e1728;
+                                                break if !(_e1723);
+                                            }
+                                        }
+                                        let _e1733 = local_8;
+                                        phi_3357_ = (_e1733 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    }
+                                    let _e1739 = phi_3357_;
+                                    let _e1740 = (f64(1f) / _e1739);
+                                    let _e1741 = (_e1683 * _e1740);
+                                    let _e1742 = (_e1684 * _e1740);
+                                    let _e1743 = (_e1685 * _e1740);
+                                    let _e1752 = ((f64(3f) - (((_e1741 * _e1741) + (_e1742 * _e1742)) + (_e1743 * _e1743))) * f64(0.5f));
+                                    let _e1753 = (_e1741 * _e1752);
+                                    let _e1754 = (_e1742 * _e1752);
+                                    let _e1755 = (_e1743 * _e1752);
+                                    let _e1760 = ((_e1754 * _e1668[2]) - (_e1755 * _e1668[1]));
+                                    let _e1765 = ((_e1755 * _e1668[0]) - (_e1753 * _e1668[2]));
+                                    let _e1770 = ((_e1753 * _e1668[1]) - (_e1754 * _e1668[0]));
+                                    let _e1773 = select(_e1760, -(_e1760), (_e1760 < 0.0lf));
+                                    let _e1776 = select(_e1765, -(_e1765), (_e1765 < 0.0lf));
+                                    let _e1778 = select(_e1776, _e1773, (_e1773 > _e1776));
+                                    let _e1781 = select(_e1770, -(_e1770), (_e1770 < 0.0lf));
+                                    let _e1784 = function_9(select(_e1781, _e1778, (_e1778 > _e1781)));
+                                    let _e1785 = (_e1760 * _e1784);
+                                    let _e1786 = (_e1765 * _e1784);
+                                    let _e1787 = (_e1770 * _e1784);
+                                    let _e1793 = (((_e1785 * _e1785) + (_e1786 * _e1786)) + (_e1787 * _e1787));
+                                    if (_e1793 <= 2.2250738585072014e-308lf) {
+                                        phi_3504_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1793 > 0.0lf));
+                                    } else {
+                                        phi_3447_ = type_16(0i, 5i);
+                                        phi_3450_ = bitcast<f64>(((bitcast<u64>(_e1793) / 2lu) + 2303426169912950784lu));
+                                        loop {
+                                            let _e1800 = phi_3447_;
+                                            let _e1802 = phi_3450_;
+                                            local_9 = _e1802;
+                                            if (_e1800.member < _e1800.member_1) {
+                                                let _e1809 = (_e1800.member + 1i);
+                                                phi_3448_ = type_16(select(_e1809, type_17().member_1, select(false, true, ((false == (_e1809 > _e1800.member)) != false))), _e1800.member_1);
+                                                phi_3491_ = type_17(1u, _e1800.member);
+                                            } else {
+                                                phi_3448_ = _e1800;
+                                                phi_3491_ = type_17(0u, type_17().member_1);
+                                            }
+                                            let _e1820 = phi_3448_;
+                                            let _e1822 = phi_3491_;
+                                            let _e1825 = (bitcast<i32>(_e1822.member) != 0i);
+                                            if _e1825 {
+                                                phi_3451_ = (0.5lf * (_e1802 + (_e1793 / _e1802)));
+                                            } else {
+                                                phi_3451_ = f64();
+                                            }
+                                            let _e1830 = phi_3451_;
+                                            continue;
+                                            continuing {
+                                                phi_3447_ = _e1820;
+                                                phi_3450_ = _e1830;
+                                                break if !(_e1825);
+                                            }
+                                        }
+                                        let _e1835 = local_9;
+                                        phi_3504_ = (_e1835 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    }
+                                    let _e1841 = phi_3504_;
+                                    let _e1842 = (f64(1f) / _e1841);
+                                    let _e1843 = (_e1785 * _e1842);
+                                    let _e1844 = (_e1786 * _e1842);
+                                    let _e1845 = (_e1787 * _e1842);
+                                    let _e1854 = ((f64(3f) - (((_e1843 * _e1843) + (_e1844 * _e1844)) + (_e1845 * _e1845))) * f64(0.5f));
+                                    phi_3523_ = array<f64, 3>((_e1843 * _e1854), (_e1844 * _e1854), (_e1845 * _e1854));
+                                } else {
+                                    phi_3523_ = array<f64, 3>(_e1594, _e1593, _e1593);
+                                }
+                                let _e1860 = phi_3523_;
+                                phi_3524_ = _e1860;
+                            }
+                            let _e1950 = phi_3524_;
+                            let _e1959 = ((((_e929 * _e1950[0]) + (_e930 * _e1950[1])) + (_e931 * _e1950[2])) > _e1097);
+                            let _e1960 = -(_e934);
+                            phi_3546_ = array<f64, 3>(select(_e1950[0], (_e1950[0] * _e1960), _e1959), select(_e1950[1], (_e1950[1] * _e1960), _e1959), select(_e1950[2], (_e1950[2] * _e1960), _e1959));
+                            phi_3547_ = false;
+                        } else {
+                            phi_3546_ = array<f64, 3>();
+                            phi_3547_ = true;
+                        }
+                        let _e1975 = phi_3546_;
+                        let _e1977 = phi_3547_;
+                        phi_3548_ = _e1975;
+                        phi_3549_ = _e1580;
+                        phi_3550_ = _e1977;
                     } else {
-                        phi_3516_ = array<f64, 3>();
-                        phi_3517_ = _e1212;
-                        phi_3518_ = true;
+                        phi_3548_ = array<f64, 3>();
+                        phi_3549_ = _e1226;
+                        phi_3550_ = true;
                     }
-                    let _e1965 = phi_3516_;
-                    let _e1967 = phi_3517_;
-                    let _e1969 = phi_3518_;
-                    phi_3522_ = _e1967;
-                    phi_3523_ = _e1965;
-                    phi_3524_ = _e1969;
+                    let _e1979 = phi_3548_;
+                    let _e1981 = phi_3549_;
+                    let _e1983 = phi_3550_;
+                    phi_3554_ = _e1981;
+                    phi_3555_ = _e1979;
+                    phi_3556_ = _e1983;
                 }
-                let _e2190 = phi_3522_;
-                let _e2192 = phi_3523_;
-                let _e2194 = phi_3524_;
-                let _e2197 = select(_e2192[0], _e2190[0], _e2194);
-                let _e2200 = select(_e2192[1], _e2190[1], _e2194);
-                let _e2203 = select(_e2192[2], _e2190[2], _e2194);
-                let _e2210 = ((((_e2197 * _e2197) + (_e2200 * _e2200)) + (_e2203 * _e2203)) > f64(0.5f));
-                let _e2219 = function_10(_e337[0], _e338[0], _e332);
-                let _e2222 = function_10(_e337[1], _e338[1], _e332);
-                let _e2225 = function_10(_e337[2], _e338[2], _e332);
-                let _e2228 = function_10(_e337[3], _e338[3], _e332);
-                if (_e170.member != 0u) {
-                    let _e2265 = function_10(_e2219, _e2222, _e825.member);
-                    let _e2266 = function_10(_e2225, _e2228, _e825.member_1);
-                    phi_3605_ = _e2266;
-                    phi_3606_ = _e2265;
-                    phi_3607_ = array<f64, 4>((_e331 - _e825.member), _e825.member, (_e331 - _e825.member_1), _e825.member_1);
+                let _e2204 = phi_3554_;
+                let _e2206 = phi_3555_;
+                let _e2208 = phi_3556_;
+                let _e2211 = select(_e2206[0], _e2204[0], _e2208);
+                let _e2214 = select(_e2206[1], _e2204[1], _e2208);
+                let _e2217 = select(_e2206[2], _e2204[2], _e2208);
+                let _e2224 = ((((_e2211 * _e2211) + (_e2214 * _e2214)) + (_e2217 * _e2217)) > f64(0.5f));
+                let _e2233 = function_10(_e351[0], _e352[0], _e346);
+                let _e2236 = function_10(_e351[1], _e352[1], _e346);
+                let _e2239 = function_10(_e351[2], _e352[2], _e346);
+                let _e2242 = function_10(_e351[3], _e352[3], _e346);
+                if (_e184.member != 0u) {
+                    let _e2279 = function_10(_e2233, _e2236, _e839.member);
+                    let _e2280 = function_10(_e2239, _e2242, _e839.member_1);
+                    phi_3637_ = _e2280;
+                    phi_3638_ = _e2279;
+                    phi_3639_ = array<f64, 4>((_e345 - _e839.member), _e839.member, (_e345 - _e839.member_1), _e839.member_1);
                 } else {
-                    let _e2231 = ((_e331 - _e825.member) - _e825.member_1);
-                    let _e2232 = f64(0f);
-                    let _e2234 = select(_e2232, _e2231, (_e2231 > _e2232));
-                    let _e2261 = function_1(array<f64, 4>(_e331, _e2234, _e825.member, _e825.member_1), _e336);
-                    phi_3605_ = array<f64, 3>((((_e2222[0] * _e2234) + (_e2225[0] * _e825.member)) + (_e2228[0] * _e825.member_1)), (((_e2222[1] * _e2234) + (_e2225[1] * _e825.member)) + (_e2228[1] * _e825.member_1)), (((_e2222[2] * _e2234) + (_e2225[2] * _e825.member)) + (_e2228[2] * _e825.member_1)));
-                    phi_3606_ = _e2219;
-                    phi_3607_ = _e2261;
+                    let _e2245 = ((_e345 - _e839.member) - _e839.member_1);
+                    let _e2246 = f64(0f);
+                    let _e2248 = select(_e2246, _e2245, (_e2245 > _e2246));
+                    let _e2275 = function_1(array<f64, 4>(_e345, _e2248, _e839.member, _e839.member_1), _e350);
+                    phi_3637_ = array<f64, 3>((((_e2236[0] * _e2248) + (_e2239[0] * _e839.member)) + (_e2242[0] * _e839.member_1)), (((_e2236[1] * _e2248) + (_e2239[1] * _e839.member)) + (_e2242[1] * _e839.member_1)), (((_e2236[2] * _e2248) + (_e2239[2] * _e839.member)) + (_e2242[2] * _e839.member_1)));
+                    phi_3638_ = _e2233;
+                    phi_3639_ = _e2275;
                 }
-                let _e2268 = phi_3605_;
-                let _e2270 = phi_3606_;
-                let _e2272 = phi_3607_;
-                let _e2274 = function_10(_e2270, _e2268, f64(0.5f));
-                let _e2276 = function_(_e2274);
-                let _e2278 = function_(array<f64, 3>(select(_e331, _e2197, _e2210), select(f64(0f), _e2200, _e2210), select(f64(0f), _e2203, _e2210)));
-                geometry.member[_e131] = type_31(_e2276, f32((_e884 / _e563)), _e2278, _e138, array<f32, 4>(f32(_e2272[0]), f32(_e2272[1]), f32(_e2272[2]), f32(_e2272[3])), _e170.member_1);
+                let _e2282 = phi_3637_;
+                let _e2284 = phi_3638_;
+                let _e2286 = phi_3639_;
+                let _e2288 = function_10(_e2284, _e2282, f64(0.5f));
+                let _e2290 = function_(_e2288);
+                let _e2292 = function_(array<f64, 3>(select(_e345, _e2211, _e2224), select(f64(0f), _e2214, _e2224), select(f64(0f), _e2217, _e2224)));
+                geometry.member[_e131] = type_27(_e2290, f32((_e898 / _e577)), _e2292, _e138, array<f32, 4>(f32(_e2286[0]), f32(_e2286[1]), f32(_e2286[2]), f32(_e2286[3])), _e184.member_1);
             }
         }
         continue;
         continuing {
-            phi_264_ = type_9(select(_e106.member, (_e106.member + 1u), _e109), select(_e106.member_1, _e106.member_1, _e109));
+            phi_251_ = type_9(select(_e106.member, (_e106.member + 1u), _e109), select(_e106.member_1, _e106.member_1, _e109));
             break if !(_e122);
         }
     }

@@ -31,110 +31,114 @@ struct type_9 {
     member_1: u32,
 }
 
-struct type_10 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_9,
-}
-
 struct type_11 {
-    member: type_10,
-}
-
-struct type_13 {
     member: array<u32>,
 }
 
-struct type_16 {
+struct type_14 {
     member: i32,
     member_1: i32,
 }
 
-struct type_17 {
+struct type_15 {
     member: u32,
     member_1: i32,
 }
 
+struct type_19 {
+    member: u32,
+}
+
+struct type_20 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_19,
+}
+
 struct type_21 {
+    member: type_20,
+}
+
+struct type_22 {
     member: u32,
     member_1: array<u32, 4>,
 }
 
-struct type_22 {
+struct type_23 {
     member: vec4<f32>,
     member_1: vec4<f32>,
 }
 
-struct type_24 {
-    member: array<type_22>,
+struct type_25 {
+    member: array<type_23>,
 }
 
-struct type_27 {
+struct type_28 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_29 {
+struct type_30 {
     member: array<array<array<f32, 3>, 4>, 2>,
     member_1: f32,
     member_2: f32,
 }
 
-struct type_30 {
+struct type_31 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
     member_2: array<f32, 4>,
 }
 
-struct type_31 {
+struct type_32 {
     member: u32,
     member_1: u32,
     member_2: array<u32, 2>,
     member_3: bool,
 }
 
-struct type_32 {
-    member: type_27,
-    member_1: f32,
-}
-
 struct type_33 {
-    member: u32,
+    member: type_28,
     member_1: f32,
 }
 
 struct type_34 {
-    member: type_33,
-    member_1: u32,
+    member: u32,
+    member_1: f32,
 }
 
 struct type_35 {
+    member: type_34,
+    member_1: u32,
+}
+
+struct type_36 {
     member: u32,
     member_1: f32,
     member_2: f32,
 }
 
-struct type_39 {
+struct type_40 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_11;
 @group(0) @binding(3) 
-var<storage> input: type_13;
+var<storage> input: type_11;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(0) 
+var<storage> params: type_21;
 @group(0) @binding(2) 
-var<storage> elements: type_13;
+var<storage> elements: type_11;
 @group(0) @binding(1) 
-var<storage> paths: type_24;
+var<storage> paths: type_25;
 @group(0) @binding(4) 
-var<storage, read_write> contacts: type_39;
+var<storage, read_write> contacts: type_40;
 @group(0) @binding(5) 
-var<storage, read_write> undecided: type_39;
+var<storage, read_write> undecided: type_40;
 @group(0) @binding(6) 
-var<storage, read_write> earliest: type_39;
+var<storage, read_write> earliest: type_40;
 
 fn function_(param: f32) -> array<u32, 2> {
     let _e7 = bitcast<u32>(param);
@@ -149,7 +153,7 @@ fn function_1(param_1: array<f32, 3>, param_2: array<f32, 3>) -> array<f32, 3> {
 }
 
 fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32, 3>, param_6: u32) -> array<f32, 3> {
-    var phi_8396_: array<array<f32, 3>, 4>;
+    var phi_8425_: array<array<f32, 3>, 4>;
 
     let _e9 = (param_3[0] - param_4[0]);
     let _e12 = (param_3[1] - param_4[1]);
@@ -166,7 +170,7 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         let _e251 = (param_3[2] - param_5[2]);
         let _e271 = ((((_e245 * param_4[0]) + (_e248 * param_4[1])) + (_e251 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
         let _e275 = select(0f, select(1f, _e271, (_e271 < 1f)), (_e271 > 0f));
-        phi_8396_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e155)), (param_3[1] - (param_4[1] * _e155)), (param_3[2] - (param_4[2] * _e155))), array<f32, 3>((param_3[0] - (param_5[0] * _e195)), (param_3[1] - (param_5[1] * _e195)), (param_3[2] - (param_5[2] * _e195))), array<f32, 3>((_e9 - (param_5[0] * _e232)), (_e12 - (param_5[1] * _e232)), (_e15 - (param_5[2] * _e232))), array<f32, 3>((_e245 - (param_4[0] * _e275)), (_e248 - (param_4[1] * _e275)), (_e251 - (param_4[2] * _e275))));
+        phi_8425_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e155)), (param_3[1] - (param_4[1] * _e155)), (param_3[2] - (param_4[2] * _e155))), array<f32, 3>((param_3[0] - (param_5[0] * _e195)), (param_3[1] - (param_5[1] * _e195)), (param_3[2] - (param_5[2] * _e195))), array<f32, 3>((_e9 - (param_5[0] * _e232)), (_e12 - (param_5[1] * _e232)), (_e15 - (param_5[2] * _e232))), array<f32, 3>((_e245 - (param_4[0] * _e275)), (_e248 - (param_4[1] * _e275)), (_e251 - (param_4[2] * _e275))));
     } else {
         let _e19 = (param_5[0] - param_4[0]);
         let _e22 = (param_5[1] - param_4[1]);
@@ -178,9 +182,9 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         let _e74 = select(0f, select(1f, _e70, (_e70 < 1f)), (_e70 > 0f));
         let _e110 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         let _e114 = select(0f, select(1f, _e110, (_e110 < 1f)), (_e110 > 0f));
-        phi_8396_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e74)), (param_3[1] - (param_4[1] * _e74)), (param_3[2] - (param_4[2] * _e74))), array<f32, 3>((param_3[0] - (param_5[0] * _e114)), (param_3[1] - (param_5[1] * _e114)), (param_3[2] - (param_5[2] * _e114))), _e47, _e47);
+        phi_8425_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e74)), (param_3[1] - (param_4[1] * _e74)), (param_3[2] - (param_4[2] * _e74))), array<f32, 3>((param_3[0] - (param_5[0] * _e114)), (param_3[1] - (param_5[1] * _e114)), (param_3[2] - (param_5[2] * _e114))), _e47, _e47);
     }
-    let _e288 = phi_8396_;
+    let _e288 = phi_8425_;
     let _e291 = function_1(_e288[0], _e288[1]);
     let _e293 = function_1(_e291, _e288[2]);
     let _e295 = function_1(_e293, _e288[3]);
@@ -188,12 +192,12 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
 }
 
 fn function_3(param_7: array<f32, 3>, param_8: array<f32, 3>, param_9: array<f32, 3>, param_10: u32) -> array<f32, 3> {
-    var phi_8024_: bool;
-    var phi_8057_: array<f32, 3>;
-    var phi_8058_: bool;
-    var phi_8059_: array<f32, 3>;
-    var phi_8060_: bool;
-    var phi_8065_: array<f32, 3>;
+    var phi_8053_: bool;
+    var phi_8086_: array<f32, 3>;
+    var phi_8087_: bool;
+    var phi_8088_: array<f32, 3>;
+    var phi_8089_: bool;
+    var phi_8094_: array<f32, 3>;
 
     let _e23 = (((param_8[0] * param_8[0]) + (param_8[1] * param_8[1])) + (param_8[2] * param_8[2]));
     let _e34 = (((param_8[0] * param_9[0]) + (param_8[1] * param_9[1])) + (param_8[2] * param_9[2]));
@@ -207,225 +211,225 @@ fn function_3(param_7: array<f32, 3>, param_8: array<f32, 3>, param_9: array<f32
         let _e89 = (_e74 >= 0f);
         let _e90 = (_e78 >= 0f);
         let _e91 = (_e74 <= 1f);
-        phi_8024_ = select(select(bool(), select(bool(), select(bool(), (_e78 <= 1f), _e91), _e90), _e89), false, select(true, select(true, select(true, false, _e91), _e90), _e89));
+        phi_8053_ = select(select(bool(), select(bool(), select(bool(), (_e78 <= 1f), _e91), _e90), _e89), false, select(true, select(true, select(true, false, _e91), _e90), _e89));
     } else {
         let _e80 = (_e74 >= 0f);
         let _e81 = (_e78 >= 0f);
-        phi_8024_ = select(select(bool(), select(bool(), ((_e74 + _e78) <= 1f), _e81), _e80), false, select(true, select(true, false, _e81), _e80));
+        phi_8053_ = select(select(bool(), select(bool(), ((_e74 + _e78) <= 1f), _e81), _e80), false, select(true, select(true, false, _e81), _e80));
     }
-    let _e101 = phi_8024_;
+    let _e101 = phi_8053_;
     if (_e70 > ((_e23 * _e45) * (0.000000059604645f * 64f))) {
         if _e101 {
-            phi_8057_ = array<f32, 3>((param_7[0] - ((param_8[0] * _e74) + (param_9[0] * _e78))), (param_7[1] - ((param_8[1] * _e74) + (param_9[1] * _e78))), (param_7[2] - ((param_8[2] * _e74) + (param_9[2] * _e78))));
-            phi_8058_ = false;
+            phi_8086_ = array<f32, 3>((param_7[0] - ((param_8[0] * _e74) + (param_9[0] * _e78))), (param_7[1] - ((param_8[1] * _e74) + (param_9[1] * _e78))), (param_7[2] - ((param_8[2] * _e74) + (param_9[2] * _e78))));
+            phi_8087_ = false;
         } else {
-            phi_8057_ = array<f32, 3>();
-            phi_8058_ = true;
+            phi_8086_ = array<f32, 3>();
+            phi_8087_ = true;
         }
-        let _e129 = phi_8057_;
-        let _e131 = phi_8058_;
-        phi_8059_ = _e129;
-        phi_8060_ = _e131;
+        let _e129 = phi_8086_;
+        let _e131 = phi_8087_;
+        phi_8088_ = _e129;
+        phi_8089_ = _e131;
     } else {
-        phi_8059_ = array<f32, 3>();
-        phi_8060_ = true;
+        phi_8088_ = array<f32, 3>();
+        phi_8089_ = true;
     }
-    let _e133 = phi_8059_;
-    let _e135 = phi_8060_;
+    let _e133 = phi_8088_;
+    let _e135 = phi_8089_;
     if _e135 {
         let _e136 = function_2(param_7, param_8, param_9, param_10);
-        phi_8065_ = _e136;
+        phi_8094_ = _e136;
     } else {
-        phi_8065_ = _e133;
+        phi_8094_ = _e133;
     }
-    let _e138 = phi_8065_;
+    let _e138 = phi_8094_;
     return _e138;
 }
 
 fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<f32, 3>;
-    var local_1: type_29;
-    var local_2: type_30;
-    var local_3: type_30;
-    var local_4: type_30;
-    var local_5: type_27;
-    var phi_228_: u32;
-    var phi_274_: u32;
-    var phi_277_: type_9;
-    var phi_445_: type_21;
-    var phi_580_: type_27;
-    var phi_609_: bool;
-    var phi_857_: bool;
-    var phi_951_: type_32;
-    var phi_952_: bool;
-    var phi_953_: type_32;
-    var phi_954_: bool;
-    var phi_955_: type_32;
-    var phi_956_: bool;
-    var phi_961_: type_32;
-    var phi_1131_: type_16;
-    var phi_1134_: f32;
-    var phi_1132_: type_16;
-    var phi_1175_: type_17;
-    var phi_1135_: f32;
+    var local_1: type_30;
+    var local_2: type_31;
+    var local_3: type_31;
+    var local_4: type_31;
+    var local_5: type_28;
+    var phi_231_: u32;
+    var phi_277_: u32;
+    var phi_280_: type_9;
+    var phi_463_: type_22;
+    var phi_598_: type_28;
+    var phi_627_: bool;
+    var phi_875_: bool;
+    var phi_969_: type_33;
+    var phi_970_: bool;
+    var phi_971_: type_33;
+    var phi_972_: bool;
+    var phi_973_: type_33;
+    var phi_974_: bool;
+    var phi_979_: type_33;
+    var phi_1149_: type_14;
+    var phi_1152_: f32;
+    var phi_1150_: type_14;
+    var phi_1193_: type_15;
+    var phi_1153_: f32;
     var local_6: f32;
-    var phi_1188_: f32;
-    var phi_2097_: type_34;
-    var phi_2098_: bool;
-    var phi_2099_: type_34;
-    var phi_2100_: bool;
-    var phi_2106_: type_16;
-    var phi_2109_: f32;
-    var phi_2111_: u32;
-    var phi_2113_: f32;
-    var phi_2107_: type_16;
-    var phi_2154_: type_17;
-    var phi_2591_: type_9;
-    var phi_2594_: f32;
-    var phi_2596_: f32;
-    var phi_2598_: f32;
-    var phi_2600_: f32;
-    var phi_2602_: bool;
-    var phi_2604_: u32;
-    var phi_2755_: array<f32, 3>;
-    var phi_2821_: type_16;
-    var phi_2824_: f32;
-    var phi_2822_: type_16;
-    var phi_2865_: type_17;
-    var phi_2825_: f32;
+    var phi_1206_: f32;
+    var phi_2115_: type_35;
+    var phi_2116_: bool;
+    var phi_2117_: type_35;
+    var phi_2118_: bool;
+    var phi_2124_: type_14;
+    var phi_2127_: f32;
+    var phi_2129_: u32;
+    var phi_2131_: f32;
+    var phi_2125_: type_14;
+    var phi_2172_: type_15;
+    var phi_2609_: type_9;
+    var phi_2612_: f32;
+    var phi_2614_: f32;
+    var phi_2616_: f32;
+    var phi_2618_: f32;
+    var phi_2620_: bool;
+    var phi_2622_: u32;
+    var phi_2773_: array<f32, 3>;
+    var phi_2839_: type_14;
+    var phi_2842_: f32;
+    var phi_2840_: type_14;
+    var phi_2883_: type_15;
+    var phi_2843_: f32;
     var local_7: f32;
-    var phi_2878_: f32;
-    var phi_3001_: type_30;
-    var phi_3002_: bool;
-    var phi_3003_: type_30;
-    var phi_3004_: bool;
-    var phi_3012_: type_30;
-    var phi_3183_: bool;
-    var phi_3184_: bool;
-    var phi_3185_: bool;
-    var phi_3186_: bool;
-    var phi_3187_: bool;
-    var phi_3188_: bool;
-    var phi_3489_: bool;
-    var phi_3490_: bool;
-    var phi_3491_: bool;
-    var phi_3492_: bool;
-    var phi_3493_: bool;
-    var phi_3494_: bool;
-    var phi_3502_: bool;
-    var phi_3609_: f32;
-    var phi_3610_: bool;
-    var phi_3611_: f32;
-    var phi_3612_: bool;
-    var phi_3613_: f32;
-    var phi_3614_: bool;
-    var phi_3615_: bool;
-    var phi_3677_: f32;
-    var phi_3678_: bool;
-    var phi_3679_: f32;
-    var phi_3680_: bool;
-    var phi_3681_: f32;
-    var phi_3682_: bool;
-    var phi_3683_: bool;
-    var phi_3750_: f32;
-    var phi_3751_: bool;
-    var phi_3752_: f32;
-    var phi_3753_: bool;
-    var phi_3754_: f32;
-    var phi_3755_: bool;
-    var phi_3756_: bool;
-    var phi_3818_: f32;
-    var phi_3819_: bool;
-    var phi_3820_: f32;
-    var phi_3821_: bool;
-    var phi_3822_: f32;
-    var phi_3823_: bool;
-    var phi_3824_: bool;
-    var phi_3998_: type_16;
-    var phi_4001_: f32;
-    var phi_3999_: type_16;
-    var phi_4042_: type_17;
-    var phi_4002_: f32;
+    var phi_2896_: f32;
+    var phi_3019_: type_31;
+    var phi_3020_: bool;
+    var phi_3021_: type_31;
+    var phi_3022_: bool;
+    var phi_3030_: type_31;
+    var phi_3201_: bool;
+    var phi_3202_: bool;
+    var phi_3203_: bool;
+    var phi_3204_: bool;
+    var phi_3205_: bool;
+    var phi_3206_: bool;
+    var phi_3507_: bool;
+    var phi_3508_: bool;
+    var phi_3509_: bool;
+    var phi_3510_: bool;
+    var phi_3511_: bool;
+    var phi_3512_: bool;
+    var phi_3520_: bool;
+    var phi_3627_: f32;
+    var phi_3628_: bool;
+    var phi_3629_: f32;
+    var phi_3630_: bool;
+    var phi_3631_: f32;
+    var phi_3632_: bool;
+    var phi_3633_: bool;
+    var phi_3695_: f32;
+    var phi_3696_: bool;
+    var phi_3697_: f32;
+    var phi_3698_: bool;
+    var phi_3699_: f32;
+    var phi_3700_: bool;
+    var phi_3701_: bool;
+    var phi_3768_: f32;
+    var phi_3769_: bool;
+    var phi_3770_: f32;
+    var phi_3771_: bool;
+    var phi_3772_: f32;
+    var phi_3773_: bool;
+    var phi_3774_: bool;
+    var phi_3836_: f32;
+    var phi_3837_: bool;
+    var phi_3838_: f32;
+    var phi_3839_: bool;
+    var phi_3840_: f32;
+    var phi_3841_: bool;
+    var phi_3842_: bool;
+    var phi_4016_: type_14;
+    var phi_4019_: f32;
+    var phi_4017_: type_14;
+    var phi_4060_: type_15;
+    var phi_4020_: f32;
     var local_8: f32;
-    var phi_4055_: f32;
-    var phi_4326_: bool;
-    var phi_4327_: bool;
-    var phi_4353_: f32;
-    var phi_4354_: f32;
-    var phi_4355_: bool;
-    var phi_4356_: bool;
-    var phi_4357_: f32;
-    var phi_4358_: f32;
-    var phi_4359_: f32;
-    var phi_4360_: f32;
-    var phi_4361_: bool;
-    var phi_4362_: bool;
-    var phi_4363_: bool;
-    var phi_4364_: bool;
-    var phi_4365_: f32;
-    var phi_4366_: f32;
-    var phi_4367_: f32;
-    var phi_4368_: f32;
-    var phi_4369_: bool;
-    var phi_4370_: bool;
-    var phi_4371_: bool;
-    var phi_4372_: bool;
+    var phi_4073_: f32;
+    var phi_4344_: bool;
+    var phi_4345_: bool;
+    var phi_4371_: f32;
+    var phi_4372_: f32;
     var phi_4373_: bool;
-    var phi_4374_: f32;
+    var phi_4374_: bool;
     var phi_4375_: f32;
     var phi_4376_: f32;
     var phi_4377_: f32;
-    var phi_4378_: bool;
+    var phi_4378_: f32;
     var phi_4379_: bool;
     var phi_4380_: bool;
     var phi_4381_: bool;
     var phi_4382_: bool;
-    var phi_4715_: f32;
-    var phi_4717_: u32;
-    var phi_4718_: f32;
-    var phi_4719_: bool;
-    var phi_4720_: bool;
-    var phi_4721_: bool;
-    var phi_4722_: u32;
-    var phi_4723_: f32;
-    var phi_4724_: f32;
-    var phi_4725_: f32;
-    var phi_4726_: f32;
-    var phi_4727_: bool;
-    var phi_4728_: u32;
-    var phi_4729_: bool;
-    var phi_4730_: bool;
-    var phi_4731_: bool;
-    var phi_4732_: bool;
-    var phi_4733_: bool;
-    var phi_4734_: bool;
-    var phi_4762_: f32;
-    var phi_4763_: f32;
-    var phi_4764_: f32;
-    var phi_4765_: f32;
-    var phi_4766_: bool;
-    var phi_4767_: u32;
-    var phi_4768_: bool;
-    var phi_4769_: bool;
-    var phi_4770_: bool;
-    var phi_4771_: bool;
-    var phi_4772_: bool;
-    var phi_4773_: bool;
-    var phi_2595_: f32;
-    var phi_2597_: f32;
-    var phi_2599_: f32;
-    var phi_2601_: f32;
-    var phi_2603_: bool;
-    var phi_2605_: u32;
-    var phi_4774_: f32;
-    var phi_4775_: f32;
-    var phi_4776_: bool;
-    var phi_4777_: bool;
-    var phi_4778_: bool;
-    var phi_4779_: bool;
-    var phi_4780_: bool;
-    var phi_4781_: bool;
-    var phi_4782_: bool;
+    var phi_4383_: f32;
+    var phi_4384_: f32;
+    var phi_4385_: f32;
+    var phi_4386_: f32;
+    var phi_4387_: bool;
+    var phi_4388_: bool;
+    var phi_4389_: bool;
+    var phi_4390_: bool;
+    var phi_4391_: bool;
+    var phi_4392_: f32;
+    var phi_4393_: f32;
+    var phi_4394_: f32;
+    var phi_4395_: f32;
+    var phi_4396_: bool;
+    var phi_4397_: bool;
+    var phi_4398_: bool;
+    var phi_4399_: bool;
+    var phi_4400_: bool;
+    var phi_4733_: f32;
+    var phi_4735_: u32;
+    var phi_4736_: f32;
+    var phi_4737_: bool;
+    var phi_4738_: bool;
+    var phi_4739_: bool;
+    var phi_4740_: u32;
+    var phi_4741_: f32;
+    var phi_4742_: f32;
+    var phi_4743_: f32;
+    var phi_4744_: f32;
+    var phi_4745_: bool;
+    var phi_4746_: u32;
+    var phi_4747_: bool;
+    var phi_4748_: bool;
+    var phi_4749_: bool;
+    var phi_4750_: bool;
+    var phi_4751_: bool;
+    var phi_4752_: bool;
+    var phi_4780_: f32;
+    var phi_4781_: f32;
+    var phi_4782_: f32;
+    var phi_4783_: f32;
+    var phi_4784_: bool;
+    var phi_4785_: u32;
+    var phi_4786_: bool;
+    var phi_4787_: bool;
+    var phi_4788_: bool;
+    var phi_4789_: bool;
+    var phi_4790_: bool;
+    var phi_4791_: bool;
+    var phi_2613_: f32;
+    var phi_2615_: f32;
+    var phi_2617_: f32;
+    var phi_2619_: f32;
+    var phi_2621_: bool;
+    var phi_2623_: u32;
+    var phi_4792_: f32;
+    var phi_4793_: f32;
+    var phi_4794_: bool;
+    var phi_4795_: bool;
+    var phi_4796_: bool;
+    var phi_4797_: bool;
+    var phi_4798_: bool;
+    var phi_4799_: bool;
+    var phi_4800_: bool;
     var local_9: bool;
     var local_10: bool;
     var local_11: bool;
@@ -441,135 +445,135 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_21: f32;
     var local_22: f32;
     var local_23: f32;
-    var phi_4849_: f32;
-    var phi_4850_: bool;
-    var phi_5470_: type_16;
-    var phi_5473_: f32;
-    var phi_5471_: type_16;
-    var phi_5514_: type_17;
-    var phi_5474_: f32;
+    var phi_4867_: f32;
+    var phi_4868_: bool;
+    var phi_5488_: type_14;
+    var phi_5491_: f32;
+    var phi_5489_: type_14;
+    var phi_5532_: type_15;
+    var phi_5492_: f32;
     var local_24: f32;
-    var phi_5527_: f32;
-    var phi_5762_: type_16;
-    var phi_5765_: f32;
-    var phi_5763_: type_16;
-    var phi_5806_: type_17;
-    var phi_5766_: f32;
+    var phi_5545_: f32;
+    var phi_5780_: type_14;
+    var phi_5783_: f32;
+    var phi_5781_: type_14;
+    var phi_5824_: type_15;
+    var phi_5784_: f32;
     var local_25: f32;
-    var phi_5819_: f32;
-    var phi_5851_: type_16;
-    var phi_5854_: f32;
-    var phi_5852_: type_16;
-    var phi_5895_: type_17;
-    var phi_5855_: f32;
+    var phi_5837_: f32;
+    var phi_5869_: type_14;
+    var phi_5872_: f32;
+    var phi_5870_: type_14;
+    var phi_5913_: type_15;
+    var phi_5873_: f32;
     var local_26: f32;
-    var phi_5908_: f32;
-    var phi_6216_: type_9;
-    var phi_6219_: f32;
-    var phi_6220_: f32;
+    var phi_5926_: f32;
+    var phi_6234_: type_9;
+    var phi_6237_: f32;
+    var phi_6238_: f32;
     var local_27: f32;
     var local_28: f32;
-    var phi_6318_: type_16;
-    var phi_6321_: f32;
-    var phi_6319_: type_16;
-    var phi_6362_: type_17;
-    var phi_6322_: f32;
+    var phi_6336_: type_14;
+    var phi_6339_: f32;
+    var phi_6337_: type_14;
+    var phi_6380_: type_15;
+    var phi_6340_: f32;
     var local_29: f32;
-    var phi_6375_: f32;
-    var phi_6380_: type_9;
-    var phi_6383_: f32;
-    var phi_6385_: bool;
-    var phi_6387_: bool;
-    var phi_6617_: f32;
-    var phi_6618_: f32;
-    var phi_6384_: f32;
-    var phi_6386_: bool;
-    var phi_6388_: bool;
+    var phi_6393_: f32;
+    var phi_6398_: type_9;
+    var phi_6401_: f32;
+    var phi_6403_: bool;
+    var phi_6405_: bool;
+    var phi_6635_: f32;
+    var phi_6636_: f32;
+    var phi_6402_: f32;
+    var phi_6404_: bool;
+    var phi_6406_: bool;
     var local_30: f32;
     var local_31: f32;
     var local_32: bool;
     var local_33: bool;
     var local_34: bool;
     var local_35: bool;
-    var phi_6633_: type_35;
-    var phi_6634_: bool;
+    var phi_6651_: type_36;
+    var phi_6652_: bool;
     var local_36: bool;
-    var phi_6655_: type_9;
-    var phi_6658_: f32;
-    var phi_6660_: f32;
-    var phi_6767_: f32;
-    var phi_6768_: f32;
-    var phi_6769_: f32;
-    var phi_6770_: f32;
-    var phi_6659_: f32;
-    var phi_6661_: f32;
+    var phi_6673_: type_9;
+    var phi_6676_: f32;
+    var phi_6678_: f32;
+    var phi_6785_: f32;
+    var phi_6786_: f32;
+    var phi_6787_: f32;
+    var phi_6788_: f32;
+    var phi_6677_: f32;
+    var phi_6679_: f32;
     var local_37: f32;
     var local_38: f32;
     var local_39: f32;
-    var phi_6931_: bool;
-    var phi_6932_: bool;
-    var phi_6933_: bool;
-    var phi_6934_: bool;
-    var phi_6935_: bool;
-    var phi_6936_: bool;
-    var phi_6945_: bool;
-    var phi_6946_: bool;
-    var phi_6953_: type_35;
-    var phi_6954_: type_35;
-    var phi_6955_: bool;
-    var phi_6956_: type_35;
-    var phi_6957_: type_35;
-    var phi_6958_: bool;
-    var phi_6963_: type_35;
-    var phi_6964_: type_35;
-    var phi_6965_: bool;
-    var phi_6969_: type_35;
-    var phi_6970_: type_35;
-    var phi_6971_: bool;
-    var phi_6972_: bool;
-    var phi_6973_: type_35;
-    var phi_6974_: type_35;
-    var phi_6975_: bool;
+    var phi_6949_: bool;
+    var phi_6950_: bool;
+    var phi_6951_: bool;
+    var phi_6952_: bool;
+    var phi_6953_: bool;
+    var phi_6954_: bool;
+    var phi_6963_: bool;
+    var phi_6964_: bool;
+    var phi_6971_: type_36;
+    var phi_6972_: type_36;
+    var phi_6973_: bool;
+    var phi_6974_: type_36;
+    var phi_6975_: type_36;
     var phi_6976_: bool;
-    var phi_7010_: f32;
-    var phi_7011_: f32;
-    var phi_7012_: bool;
-    var phi_7013_: bool;
-    var phi_7014_: bool;
-    var phi_7015_: f32;
-    var phi_7016_: u32;
-    var phi_7017_: f32;
-    var phi_7018_: type_35;
-    var phi_7019_: u32;
-    var phi_7020_: u32;
-    var phi_7021_: bool;
-    var phi_7022_: bool;
-    var phi_7023_: bool;
-    var phi_7024_: f32;
-    var phi_7025_: u32;
-    var phi_7026_: f32;
-    var phi_7027_: type_35;
-    var phi_7028_: u32;
-    var phi_7029_: u32;
+    var phi_6981_: type_36;
+    var phi_6982_: type_36;
+    var phi_6983_: bool;
+    var phi_6987_: type_36;
+    var phi_6988_: type_36;
+    var phi_6989_: bool;
+    var phi_6990_: bool;
+    var phi_6991_: type_36;
+    var phi_6992_: type_36;
+    var phi_6993_: bool;
+    var phi_6994_: bool;
+    var phi_7028_: f32;
+    var phi_7029_: f32;
     var phi_7030_: bool;
     var phi_7031_: bool;
     var phi_7032_: bool;
-    var phi_7033_: bool;
-    var phi_7034_: bool;
+    var phi_7033_: f32;
+    var phi_7034_: u32;
     var phi_7035_: f32;
-    var phi_2110_: f32;
-    var phi_2112_: u32;
-    var phi_2114_: f32;
-    var phi_7036_: type_35;
+    var phi_7036_: type_36;
     var phi_7037_: u32;
-    var phi_7038_: f32;
-    var phi_7039_: u32;
+    var phi_7038_: u32;
+    var phi_7039_: bool;
     var phi_7040_: bool;
     var phi_7041_: bool;
-    var phi_7042_: bool;
-    var phi_7043_: bool;
-    var phi_7044_: bool;
-    var phi_7045_: bool;
+    var phi_7042_: f32;
+    var phi_7043_: u32;
+    var phi_7044_: f32;
+    var phi_7045_: type_36;
+    var phi_7046_: u32;
+    var phi_7047_: u32;
+    var phi_7048_: bool;
+    var phi_7049_: bool;
+    var phi_7050_: bool;
+    var phi_7051_: bool;
+    var phi_7052_: bool;
+    var phi_7053_: f32;
+    var phi_2128_: f32;
+    var phi_2130_: u32;
+    var phi_2132_: f32;
+    var phi_7054_: type_36;
+    var phi_7055_: u32;
+    var phi_7056_: f32;
+    var phi_7057_: u32;
+    var phi_7058_: bool;
+    var phi_7059_: bool;
+    var phi_7060_: bool;
+    var phi_7061_: bool;
+    var phi_7062_: bool;
+    var phi_7063_: bool;
     var local_40: bool;
     var local_41: bool;
     var local_42: bool;
@@ -578,54 +582,54 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_45: bool;
     var local_46: bool;
     var local_47: bool;
-    var local_48: type_35;
-    var local_49: type_35;
+    var local_48: type_36;
+    var local_49: type_36;
     var local_50: u32;
-    var local_51: type_35;
-    var phi_7074_: type_34;
-    var phi_7075_: type_34;
-    var phi_7076_: bool;
-    var phi_7077_: bool;
-    var phi_7078_: bool;
-    var phi_7079_: bool;
+    var local_51: type_36;
+    var phi_7092_: type_35;
+    var phi_7093_: type_35;
+    var phi_7094_: bool;
+    var phi_7095_: bool;
+    var phi_7096_: bool;
+    var phi_7097_: bool;
     var local_52: u32;
     var local_53: u32;
     var local_54: f32;
     var local_55: f32;
     var local_56: f32;
     var local_57: u32;
-    var phi_7111_: type_9;
-    var phi_7286_: type_16;
-    var phi_7289_: f32;
-    var phi_7287_: type_16;
-    var phi_7330_: type_17;
-    var phi_7290_: f32;
+    var phi_7129_: type_9;
+    var phi_7304_: type_14;
+    var phi_7307_: f32;
+    var phi_7305_: type_14;
+    var phi_7348_: type_15;
+    var phi_7308_: f32;
     var local_58: f32;
-    var phi_7343_: f32;
-    var phi_7614_: bool;
-    var phi_7615_: bool;
+    var phi_7361_: f32;
+    var phi_7632_: bool;
+    var phi_7633_: bool;
     var local_59: bool;
-    var phi_7627_: type_34;
-    var phi_7628_: bool;
-    var phi_7640_: type_34;
-    var phi_7641_: type_34;
-    var phi_7642_: bool;
-    var phi_7643_: bool;
-    var phi_7650_: type_34;
-    var phi_7651_: bool;
-    var phi_7655_: type_34;
-    var phi_7656_: type_34;
-    var phi_7657_: bool;
-    var phi_7661_: type_34;
-    var phi_7679_: type_31;
-    var phi_7719_: bool;
-    var phi_7735_: bool;
-    var phi_7754_: type_31;
-    var phi_7755_: type_31;
-    var phi_7756_: type_9;
-    var phi_7786_: u32;
-    var phi_7808_: u32;
-    var phi_7874_: u32;
+    var phi_7645_: type_35;
+    var phi_7646_: bool;
+    var phi_7658_: type_35;
+    var phi_7659_: type_35;
+    var phi_7660_: bool;
+    var phi_7661_: bool;
+    var phi_7668_: type_35;
+    var phi_7669_: bool;
+    var phi_7673_: type_35;
+    var phi_7674_: type_35;
+    var phi_7675_: bool;
+    var phi_7679_: type_35;
+    var phi_7697_: type_32;
+    var phi_7737_: bool;
+    var phi_7753_: bool;
+    var phi_7772_: type_32;
+    var phi_7773_: type_32;
+    var phi_7774_: type_9;
+    var phi_7804_: u32;
+    var phi_7826_: u32;
+    var phi_7903_: u32;
     var local_60: bool;
     var local_61: bool;
     var id_2: vec3<u32>;
@@ -646,11 +650,11 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e127 = params.member.member_1.member_1;
     if (_e125 > _e127) {
         let _e130 = params.member.member_1.member_1;
-        phi_228_ = (_e125 - _e130);
+        phi_231_ = (_e125 - _e130);
     } else {
-        phi_228_ = 0u;
+        phi_231_ = 0u;
     }
-    let _e133 = phi_228_;
+    let _e133 = phi_231_;
     let _e135 = params.member.member_1.member;
     let _e137 = select(_e133, _e135, (_e135 < _e133));
     let _e139 = (_e137 / 64u);
@@ -664,14 +668,14 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         if (_e118 == 0u) {
             return;
         }
-        phi_274_ = select(_e147, (_e147 + 1u), ((_e145 % _e118) > 0u));
+        phi_277_ = select(_e147, (_e147 + 1u), ((_e145 % _e118) > 0u));
     } else {
-        phi_274_ = 0u;
+        phi_277_ = 0u;
     }
-    let _e154 = phi_274_;
-    phi_277_ = type_9(0u, _e154);
+    let _e154 = phi_277_;
+    phi_280_ = type_9(0u, _e154);
     loop {
-        let _e157 = phi_277_;
+        let _e157 = phi_280_;
         let _e160 = (_e157.member < _e157.member_1);
         let _e173 = (bitcast<i32>(select(0u, 1u, _e160)) != 0i);
         if _e173 {
@@ -683,2288 +687,2288 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e189 = input.member[(_e183 + 5u)];
                 let _e190 = (_e186 & 2147483647u);
                 if ((_e186 & 2147483648u) != 0u) {
-                    phi_7754_ = type_31(1u, 0u, array<u32, 2>(0u, 0u), true);
+                    phi_7772_ = type_32(1u, 0u, array<u32, 2>(0u, 0u), true);
                 } else {
-                    let _e195 = params.member.member_2.member;
-                    if (_e195 == 0u) {
-                        let _e212 = (3u * _e189);
-                        let _e214 = elements.member[_e212];
-                        let _e217 = elements.member[(_e212 + 1u)];
-                        let _e220 = elements.member[(_e212 + 2u)];
-                        phi_445_ = type_21(0u, array<u32, 4>(_e190, _e214, _e217, _e220));
+                    let _e197 = (_e189 & 2147483647u);
+                    if (select(1u, 0u, ((_e189 & 2147483648u) == 0u)) == 0u) {
+                        let _e216 = params.member.member.member[1u];
+                        let _e219 = ((2u * _e216) + (3u * _e197));
+                        let _e221 = elements.member[_e219];
+                        let _e224 = elements.member[(_e219 + 1u)];
+                        let _e227 = elements.member[(_e219 + 2u)];
+                        phi_463_ = type_22(0u, array<u32, 4>(_e190, _e221, _e224, _e227));
                     } else {
-                        let _e198 = (2u * _e190);
-                        let _e199 = (2u * _e189);
-                        let _e201 = elements.member[_e198];
-                        let _e203 = elements.member[_e199];
-                        let _e206 = elements.member[(_e198 + 1u)];
-                        let _e209 = elements.member[(_e199 + 1u)];
-                        phi_445_ = type_21(1u, array<u32, 4>(_e201, _e206, _e203, _e209));
+                        let _e200 = (2u * _e190);
+                        let _e202 = elements.member[_e200];
+                        let _e205 = elements.member[(_e200 + 1u)];
+                        let _e206 = (2u * _e197);
+                        let _e208 = elements.member[_e206];
+                        let _e211 = elements.member[(_e206 + 1u)];
+                        phi_463_ = type_22(1u, array<u32, 4>(_e202, _e205, _e208, _e211));
                     }
-                    let _e224 = phi_445_;
-                    let _e229 = paths.member[_e224.member_1[0]];
-                    let _e244 = paths.member[_e224.member_1[1]];
-                    let _e259 = paths.member[_e224.member_1[2]];
-                    let _e274 = paths.member[_e224.member_1[3]];
-                    let _e288 = params.member.member.member_4;
-                    if (_e224.member != 0u) {
-                        phi_580_ = type_27(array<array<f32, 3>, 2>(array<f32, 3>((_e259.member.x - _e229.member.x), (_e259.member.y - _e229.member.y), (_e259.member.z - _e229.member.z)), array<f32, 3>((_e259.member_1.x - _e229.member_1.x), (_e259.member_1.y - _e229.member_1.y), (_e259.member_1.z - _e229.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e244.member.x - _e229.member.x), (_e244.member.y - _e229.member.y), (_e244.member.z - _e229.member.z)), array<f32, 3>((_e244.member_1.x - _e229.member_1.x), (_e244.member_1.y - _e229.member_1.y), (_e244.member_1.z - _e229.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e259.member.x - _e274.member.x), (_e259.member.y - _e274.member.y), (_e259.member.z - _e274.member.z)), array<f32, 3>((_e259.member_1.x - _e274.member_1.x), (_e259.member_1.y - _e274.member_1.y), (_e259.member_1.z - _e274.member_1.z))), (_e288 + _e288));
+                    let _e231 = phi_463_;
+                    let _e236 = paths.member[_e231.member_1[0]];
+                    let _e251 = paths.member[_e231.member_1[1]];
+                    let _e266 = paths.member[_e231.member_1[2]];
+                    let _e281 = paths.member[_e231.member_1[3]];
+                    let _e295 = params.member.member.member_4;
+                    if (_e231.member != 0u) {
+                        phi_598_ = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e266.member.x - _e236.member.x), (_e266.member.y - _e236.member.y), (_e266.member.z - _e236.member.z)), array<f32, 3>((_e266.member_1.x - _e236.member_1.x), (_e266.member_1.y - _e236.member_1.y), (_e266.member_1.z - _e236.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e251.member.x - _e236.member.x), (_e251.member.y - _e236.member.y), (_e251.member.z - _e236.member.z)), array<f32, 3>((_e251.member_1.x - _e236.member_1.x), (_e251.member_1.y - _e236.member_1.y), (_e251.member_1.z - _e236.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e266.member.x - _e281.member.x), (_e266.member.y - _e281.member.y), (_e266.member.z - _e281.member.z)), array<f32, 3>((_e266.member_1.x - _e281.member_1.x), (_e266.member_1.y - _e281.member_1.y), (_e266.member_1.z - _e281.member_1.z))), (_e295 + _e295));
                     } else {
-                        phi_580_ = type_27(array<array<f32, 3>, 2>(array<f32, 3>((_e229.member.x - _e244.member.x), (_e229.member.y - _e244.member.y), (_e229.member.z - _e244.member.z)), array<f32, 3>((_e229.member_1.x - _e244.member_1.x), (_e229.member_1.y - _e244.member_1.y), (_e229.member_1.z - _e244.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e259.member.x - _e244.member.x), (_e259.member.y - _e244.member.y), (_e259.member.z - _e244.member.z)), array<f32, 3>((_e259.member_1.x - _e244.member_1.x), (_e259.member_1.y - _e244.member_1.y), (_e259.member_1.z - _e244.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e274.member.x - _e244.member.x), (_e274.member.y - _e244.member.y), (_e274.member.z - _e244.member.z)), array<f32, 3>((_e274.member_1.x - _e244.member_1.x), (_e274.member_1.y - _e244.member_1.y), (_e274.member_1.z - _e244.member_1.z))), (_e288 + _e288));
+                        phi_598_ = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e236.member.x - _e251.member.x), (_e236.member.y - _e251.member.y), (_e236.member.z - _e251.member.z)), array<f32, 3>((_e236.member_1.x - _e251.member_1.x), (_e236.member_1.y - _e251.member_1.y), (_e236.member_1.z - _e251.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e266.member.x - _e251.member.x), (_e266.member.y - _e251.member.y), (_e266.member.z - _e251.member.z)), array<f32, 3>((_e266.member_1.x - _e251.member_1.x), (_e266.member_1.y - _e251.member_1.y), (_e266.member_1.z - _e251.member_1.z))), array<array<f32, 3>, 2>(array<f32, 3>((_e281.member.x - _e251.member.x), (_e281.member.y - _e251.member.y), (_e281.member.z - _e251.member.z)), array<f32, 3>((_e281.member_1.x - _e251.member_1.x), (_e281.member_1.y - _e251.member_1.y), (_e281.member_1.z - _e251.member_1.z))), (_e295 + _e295));
                     }
-                    let _e349 = phi_580_;
-                    let _e351 = params.member.member.member_12;
-                    let _e352 = bitcast<u32>(_e351);
-                    let _e353 = (_e352 & 2147483647u);
-                    let _e354 = (_e353 < 8388608u);
-                    let _e366 = params.member.member.member_15[0u];
-                    if (select((_e352 << bitcast<u32>(29i)), 0u, _e354) == _e366) {
-                        let _e370 = params.member.member.member_15[1u];
-                        phi_609_ = (select(((_e352 ^ _e353) | ((_e353 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e354) == _e370);
+                    let _e356 = phi_598_;
+                    let _e358 = params.member.member.member_12;
+                    let _e359 = bitcast<u32>(_e358);
+                    let _e360 = (_e359 & 2147483647u);
+                    let _e361 = (_e360 < 8388608u);
+                    let _e373 = params.member.member.member_15[0u];
+                    if (select((_e359 << bitcast<u32>(29i)), 0u, _e361) == _e373) {
+                        let _e377 = params.member.member.member_15[1u];
+                        phi_627_ = (select(((_e359 ^ _e360) | ((_e360 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e361) == _e377);
                     } else {
-                        phi_609_ = false;
+                        phi_627_ = false;
                     }
-                    let _e373 = phi_609_;
-                    let _e375 = params.member.member.member_5;
-                    let _e377 = params.member.member.member_11;
-                    let _e379 = params.member.member.member_12;
-                    let _e381 = params.member.member.member_13;
-                    let _e383 = params.member.member.member_1;
-                    let _e392 = select(_e349.member[0][0], -(_e349.member[0][0]), (_e349.member[0][0] < 0f));
-                    let _e396 = select(_e349.member[0][1], -(_e349.member[0][1]), (_e349.member[0][1] < 0f));
-                    let _e398 = select(_e396, _e392, (_e392 > _e396));
-                    let _e402 = select(_e349.member[0][2], -(_e349.member[0][2]), (_e349.member[0][2] < 0f));
-                    let _e404 = select(_e402, _e398, (_e398 > _e402));
-                    let _e410 = select(_e349.member[1][0], -(_e349.member[1][0]), (_e349.member[1][0] < 0f));
-                    let _e414 = select(_e349.member[1][1], -(_e349.member[1][1]), (_e349.member[1][1] < 0f));
-                    let _e416 = select(_e414, _e410, (_e410 > _e414));
-                    let _e420 = select(_e349.member[1][2], -(_e349.member[1][2]), (_e349.member[1][2] < 0f));
-                    let _e422 = select(_e420, _e416, (_e416 > _e420));
-                    let _e426 = (select(_e422, _e404, (_e404 > _e422)) + _e349.member_3);
-                    let _e432 = select(_e349.member_1[0][0], -(_e349.member_1[0][0]), (_e349.member_1[0][0] < 0f));
-                    let _e436 = select(_e349.member_1[0][1], -(_e349.member_1[0][1]), (_e349.member_1[0][1] < 0f));
-                    let _e438 = select(_e436, _e432, (_e432 > _e436));
-                    let _e442 = select(_e349.member_1[0][2], -(_e349.member_1[0][2]), (_e349.member_1[0][2] < 0f));
-                    let _e444 = select(_e442, _e438, (_e438 > _e442));
-                    let _e450 = select(_e349.member_1[1][0], -(_e349.member_1[1][0]), (_e349.member_1[1][0] < 0f));
-                    let _e454 = select(_e349.member_1[1][1], -(_e349.member_1[1][1]), (_e349.member_1[1][1] < 0f));
-                    let _e456 = select(_e454, _e450, (_e450 > _e454));
-                    let _e460 = select(_e349.member_1[1][2], -(_e349.member_1[1][2]), (_e349.member_1[1][2] < 0f));
-                    let _e462 = select(_e460, _e456, (_e456 > _e460));
-                    let _e466 = (select(_e462, _e444, (_e444 > _e462)) + _e349.member_3);
-                    let _e472 = select(_e349.member_2[0][0], -(_e349.member_2[0][0]), (_e349.member_2[0][0] < 0f));
-                    let _e476 = select(_e349.member_2[0][1], -(_e349.member_2[0][1]), (_e349.member_2[0][1] < 0f));
-                    let _e478 = select(_e476, _e472, (_e472 > _e476));
-                    let _e482 = select(_e349.member_2[0][2], -(_e349.member_2[0][2]), (_e349.member_2[0][2] < 0f));
-                    let _e484 = select(_e482, _e478, (_e478 > _e482));
-                    let _e490 = select(_e349.member_2[1][0], -(_e349.member_2[1][0]), (_e349.member_2[1][0] < 0f));
-                    let _e494 = select(_e349.member_2[1][1], -(_e349.member_2[1][1]), (_e349.member_2[1][1] < 0f));
-                    let _e496 = select(_e494, _e490, (_e490 > _e494));
-                    let _e500 = select(_e349.member_2[1][2], -(_e349.member_2[1][2]), (_e349.member_2[1][2] < 0f));
-                    let _e502 = select(_e500, _e496, (_e496 > _e500));
-                    let _e506 = (select(_e502, _e484, (_e484 > _e502)) + _e349.member_3);
-                    let _e508 = select(_e466, _e426, (_e426 > _e466));
-                    let _e510 = select(_e506, _e508, (_e508 > _e506));
-                    if (_e510 <= 65536f) {
-                        phi_857_ = (_e510 >= (1f / 65536f));
+                    let _e380 = phi_627_;
+                    let _e382 = params.member.member.member_5;
+                    let _e384 = params.member.member.member_11;
+                    let _e386 = params.member.member.member_12;
+                    let _e388 = params.member.member.member_13;
+                    let _e390 = params.member.member.member_1;
+                    let _e399 = select(_e356.member[0][0], -(_e356.member[0][0]), (_e356.member[0][0] < 0f));
+                    let _e403 = select(_e356.member[0][1], -(_e356.member[0][1]), (_e356.member[0][1] < 0f));
+                    let _e405 = select(_e403, _e399, (_e399 > _e403));
+                    let _e409 = select(_e356.member[0][2], -(_e356.member[0][2]), (_e356.member[0][2] < 0f));
+                    let _e411 = select(_e409, _e405, (_e405 > _e409));
+                    let _e417 = select(_e356.member[1][0], -(_e356.member[1][0]), (_e356.member[1][0] < 0f));
+                    let _e421 = select(_e356.member[1][1], -(_e356.member[1][1]), (_e356.member[1][1] < 0f));
+                    let _e423 = select(_e421, _e417, (_e417 > _e421));
+                    let _e427 = select(_e356.member[1][2], -(_e356.member[1][2]), (_e356.member[1][2] < 0f));
+                    let _e429 = select(_e427, _e423, (_e423 > _e427));
+                    let _e433 = (select(_e429, _e411, (_e411 > _e429)) + _e356.member_3);
+                    let _e439 = select(_e356.member_1[0][0], -(_e356.member_1[0][0]), (_e356.member_1[0][0] < 0f));
+                    let _e443 = select(_e356.member_1[0][1], -(_e356.member_1[0][1]), (_e356.member_1[0][1] < 0f));
+                    let _e445 = select(_e443, _e439, (_e439 > _e443));
+                    let _e449 = select(_e356.member_1[0][2], -(_e356.member_1[0][2]), (_e356.member_1[0][2] < 0f));
+                    let _e451 = select(_e449, _e445, (_e445 > _e449));
+                    let _e457 = select(_e356.member_1[1][0], -(_e356.member_1[1][0]), (_e356.member_1[1][0] < 0f));
+                    let _e461 = select(_e356.member_1[1][1], -(_e356.member_1[1][1]), (_e356.member_1[1][1] < 0f));
+                    let _e463 = select(_e461, _e457, (_e457 > _e461));
+                    let _e467 = select(_e356.member_1[1][2], -(_e356.member_1[1][2]), (_e356.member_1[1][2] < 0f));
+                    let _e469 = select(_e467, _e463, (_e463 > _e467));
+                    let _e473 = (select(_e469, _e451, (_e451 > _e469)) + _e356.member_3);
+                    let _e479 = select(_e356.member_2[0][0], -(_e356.member_2[0][0]), (_e356.member_2[0][0] < 0f));
+                    let _e483 = select(_e356.member_2[0][1], -(_e356.member_2[0][1]), (_e356.member_2[0][1] < 0f));
+                    let _e485 = select(_e483, _e479, (_e479 > _e483));
+                    let _e489 = select(_e356.member_2[0][2], -(_e356.member_2[0][2]), (_e356.member_2[0][2] < 0f));
+                    let _e491 = select(_e489, _e485, (_e485 > _e489));
+                    let _e497 = select(_e356.member_2[1][0], -(_e356.member_2[1][0]), (_e356.member_2[1][0] < 0f));
+                    let _e501 = select(_e356.member_2[1][1], -(_e356.member_2[1][1]), (_e356.member_2[1][1] < 0f));
+                    let _e503 = select(_e501, _e497, (_e497 > _e501));
+                    let _e507 = select(_e356.member_2[1][2], -(_e356.member_2[1][2]), (_e356.member_2[1][2] < 0f));
+                    let _e509 = select(_e507, _e503, (_e503 > _e507));
+                    let _e513 = (select(_e509, _e491, (_e491 > _e509)) + _e356.member_3);
+                    let _e515 = select(_e473, _e433, (_e433 > _e473));
+                    let _e517 = select(_e513, _e515, (_e515 > _e513));
+                    if (_e517 <= 65536f) {
+                        phi_875_ = (_e517 >= (1f / 65536f));
                     } else {
-                        phi_857_ = false;
+                        phi_875_ = false;
                     }
-                    let _e515 = phi_857_;
-                    if _e515 {
-                        phi_955_ = type_32();
-                        phi_956_ = true;
+                    let _e522 = phi_875_;
+                    if _e522 {
+                        phi_973_ = type_33();
+                        phi_974_ = true;
                     } else {
-                        if (_e510 >= 0.000000000000000000000000000000000000011754944f) {
-                            if ((bitcast<u32>(_e510) & 2139095040u) != 2139095040u) {
-                                let _e522 = (2130706432u - (bitcast<u32>(_e510) & 2139095040u));
-                                let _e525 = bitcast<f32>(select(8388608u, _e522, (_e522 > 8388608u)));
-                                let _e526 = (_e375 * _e525);
-                                phi_951_ = type_32(type_27(array<array<f32, 3>, 2>(array<f32, 3>((_e349.member[0][0] * _e525), (_e349.member[0][1] * _e525), (_e349.member[0][2] * _e525)), array<f32, 3>((_e349.member[1][0] * _e525), (_e349.member[1][1] * _e525), (_e349.member[1][2] * _e525))), array<array<f32, 3>, 2>(array<f32, 3>((_e349.member_1[0][0] * _e525), (_e349.member_1[0][1] * _e525), (_e349.member_1[0][2] * _e525)), array<f32, 3>((_e349.member_1[1][0] * _e525), (_e349.member_1[1][1] * _e525), (_e349.member_1[1][2] * _e525))), array<array<f32, 3>, 2>(array<f32, 3>((_e349.member_2[0][0] * _e525), (_e349.member_2[0][1] * _e525), (_e349.member_2[0][2] * _e525)), array<f32, 3>((_e349.member_2[1][0] * _e525), (_e349.member_2[1][1] * _e525), (_e349.member_2[1][2] * _e525))), ((_e349.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e525)), select(_e526, select(0.000000000000000000000000000000000000011754944f, _e526, (_e526 > 0.000000000000000000000000000000000000011754944f)), (_e375 > 0f)));
-                                phi_952_ = false;
+                        if (_e517 >= 0.000000000000000000000000000000000000011754944f) {
+                            if ((bitcast<u32>(_e517) & 2139095040u) != 2139095040u) {
+                                let _e529 = (2130706432u - (bitcast<u32>(_e517) & 2139095040u));
+                                let _e532 = bitcast<f32>(select(8388608u, _e529, (_e529 > 8388608u)));
+                                let _e533 = (_e382 * _e532);
+                                phi_969_ = type_33(type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e356.member[0][0] * _e532), (_e356.member[0][1] * _e532), (_e356.member[0][2] * _e532)), array<f32, 3>((_e356.member[1][0] * _e532), (_e356.member[1][1] * _e532), (_e356.member[1][2] * _e532))), array<array<f32, 3>, 2>(array<f32, 3>((_e356.member_1[0][0] * _e532), (_e356.member_1[0][1] * _e532), (_e356.member_1[0][2] * _e532)), array<f32, 3>((_e356.member_1[1][0] * _e532), (_e356.member_1[1][1] * _e532), (_e356.member_1[1][2] * _e532))), array<array<f32, 3>, 2>(array<f32, 3>((_e356.member_2[0][0] * _e532), (_e356.member_2[0][1] * _e532), (_e356.member_2[0][2] * _e532)), array<f32, 3>((_e356.member_2[1][0] * _e532), (_e356.member_2[1][1] * _e532), (_e356.member_2[1][2] * _e532))), ((_e356.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e532)), select(_e533, select(0.000000000000000000000000000000000000011754944f, _e533, (_e533 > 0.000000000000000000000000000000000000011754944f)), (_e382 > 0f)));
+                                phi_970_ = false;
                             } else {
-                                phi_951_ = type_32();
-                                phi_952_ = true;
+                                phi_969_ = type_33();
+                                phi_970_ = true;
                             }
-                            let _e595 = phi_951_;
-                            let _e597 = phi_952_;
-                            phi_953_ = _e595;
-                            phi_954_ = _e597;
+                            let _e602 = phi_969_;
+                            let _e604 = phi_970_;
+                            phi_971_ = _e602;
+                            phi_972_ = _e604;
                         } else {
-                            phi_953_ = type_32();
-                            phi_954_ = true;
+                            phi_971_ = type_33();
+                            phi_972_ = true;
                         }
-                        let _e599 = phi_953_;
-                        let _e601 = phi_954_;
-                        phi_955_ = _e599;
-                        phi_956_ = _e601;
+                        let _e606 = phi_971_;
+                        let _e608 = phi_972_;
+                        phi_973_ = _e606;
+                        phi_974_ = _e608;
                     }
-                    let _e603 = phi_955_;
-                    let _e605 = phi_956_;
-                    if _e605 {
-                        phi_961_ = type_32(_e349, _e375);
+                    let _e610 = phi_973_;
+                    let _e612 = phi_974_;
+                    if _e612 {
+                        phi_979_ = type_33(_e356, _e382);
                     } else {
-                        phi_961_ = _e603;
+                        phi_979_ = _e610;
                     }
-                    let _e608 = phi_961_;
-                    local_5 = type_27(array<array<f32, 3>, 2>(array<f32, 3>(_e608.member.member[0][0], _e608.member.member[0][1], _e608.member.member[0][2]), array<f32, 3>(_e608.member.member[1][0], _e608.member.member[1][1], _e608.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e608.member.member_1[0][0], _e608.member.member_1[0][1], _e608.member.member_1[0][2]), array<f32, 3>(_e608.member.member_1[1][0], _e608.member.member_1[1][1], _e608.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e608.member.member_2[0][0], _e608.member.member_2[0][1], _e608.member.member_2[0][2]), array<f32, 3>(_e608.member.member_2[1][0], _e608.member.member_2[1][1], _e608.member.member_2[1][2])), _e608.member.member_3);
-                    let _e651 = local_5.member[0u];
-                    let _e657 = local_5.member[1u];
-                    let _e673 = local_5.member_1[0u];
-                    let _e679 = local_5.member_1[1u];
-                    let _e695 = local_5.member_2[0u];
-                    let _e701 = local_5.member_2[1u];
-                    let _e715 = function_3(array<f32, 3>((_e651[0] + ((_e657[0] - _e651[0]) * _e379)), (_e651[1] + ((_e657[1] - _e651[1]) * _e379)), (_e651[2] + ((_e657[2] - _e651[2]) * _e379))), array<f32, 3>((_e673[0] + ((_e679[0] - _e673[0]) * _e379)), (_e673[1] + ((_e679[1] - _e673[1]) * _e379)), (_e673[2] + ((_e679[2] - _e673[2]) * _e379))), array<f32, 3>((_e695[0] + ((_e701[0] - _e695[0]) * _e379)), (_e695[1] + ((_e701[1] - _e695[1]) * _e379)), (_e695[2] + ((_e701[2] - _e695[2]) * _e379))), _e224.member);
-                    let _e726 = (((_e715[0] * _e715[0]) + (_e715[1] * _e715[1])) + (_e715[2] * _e715[2]));
-                    if (_e726 <= 0.000000000000000000000000000000000000011754944f) {
-                        phi_1188_ = select(0f, (0.000000000000000000106433627f * 2f), (_e726 > 0f));
+                    let _e615 = phi_979_;
+                    local_5 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e615.member.member[0][0], _e615.member.member[0][1], _e615.member.member[0][2]), array<f32, 3>(_e615.member.member[1][0], _e615.member.member[1][1], _e615.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e615.member.member_1[0][0], _e615.member.member_1[0][1], _e615.member.member_1[0][2]), array<f32, 3>(_e615.member.member_1[1][0], _e615.member.member_1[1][1], _e615.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e615.member.member_2[0][0], _e615.member.member_2[0][1], _e615.member.member_2[0][2]), array<f32, 3>(_e615.member.member_2[1][0], _e615.member.member_2[1][1], _e615.member.member_2[1][2])), _e615.member.member_3);
+                    let _e658 = local_5.member[0u];
+                    let _e664 = local_5.member[1u];
+                    let _e680 = local_5.member_1[0u];
+                    let _e686 = local_5.member_1[1u];
+                    let _e702 = local_5.member_2[0u];
+                    let _e708 = local_5.member_2[1u];
+                    let _e722 = function_3(array<f32, 3>((_e658[0] + ((_e664[0] - _e658[0]) * _e386)), (_e658[1] + ((_e664[1] - _e658[1]) * _e386)), (_e658[2] + ((_e664[2] - _e658[2]) * _e386))), array<f32, 3>((_e680[0] + ((_e686[0] - _e680[0]) * _e386)), (_e680[1] + ((_e686[1] - _e680[1]) * _e386)), (_e680[2] + ((_e686[2] - _e680[2]) * _e386))), array<f32, 3>((_e702[0] + ((_e708[0] - _e702[0]) * _e386)), (_e702[1] + ((_e708[1] - _e702[1]) * _e386)), (_e702[2] + ((_e708[2] - _e702[2]) * _e386))), _e231.member);
+                    let _e733 = (((_e722[0] * _e722[0]) + (_e722[1] * _e722[1])) + (_e722[2] * _e722[2]));
+                    if (_e733 <= 0.000000000000000000000000000000000000011754944f) {
+                        phi_1206_ = select(0f, (0.000000000000000000106433627f * 2f), (_e733 > 0f));
                     } else {
-                        phi_1131_ = type_16(0i, 5i);
-                        phi_1134_ = bitcast<f32>(((bitcast<u32>(_e726) >> bitcast<u32>(1i)) + 532369198u));
+                        phi_1149_ = type_14(0i, 5i);
+                        phi_1152_ = bitcast<f32>(((bitcast<u32>(_e733) >> bitcast<u32>(1i)) + 532369198u));
                         loop {
-                            let _e734 = phi_1131_;
-                            let _e736 = phi_1134_;
-                            local_6 = _e736;
-                            if (_e734.member < _e734.member_1) {
-                                let _e743 = (_e734.member + 1i);
-                                phi_1132_ = type_16(select(_e743, type_17().member_1, select(false, true, ((false == (_e743 > _e734.member)) != false))), _e734.member_1);
-                                phi_1175_ = type_17(1u, _e734.member);
+                            let _e741 = phi_1149_;
+                            let _e743 = phi_1152_;
+                            local_6 = _e743;
+                            if (_e741.member < _e741.member_1) {
+                                let _e750 = (_e741.member + 1i);
+                                phi_1150_ = type_14(select(_e750, type_15().member_1, select(false, true, ((false == (_e750 > _e741.member)) != false))), _e741.member_1);
+                                phi_1193_ = type_15(1u, _e741.member);
                             } else {
-                                phi_1132_ = _e734;
-                                phi_1175_ = type_17(0u, type_17().member_1);
+                                phi_1150_ = _e741;
+                                phi_1193_ = type_15(0u, type_15().member_1);
                             }
-                            let _e754 = phi_1132_;
-                            let _e756 = phi_1175_;
-                            let _e759 = (bitcast<i32>(_e756.member) != 0i);
-                            if _e759 {
-                                phi_1135_ = (0.5f * (_e736 + (_e726 / _e736)));
+                            let _e761 = phi_1150_;
+                            let _e763 = phi_1193_;
+                            let _e766 = (bitcast<i32>(_e763.member) != 0i);
+                            if _e766 {
+                                phi_1153_ = (0.5f * (_e743 + (_e733 / _e743)));
                             } else {
-                                phi_1135_ = f32();
+                                phi_1153_ = f32();
                             }
-                            let _e764 = phi_1135_;
+                            let _e771 = phi_1153_;
                             continue;
                             continuing {
-                                phi_1131_ = _e754;
-                                phi_1134_ = _e764;
-                                break if !(_e759);
+                                phi_1149_ = _e761;
+                                phi_1152_ = _e771;
+                                break if !(_e766);
                             }
                         }
-                        let _e769 = local_6;
-                        phi_1188_ = (_e769 * (1f + (8f * 0.000000059604645f)));
+                        let _e776 = local_6;
+                        phi_1206_ = (_e776 * (1f + (8f * 0.000000059604645f)));
                     }
-                    let _e775 = phi_1188_;
-                    let _e781 = local_5.member[0u];
-                    let _e787 = select(_e781[0], -(_e781[0]), (_e781[0] < 0f));
-                    let _e790 = select(_e781[1], -(_e781[1]), (_e781[1] < 0f));
-                    let _e792 = select(_e790, _e787, (_e787 > _e790));
-                    let _e795 = select(_e781[2], -(_e781[2]), (_e781[2] < 0f));
-                    let _e797 = select(_e795, _e792, (_e792 > _e795));
-                    let _e800 = local_5.member[1u];
-                    let _e806 = select(_e800[0], -(_e800[0]), (_e800[0] < 0f));
-                    let _e809 = select(_e800[1], -(_e800[1]), (_e800[1] < 0f));
-                    let _e811 = select(_e809, _e806, (_e806 > _e809));
-                    let _e814 = select(_e800[2], -(_e800[2]), (_e800[2] < 0f));
-                    let _e816 = select(_e814, _e811, (_e811 > _e814));
-                    let _e820 = local_5.member_3;
-                    let _e824 = local_5.member_1[0u];
-                    let _e830 = select(_e824[0], -(_e824[0]), (_e824[0] < 0f));
-                    let _e833 = select(_e824[1], -(_e824[1]), (_e824[1] < 0f));
-                    let _e835 = select(_e833, _e830, (_e830 > _e833));
-                    let _e838 = select(_e824[2], -(_e824[2]), (_e824[2] < 0f));
-                    let _e840 = select(_e838, _e835, (_e835 > _e838));
-                    let _e843 = local_5.member_1[1u];
-                    let _e849 = select(_e843[0], -(_e843[0]), (_e843[0] < 0f));
-                    let _e852 = select(_e843[1], -(_e843[1]), (_e843[1] < 0f));
-                    let _e854 = select(_e852, _e849, (_e849 > _e852));
-                    let _e857 = select(_e843[2], -(_e843[2]), (_e843[2] < 0f));
-                    let _e859 = select(_e857, _e854, (_e854 > _e857));
-                    let _e863 = local_5.member_3;
-                    let _e867 = local_5.member_2[0u];
-                    let _e873 = select(_e867[0], -(_e867[0]), (_e867[0] < 0f));
-                    let _e876 = select(_e867[1], -(_e867[1]), (_e867[1] < 0f));
-                    let _e878 = select(_e876, _e873, (_e873 > _e876));
-                    let _e881 = select(_e867[2], -(_e867[2]), (_e867[2] < 0f));
-                    let _e883 = select(_e881, _e878, (_e878 > _e881));
-                    let _e886 = local_5.member_2[1u];
-                    let _e892 = select(_e886[0], -(_e886[0]), (_e886[0] < 0f));
-                    let _e895 = select(_e886[1], -(_e886[1]), (_e886[1] < 0f));
-                    let _e897 = select(_e895, _e892, (_e892 > _e895));
-                    let _e900 = select(_e886[2], -(_e886[2]), (_e886[2] < 0f));
-                    let _e902 = select(_e900, _e897, (_e897 > _e900));
-                    let _e906 = local_5.member_3;
+                    let _e782 = phi_1206_;
+                    let _e788 = local_5.member[0u];
+                    let _e794 = select(_e788[0], -(_e788[0]), (_e788[0] < 0f));
+                    let _e797 = select(_e788[1], -(_e788[1]), (_e788[1] < 0f));
+                    let _e799 = select(_e797, _e794, (_e794 > _e797));
+                    let _e802 = select(_e788[2], -(_e788[2]), (_e788[2] < 0f));
+                    let _e804 = select(_e802, _e799, (_e799 > _e802));
+                    let _e807 = local_5.member[1u];
+                    let _e813 = select(_e807[0], -(_e807[0]), (_e807[0] < 0f));
+                    let _e816 = select(_e807[1], -(_e807[1]), (_e807[1] < 0f));
+                    let _e818 = select(_e816, _e813, (_e813 > _e816));
+                    let _e821 = select(_e807[2], -(_e807[2]), (_e807[2] < 0f));
+                    let _e823 = select(_e821, _e818, (_e818 > _e821));
+                    let _e827 = local_5.member_3;
+                    let _e831 = local_5.member_1[0u];
+                    let _e837 = select(_e831[0], -(_e831[0]), (_e831[0] < 0f));
+                    let _e840 = select(_e831[1], -(_e831[1]), (_e831[1] < 0f));
+                    let _e842 = select(_e840, _e837, (_e837 > _e840));
+                    let _e845 = select(_e831[2], -(_e831[2]), (_e831[2] < 0f));
+                    let _e847 = select(_e845, _e842, (_e842 > _e845));
+                    let _e850 = local_5.member_1[1u];
+                    let _e856 = select(_e850[0], -(_e850[0]), (_e850[0] < 0f));
+                    let _e859 = select(_e850[1], -(_e850[1]), (_e850[1] < 0f));
+                    let _e861 = select(_e859, _e856, (_e856 > _e859));
+                    let _e864 = select(_e850[2], -(_e850[2]), (_e850[2] < 0f));
+                    let _e866 = select(_e864, _e861, (_e861 > _e864));
+                    let _e870 = local_5.member_3;
+                    let _e874 = local_5.member_2[0u];
+                    let _e880 = select(_e874[0], -(_e874[0]), (_e874[0] < 0f));
+                    let _e883 = select(_e874[1], -(_e874[1]), (_e874[1] < 0f));
+                    let _e885 = select(_e883, _e880, (_e880 > _e883));
+                    let _e888 = select(_e874[2], -(_e874[2]), (_e874[2] < 0f));
+                    let _e890 = select(_e888, _e885, (_e885 > _e888));
+                    let _e893 = local_5.member_2[1u];
+                    let _e899 = select(_e893[0], -(_e893[0]), (_e893[0] < 0f));
+                    let _e902 = select(_e893[1], -(_e893[1]), (_e893[1] < 0f));
+                    let _e904 = select(_e902, _e899, (_e899 > _e902));
+                    let _e907 = select(_e893[2], -(_e893[2]), (_e893[2] < 0f));
+                    let _e909 = select(_e907, _e904, (_e904 > _e907));
                     let _e913 = local_5.member_3;
-                    let _e920 = (((_e775 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e816, _e797, (_e797 > _e816)) + _e820) + (select(_e859, _e840, (_e840 > _e859)) + _e863)) + (select(_e902, _e883, (_e883 > _e902)) + _e906)) * (0.000000059604645f * 16f)) + (_e913 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e608.member_1);
-                    if _e920 {
-                        phi_2099_ = type_34();
-                        phi_2100_ = true;
+                    let _e920 = local_5.member_3;
+                    let _e927 = (((_e782 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e823, _e804, (_e804 > _e823)) + _e827) + (select(_e866, _e847, (_e847 > _e866)) + _e870)) + (select(_e909, _e890, (_e890 > _e909)) + _e913)) * (0.000000059604645f * 16f)) + (_e920 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e615.member_1);
+                    if _e927 {
+                        phi_2117_ = type_35();
+                        phi_2118_ = true;
                     } else {
-                        let _e923 = local_5.member_1[0u];
-                        let _e929 = local_5.member_2[0u];
-                        let _e935 = ((_e923[1] * _e929[2]) - (_e923[2] * _e929[1]));
-                        let _e938 = ((_e923[2] * _e929[0]) - (_e923[0] * _e929[2]));
-                        let _e941 = ((_e923[0] * _e929[1]) - (_e923[1] * _e929[0]));
-                        let _e944 = local_5.member_1[1u];
-                        let _e950 = local_5.member_2[1u];
-                        let _e956 = ((_e944[1] * _e950[2]) - (_e944[2] * _e950[1]));
-                        let _e959 = ((_e944[2] * _e950[0]) - (_e944[0] * _e950[2]));
-                        let _e962 = ((_e944[0] * _e950[1]) - (_e944[1] * _e950[0]));
-                        let _e965 = local_5.member_1[0u];
-                        let _e971 = local_5.member_2[1u];
-                        let _e986 = local_5.member_1[1u];
-                        let _e992 = local_5.member_2[0u];
-                        let _e1005 = (((_e965[1] * _e971[2]) - (_e965[2] * _e971[1])) + ((_e986[1] * _e992[2]) - (_e986[2] * _e992[1])));
-                        let _e1006 = (((_e965[2] * _e971[0]) - (_e965[0] * _e971[2])) + ((_e986[2] * _e992[0]) - (_e986[0] * _e992[2])));
-                        let _e1007 = (((_e965[0] * _e971[1]) - (_e965[1] * _e971[0])) + ((_e986[0] * _e992[1]) - (_e986[1] * _e992[0])));
-                        let _e1010 = local_5.member[0u];
-                        let _e1021 = local_5.member[1u];
-                        let _e1032 = local_5.member[0u];
-                        let _e1041 = ((((_e1021[0] * _e935) + (_e1021[1] * _e938)) + (_e1021[2] * _e941)) + (((_e1032[0] * _e1005) + (_e1032[1] * _e1006)) + (_e1032[2] * _e1007)));
-                        let _e1044 = local_5.member[0u];
-                        let _e1055 = local_5.member[1u];
-                        let _e1064 = ((((_e1044[0] * _e956) + (_e1044[1] * _e959)) + (_e1044[2] * _e962)) + (((_e1055[0] * _e1005) + (_e1055[1] * _e1006)) + (_e1055[2] * _e1007)));
-                        let _e1067 = local_5.member[1u];
-                        let _e1078 = local_5.member[0u];
-                        let _e1084 = select(_e1078[0], -(_e1078[0]), (_e1078[0] < 0f));
-                        let _e1087 = select(_e1078[1], -(_e1078[1]), (_e1078[1] < 0f));
-                        let _e1089 = select(_e1087, _e1084, (_e1084 > _e1087));
-                        let _e1092 = select(_e1078[2], -(_e1078[2]), (_e1078[2] < 0f));
-                        let _e1094 = select(_e1092, _e1089, (_e1089 > _e1092));
-                        let _e1097 = local_5.member[1u];
-                        let _e1103 = select(_e1097[0], -(_e1097[0]), (_e1097[0] < 0f));
-                        let _e1106 = select(_e1097[1], -(_e1097[1]), (_e1097[1] < 0f));
-                        let _e1108 = select(_e1106, _e1103, (_e1103 > _e1106));
-                        let _e1111 = select(_e1097[2], -(_e1097[2]), (_e1097[2] < 0f));
-                        let _e1113 = select(_e1111, _e1108, (_e1108 > _e1111));
-                        let _e1117 = local_5.member_3;
-                        let _e1118 = (select(_e1113, _e1094, (_e1094 > _e1113)) + _e1117);
-                        let _e1121 = local_5.member_1[0u];
-                        let _e1127 = select(_e1121[0], -(_e1121[0]), (_e1121[0] < 0f));
-                        let _e1130 = select(_e1121[1], -(_e1121[1]), (_e1121[1] < 0f));
-                        let _e1132 = select(_e1130, _e1127, (_e1127 > _e1130));
-                        let _e1135 = select(_e1121[2], -(_e1121[2]), (_e1121[2] < 0f));
-                        let _e1137 = select(_e1135, _e1132, (_e1132 > _e1135));
-                        let _e1140 = local_5.member_1[1u];
-                        let _e1146 = select(_e1140[0], -(_e1140[0]), (_e1140[0] < 0f));
-                        let _e1149 = select(_e1140[1], -(_e1140[1]), (_e1140[1] < 0f));
-                        let _e1151 = select(_e1149, _e1146, (_e1146 > _e1149));
-                        let _e1154 = select(_e1140[2], -(_e1140[2]), (_e1140[2] < 0f));
-                        let _e1156 = select(_e1154, _e1151, (_e1151 > _e1154));
-                        let _e1160 = local_5.member_3;
-                        let _e1161 = (select(_e1156, _e1137, (_e1137 > _e1156)) + _e1160);
-                        let _e1164 = local_5.member_2[0u];
-                        let _e1170 = select(_e1164[0], -(_e1164[0]), (_e1164[0] < 0f));
-                        let _e1173 = select(_e1164[1], -(_e1164[1]), (_e1164[1] < 0f));
-                        let _e1175 = select(_e1173, _e1170, (_e1170 > _e1173));
-                        let _e1178 = select(_e1164[2], -(_e1164[2]), (_e1164[2] < 0f));
-                        let _e1180 = select(_e1178, _e1175, (_e1175 > _e1178));
-                        let _e1183 = local_5.member_2[1u];
-                        let _e1189 = select(_e1183[0], -(_e1183[0]), (_e1183[0] < 0f));
-                        let _e1192 = select(_e1183[1], -(_e1183[1]), (_e1183[1] < 0f));
-                        let _e1194 = select(_e1192, _e1189, (_e1189 > _e1192));
-                        let _e1197 = select(_e1183[2], -(_e1183[2]), (_e1183[2] < 0f));
-                        let _e1199 = select(_e1197, _e1194, (_e1194 > _e1197));
-                        let _e1203 = local_5.member_3;
-                        let _e1204 = (select(_e1199, _e1180, (_e1180 > _e1199)) + _e1203);
-                        let _e1206 = ((_e1161 * 8f) * _e1204);
-                        let _e1213 = local_5.member_3;
-                        let _e1237 = ((select(_e935, -(_e935), (_e935 < 0f)) + select(_e938, -(_e938), (_e938 < 0f))) + select(_e941, -(_e941), (_e941 < 0f)));
-                        let _e1248 = ((select(_e956, -(_e956), (_e956 < 0f)) + select(_e959, -(_e959), (_e959 < 0f))) + select(_e962, -(_e962), (_e962 < 0f)));
-                        let _e1250 = select(_e1248, _e1237, (_e1237 > _e1248));
-                        let _e1262 = (((select(_e1005, -(_e1005), (_e1005 < 0f)) + select(_e1006, -(_e1006), (_e1006 < 0f))) + select(_e1007, -(_e1007), (_e1007 < 0f))) * 0.5f);
-                        let _e1269 = local_5.member_3;
-                        let _e1282 = ((((_e1010[0] * _e935) + (_e1010[1] * _e938)) + (_e1010[2] * _e941)) * 3f);
-                        let _e1283 = ((((_e1067[0] * _e956) + (_e1067[1] * _e959)) + (_e1067[2] * _e962)) * 3f);
-                        let _e1285 = select(_e1283, _e1282, (_e1282 < _e1283));
-                        let _e1287 = select(_e1064, _e1041, (_e1041 < _e1064));
-                        let _e1289 = select(_e1287, _e1285, (_e1285 < _e1287));
-                        let _e1291 = select(_e1283, _e1282, (_e1282 > _e1283));
-                        let _e1293 = select(_e1064, _e1041, (_e1041 > _e1064));
-                        let _e1300 = -(select(_e1293, _e1291, (_e1291 > _e1293)));
-                        if ((select(_e1300, _e1289, (_e1289 > _e1300)) - ((((((_e1118 * 8f) * _e1206) * (0.000000059604645f * (524f / 64f))) + ((_e1213 * 19f) * ((_e1118 * (_e1161 + _e1204)) + (_e1161 * _e1204)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1118) * ((1f + _e1161) * (1f + _e1204))))) + ((_e608.member_1 * (((select(_e1262, _e1250, (_e1250 > _e1262)) + (_e1206 * (0.000000059604645f * 8f))) + ((_e1269 * 6f) * (_e1161 + _e1204))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1161) * (1f + _e1204))))) * (3f * 1.0001f)))) > 0f) {
-                            phi_2097_ = type_34(type_33(0u, f32()), 0u);
-                            phi_2098_ = false;
+                        let _e930 = local_5.member_1[0u];
+                        let _e936 = local_5.member_2[0u];
+                        let _e942 = ((_e930[1] * _e936[2]) - (_e930[2] * _e936[1]));
+                        let _e945 = ((_e930[2] * _e936[0]) - (_e930[0] * _e936[2]));
+                        let _e948 = ((_e930[0] * _e936[1]) - (_e930[1] * _e936[0]));
+                        let _e951 = local_5.member_1[1u];
+                        let _e957 = local_5.member_2[1u];
+                        let _e963 = ((_e951[1] * _e957[2]) - (_e951[2] * _e957[1]));
+                        let _e966 = ((_e951[2] * _e957[0]) - (_e951[0] * _e957[2]));
+                        let _e969 = ((_e951[0] * _e957[1]) - (_e951[1] * _e957[0]));
+                        let _e972 = local_5.member_1[0u];
+                        let _e978 = local_5.member_2[1u];
+                        let _e993 = local_5.member_1[1u];
+                        let _e999 = local_5.member_2[0u];
+                        let _e1012 = (((_e972[1] * _e978[2]) - (_e972[2] * _e978[1])) + ((_e993[1] * _e999[2]) - (_e993[2] * _e999[1])));
+                        let _e1013 = (((_e972[2] * _e978[0]) - (_e972[0] * _e978[2])) + ((_e993[2] * _e999[0]) - (_e993[0] * _e999[2])));
+                        let _e1014 = (((_e972[0] * _e978[1]) - (_e972[1] * _e978[0])) + ((_e993[0] * _e999[1]) - (_e993[1] * _e999[0])));
+                        let _e1017 = local_5.member[0u];
+                        let _e1028 = local_5.member[1u];
+                        let _e1039 = local_5.member[0u];
+                        let _e1048 = ((((_e1028[0] * _e942) + (_e1028[1] * _e945)) + (_e1028[2] * _e948)) + (((_e1039[0] * _e1012) + (_e1039[1] * _e1013)) + (_e1039[2] * _e1014)));
+                        let _e1051 = local_5.member[0u];
+                        let _e1062 = local_5.member[1u];
+                        let _e1071 = ((((_e1051[0] * _e963) + (_e1051[1] * _e966)) + (_e1051[2] * _e969)) + (((_e1062[0] * _e1012) + (_e1062[1] * _e1013)) + (_e1062[2] * _e1014)));
+                        let _e1074 = local_5.member[1u];
+                        let _e1085 = local_5.member[0u];
+                        let _e1091 = select(_e1085[0], -(_e1085[0]), (_e1085[0] < 0f));
+                        let _e1094 = select(_e1085[1], -(_e1085[1]), (_e1085[1] < 0f));
+                        let _e1096 = select(_e1094, _e1091, (_e1091 > _e1094));
+                        let _e1099 = select(_e1085[2], -(_e1085[2]), (_e1085[2] < 0f));
+                        let _e1101 = select(_e1099, _e1096, (_e1096 > _e1099));
+                        let _e1104 = local_5.member[1u];
+                        let _e1110 = select(_e1104[0], -(_e1104[0]), (_e1104[0] < 0f));
+                        let _e1113 = select(_e1104[1], -(_e1104[1]), (_e1104[1] < 0f));
+                        let _e1115 = select(_e1113, _e1110, (_e1110 > _e1113));
+                        let _e1118 = select(_e1104[2], -(_e1104[2]), (_e1104[2] < 0f));
+                        let _e1120 = select(_e1118, _e1115, (_e1115 > _e1118));
+                        let _e1124 = local_5.member_3;
+                        let _e1125 = (select(_e1120, _e1101, (_e1101 > _e1120)) + _e1124);
+                        let _e1128 = local_5.member_1[0u];
+                        let _e1134 = select(_e1128[0], -(_e1128[0]), (_e1128[0] < 0f));
+                        let _e1137 = select(_e1128[1], -(_e1128[1]), (_e1128[1] < 0f));
+                        let _e1139 = select(_e1137, _e1134, (_e1134 > _e1137));
+                        let _e1142 = select(_e1128[2], -(_e1128[2]), (_e1128[2] < 0f));
+                        let _e1144 = select(_e1142, _e1139, (_e1139 > _e1142));
+                        let _e1147 = local_5.member_1[1u];
+                        let _e1153 = select(_e1147[0], -(_e1147[0]), (_e1147[0] < 0f));
+                        let _e1156 = select(_e1147[1], -(_e1147[1]), (_e1147[1] < 0f));
+                        let _e1158 = select(_e1156, _e1153, (_e1153 > _e1156));
+                        let _e1161 = select(_e1147[2], -(_e1147[2]), (_e1147[2] < 0f));
+                        let _e1163 = select(_e1161, _e1158, (_e1158 > _e1161));
+                        let _e1167 = local_5.member_3;
+                        let _e1168 = (select(_e1163, _e1144, (_e1144 > _e1163)) + _e1167);
+                        let _e1171 = local_5.member_2[0u];
+                        let _e1177 = select(_e1171[0], -(_e1171[0]), (_e1171[0] < 0f));
+                        let _e1180 = select(_e1171[1], -(_e1171[1]), (_e1171[1] < 0f));
+                        let _e1182 = select(_e1180, _e1177, (_e1177 > _e1180));
+                        let _e1185 = select(_e1171[2], -(_e1171[2]), (_e1171[2] < 0f));
+                        let _e1187 = select(_e1185, _e1182, (_e1182 > _e1185));
+                        let _e1190 = local_5.member_2[1u];
+                        let _e1196 = select(_e1190[0], -(_e1190[0]), (_e1190[0] < 0f));
+                        let _e1199 = select(_e1190[1], -(_e1190[1]), (_e1190[1] < 0f));
+                        let _e1201 = select(_e1199, _e1196, (_e1196 > _e1199));
+                        let _e1204 = select(_e1190[2], -(_e1190[2]), (_e1190[2] < 0f));
+                        let _e1206 = select(_e1204, _e1201, (_e1201 > _e1204));
+                        let _e1210 = local_5.member_3;
+                        let _e1211 = (select(_e1206, _e1187, (_e1187 > _e1206)) + _e1210);
+                        let _e1213 = ((_e1168 * 8f) * _e1211);
+                        let _e1220 = local_5.member_3;
+                        let _e1244 = ((select(_e942, -(_e942), (_e942 < 0f)) + select(_e945, -(_e945), (_e945 < 0f))) + select(_e948, -(_e948), (_e948 < 0f)));
+                        let _e1255 = ((select(_e963, -(_e963), (_e963 < 0f)) + select(_e966, -(_e966), (_e966 < 0f))) + select(_e969, -(_e969), (_e969 < 0f)));
+                        let _e1257 = select(_e1255, _e1244, (_e1244 > _e1255));
+                        let _e1269 = (((select(_e1012, -(_e1012), (_e1012 < 0f)) + select(_e1013, -(_e1013), (_e1013 < 0f))) + select(_e1014, -(_e1014), (_e1014 < 0f))) * 0.5f);
+                        let _e1276 = local_5.member_3;
+                        let _e1289 = ((((_e1017[0] * _e942) + (_e1017[1] * _e945)) + (_e1017[2] * _e948)) * 3f);
+                        let _e1290 = ((((_e1074[0] * _e963) + (_e1074[1] * _e966)) + (_e1074[2] * _e969)) * 3f);
+                        let _e1292 = select(_e1290, _e1289, (_e1289 < _e1290));
+                        let _e1294 = select(_e1071, _e1048, (_e1048 < _e1071));
+                        let _e1296 = select(_e1294, _e1292, (_e1292 < _e1294));
+                        let _e1298 = select(_e1290, _e1289, (_e1289 > _e1290));
+                        let _e1300 = select(_e1071, _e1048, (_e1048 > _e1071));
+                        let _e1307 = -(select(_e1300, _e1298, (_e1298 > _e1300)));
+                        if ((select(_e1307, _e1296, (_e1296 > _e1307)) - ((((((_e1125 * 8f) * _e1213) * (0.000000059604645f * (524f / 64f))) + ((_e1220 * 19f) * ((_e1125 * (_e1168 + _e1211)) + (_e1168 * _e1211)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1125) * ((1f + _e1168) * (1f + _e1211))))) + ((_e615.member_1 * (((select(_e1269, _e1257, (_e1257 > _e1269)) + (_e1213 * (0.000000059604645f * 8f))) + ((_e1276 * 6f) * (_e1168 + _e1211))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1168) * (1f + _e1211))))) * (3f * 1.0001f)))) > 0f) {
+                            phi_2115_ = type_35(type_34(0u, f32()), 0u);
+                            phi_2116_ = false;
                         } else {
-                            phi_2097_ = type_34();
-                            phi_2098_ = true;
+                            phi_2115_ = type_35();
+                            phi_2116_ = true;
                         }
-                        let _e1308 = phi_2097_;
-                        let _e1310 = phi_2098_;
-                        phi_2099_ = _e1308;
-                        phi_2100_ = _e1310;
+                        let _e1315 = phi_2115_;
+                        let _e1317 = phi_2116_;
+                        phi_2117_ = _e1315;
+                        phi_2118_ = _e1317;
                     }
-                    let _e1312 = phi_2099_;
-                    let _e1314 = phi_2100_;
-                    if _e1314 {
-                        phi_2106_ = type_16(0i, 2i);
-                        phi_2109_ = _e379;
-                        phi_2111_ = 0u;
-                        phi_2113_ = _e379;
+                    let _e1319 = phi_2117_;
+                    let _e1321 = phi_2118_;
+                    if _e1321 {
+                        phi_2124_ = type_14(0i, 2i);
+                        phi_2127_ = _e386;
+                        phi_2129_ = 0u;
+                        phi_2131_ = _e386;
                         loop {
-                            let _e1316 = phi_2106_;
-                            let _e1318 = phi_2109_;
-                            let _e1320 = phi_2111_;
-                            let _e1322 = phi_2113_;
-                            local_53 = _e1320;
-                            local_56 = _e1318;
-                            local_57 = _e1320;
-                            if (_e1316.member < _e1316.member_1) {
-                                let _e1329 = (_e1316.member + 1i);
-                                phi_2107_ = type_16(select(_e1329, type_17().member_1, select(false, true, ((false == (_e1329 > _e1316.member)) != false))), _e1316.member_1);
-                                phi_2154_ = type_17(1u, _e1316.member);
+                            let _e1323 = phi_2124_;
+                            let _e1325 = phi_2127_;
+                            let _e1327 = phi_2129_;
+                            let _e1329 = phi_2131_;
+                            local_53 = _e1327;
+                            local_56 = _e1325;
+                            local_57 = _e1327;
+                            if (_e1323.member < _e1323.member_1) {
+                                let _e1336 = (_e1323.member + 1i);
+                                phi_2125_ = type_14(select(_e1336, type_15().member_1, select(false, true, ((false == (_e1336 > _e1323.member)) != false))), _e1323.member_1);
+                                phi_2172_ = type_15(1u, _e1323.member);
                             } else {
-                                phi_2107_ = _e1316;
-                                phi_2154_ = type_17(0u, type_17().member_1);
+                                phi_2125_ = _e1323;
+                                phi_2172_ = type_15(0u, type_15().member_1);
                             }
-                            let _e1340 = phi_2107_;
-                            let _e1342 = phi_2154_;
-                            if (bitcast<i32>(_e1342.member) != 0i) {
-                                if select(select(true, false, _e920), true, (_e1342.member_1 > 0i)) {
-                                    let _e1352 = local_5.member[0u];
-                                    let _e1358 = local_5.member_1[0u];
-                                    let _e1364 = local_5.member_2[0u];
-                                    let _e1368 = (_e1352[0] - _e1358[0]);
-                                    let _e1369 = (_e1352[1] - _e1358[1]);
-                                    let _e1370 = (_e1352[2] - _e1358[2]);
-                                    let _e1371 = (_e224.member == 0u);
-                                    let _e1383 = local_5.member[1u];
-                                    let _e1389 = local_5.member_1[1u];
-                                    let _e1395 = local_5.member_2[1u];
-                                    let _e1399 = (_e1383[0] - _e1389[0]);
-                                    let _e1400 = (_e1383[1] - _e1389[1]);
-                                    let _e1401 = (_e1383[2] - _e1389[2]);
-                                    let _e1402 = (_e224.member == 0u);
-                                    let _e1414 = local_5.member[0u];
-                                    let _e1420 = select(_e1414[0], -(_e1414[0]), (_e1414[0] < 0f));
-                                    let _e1423 = select(_e1414[1], -(_e1414[1]), (_e1414[1] < 0f));
-                                    let _e1425 = select(_e1423, _e1420, (_e1420 > _e1423));
-                                    let _e1428 = select(_e1414[2], -(_e1414[2]), (_e1414[2] < 0f));
-                                    let _e1430 = select(_e1428, _e1425, (_e1425 > _e1428));
-                                    let _e1433 = local_5.member[1u];
-                                    let _e1439 = select(_e1433[0], -(_e1433[0]), (_e1433[0] < 0f));
-                                    let _e1442 = select(_e1433[1], -(_e1433[1]), (_e1433[1] < 0f));
-                                    let _e1444 = select(_e1442, _e1439, (_e1439 > _e1442));
-                                    let _e1447 = select(_e1433[2], -(_e1433[2]), (_e1433[2] < 0f));
-                                    let _e1449 = select(_e1447, _e1444, (_e1444 > _e1447));
-                                    let _e1453 = local_5.member_3;
-                                    let _e1457 = local_5.member_1[0u];
-                                    let _e1463 = select(_e1457[0], -(_e1457[0]), (_e1457[0] < 0f));
-                                    let _e1466 = select(_e1457[1], -(_e1457[1]), (_e1457[1] < 0f));
-                                    let _e1468 = select(_e1466, _e1463, (_e1463 > _e1466));
-                                    let _e1471 = select(_e1457[2], -(_e1457[2]), (_e1457[2] < 0f));
-                                    let _e1473 = select(_e1471, _e1468, (_e1468 > _e1471));
-                                    let _e1476 = local_5.member_1[1u];
-                                    let _e1482 = select(_e1476[0], -(_e1476[0]), (_e1476[0] < 0f));
-                                    let _e1485 = select(_e1476[1], -(_e1476[1]), (_e1476[1] < 0f));
-                                    let _e1487 = select(_e1485, _e1482, (_e1482 > _e1485));
-                                    let _e1490 = select(_e1476[2], -(_e1476[2]), (_e1476[2] < 0f));
-                                    let _e1492 = select(_e1490, _e1487, (_e1487 > _e1490));
-                                    let _e1496 = local_5.member_3;
-                                    let _e1500 = local_5.member_2[0u];
-                                    let _e1506 = select(_e1500[0], -(_e1500[0]), (_e1500[0] < 0f));
-                                    let _e1509 = select(_e1500[1], -(_e1500[1]), (_e1500[1] < 0f));
-                                    let _e1511 = select(_e1509, _e1506, (_e1506 > _e1509));
-                                    let _e1514 = select(_e1500[2], -(_e1500[2]), (_e1500[2] < 0f));
-                                    let _e1516 = select(_e1514, _e1511, (_e1511 > _e1514));
-                                    let _e1519 = local_5.member_2[1u];
-                                    let _e1525 = select(_e1519[0], -(_e1519[0]), (_e1519[0] < 0f));
-                                    let _e1528 = select(_e1519[1], -(_e1519[1]), (_e1519[1] < 0f));
-                                    let _e1530 = select(_e1528, _e1525, (_e1525 > _e1528));
-                                    let _e1533 = select(_e1519[2], -(_e1519[2]), (_e1519[2] < 0f));
-                                    let _e1535 = select(_e1533, _e1530, (_e1530 > _e1533));
-                                    let _e1539 = local_5.member_3;
+                            let _e1347 = phi_2125_;
+                            let _e1349 = phi_2172_;
+                            if (bitcast<i32>(_e1349.member) != 0i) {
+                                if select(select(true, false, _e927), true, (_e1349.member_1 > 0i)) {
+                                    let _e1359 = local_5.member[0u];
+                                    let _e1365 = local_5.member_1[0u];
+                                    let _e1371 = local_5.member_2[0u];
+                                    let _e1375 = (_e1359[0] - _e1365[0]);
+                                    let _e1376 = (_e1359[1] - _e1365[1]);
+                                    let _e1377 = (_e1359[2] - _e1365[2]);
+                                    let _e1378 = (_e231.member == 0u);
+                                    let _e1390 = local_5.member[1u];
+                                    let _e1396 = local_5.member_1[1u];
+                                    let _e1402 = local_5.member_2[1u];
+                                    let _e1406 = (_e1390[0] - _e1396[0]);
+                                    let _e1407 = (_e1390[1] - _e1396[1]);
+                                    let _e1408 = (_e1390[2] - _e1396[2]);
+                                    let _e1409 = (_e231.member == 0u);
+                                    let _e1421 = local_5.member[0u];
+                                    let _e1427 = select(_e1421[0], -(_e1421[0]), (_e1421[0] < 0f));
+                                    let _e1430 = select(_e1421[1], -(_e1421[1]), (_e1421[1] < 0f));
+                                    let _e1432 = select(_e1430, _e1427, (_e1427 > _e1430));
+                                    let _e1435 = select(_e1421[2], -(_e1421[2]), (_e1421[2] < 0f));
+                                    let _e1437 = select(_e1435, _e1432, (_e1432 > _e1435));
+                                    let _e1440 = local_5.member[1u];
+                                    let _e1446 = select(_e1440[0], -(_e1440[0]), (_e1440[0] < 0f));
+                                    let _e1449 = select(_e1440[1], -(_e1440[1]), (_e1440[1] < 0f));
+                                    let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
+                                    let _e1454 = select(_e1440[2], -(_e1440[2]), (_e1440[2] < 0f));
+                                    let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
+                                    let _e1460 = local_5.member_3;
+                                    let _e1464 = local_5.member_1[0u];
+                                    let _e1470 = select(_e1464[0], -(_e1464[0]), (_e1464[0] < 0f));
+                                    let _e1473 = select(_e1464[1], -(_e1464[1]), (_e1464[1] < 0f));
+                                    let _e1475 = select(_e1473, _e1470, (_e1470 > _e1473));
+                                    let _e1478 = select(_e1464[2], -(_e1464[2]), (_e1464[2] < 0f));
+                                    let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
+                                    let _e1483 = local_5.member_1[1u];
+                                    let _e1489 = select(_e1483[0], -(_e1483[0]), (_e1483[0] < 0f));
+                                    let _e1492 = select(_e1483[1], -(_e1483[1]), (_e1483[1] < 0f));
+                                    let _e1494 = select(_e1492, _e1489, (_e1489 > _e1492));
+                                    let _e1497 = select(_e1483[2], -(_e1483[2]), (_e1483[2] < 0f));
+                                    let _e1499 = select(_e1497, _e1494, (_e1494 > _e1497));
+                                    let _e1503 = local_5.member_3;
+                                    let _e1507 = local_5.member_2[0u];
+                                    let _e1513 = select(_e1507[0], -(_e1507[0]), (_e1507[0] < 0f));
+                                    let _e1516 = select(_e1507[1], -(_e1507[1]), (_e1507[1] < 0f));
+                                    let _e1518 = select(_e1516, _e1513, (_e1513 > _e1516));
+                                    let _e1521 = select(_e1507[2], -(_e1507[2]), (_e1507[2] < 0f));
+                                    let _e1523 = select(_e1521, _e1518, (_e1518 > _e1521));
+                                    let _e1526 = local_5.member_2[1u];
+                                    let _e1532 = select(_e1526[0], -(_e1526[0]), (_e1526[0] < 0f));
+                                    let _e1535 = select(_e1526[1], -(_e1526[1]), (_e1526[1] < 0f));
+                                    let _e1537 = select(_e1535, _e1532, (_e1532 > _e1535));
+                                    let _e1540 = select(_e1526[2], -(_e1526[2]), (_e1526[2] < 0f));
+                                    let _e1542 = select(_e1540, _e1537, (_e1537 > _e1540));
                                     let _e1546 = local_5.member_3;
-                                    let _e1551 = (_e377 * 0.00390625f);
-                                    local_3 = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                                    phi_2591_ = type_9(0u, 96u);
-                                    phi_2594_ = _e1322;
-                                    phi_2596_ = _e1322;
-                                    phi_2598_ = (_e381 - _e1322);
-                                    phi_2600_ = _e1322;
-                                    phi_2602_ = false;
-                                    phi_2604_ = 0u;
+                                    let _e1553 = local_5.member_3;
+                                    let _e1558 = (_e384 * 0.00390625f);
+                                    local_3 = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                    phi_2609_ = type_9(0u, 96u);
+                                    phi_2612_ = _e1329;
+                                    phi_2614_ = _e1329;
+                                    phi_2616_ = (_e388 - _e1329);
+                                    phi_2618_ = _e1329;
+                                    phi_2620_ = false;
+                                    phi_2622_ = 0u;
                                     loop {
-                                        let _e1554 = phi_2591_;
-                                        let _e1556 = phi_2594_;
-                                        let _e1558 = phi_2596_;
-                                        let _e1560 = phi_2598_;
-                                        let _e1562 = phi_2600_;
-                                        let _e1564 = phi_2602_;
-                                        let _e1566 = phi_2604_;
-                                        local_19 = _e1556;
-                                        local_23 = _e1558;
-                                        let _e1569 = (_e1554.member < _e1554.member_1);
-                                        if (bitcast<i32>(select(0u, 1u, _e1569)) != 0i) {
-                                            let _e1583 = local_5.member[0u];
-                                            let _e1589 = local_5.member[1u];
-                                            let _e1605 = local_5.member_1[0u];
-                                            let _e1611 = local_5.member_1[1u];
-                                            let _e1627 = local_5.member_2[0u];
-                                            let _e1633 = local_5.member_2[1u];
-                                            let _e1647 = function_3(array<f32, 3>((_e1583[0] + ((_e1589[0] - _e1583[0]) * _e1556)), (_e1583[1] + ((_e1589[1] - _e1583[1]) * _e1556)), (_e1583[2] + ((_e1589[2] - _e1583[2]) * _e1556))), array<f32, 3>((_e1605[0] + ((_e1611[0] - _e1605[0]) * _e1556)), (_e1605[1] + ((_e1611[1] - _e1605[1]) * _e1556)), (_e1605[2] + ((_e1611[2] - _e1605[2]) * _e1556))), array<f32, 3>((_e1627[0] + ((_e1633[0] - _e1627[0]) * _e1556)), (_e1627[1] + ((_e1633[1] - _e1627[1]) * _e1556)), (_e1627[2] + ((_e1633[2] - _e1627[2]) * _e1556))), _e224.member);
-                                            if (_e1566 == 0u) {
-                                                phi_2755_ = _e1647;
+                                        let _e1561 = phi_2609_;
+                                        let _e1563 = phi_2612_;
+                                        let _e1565 = phi_2614_;
+                                        let _e1567 = phi_2616_;
+                                        let _e1569 = phi_2618_;
+                                        let _e1571 = phi_2620_;
+                                        let _e1573 = phi_2622_;
+                                        local_19 = _e1563;
+                                        local_23 = _e1565;
+                                        let _e1576 = (_e1561.member < _e1561.member_1);
+                                        if (bitcast<i32>(select(0u, 1u, _e1576)) != 0i) {
+                                            let _e1590 = local_5.member[0u];
+                                            let _e1596 = local_5.member[1u];
+                                            let _e1612 = local_5.member_1[0u];
+                                            let _e1618 = local_5.member_1[1u];
+                                            let _e1634 = local_5.member_2[0u];
+                                            let _e1640 = local_5.member_2[1u];
+                                            let _e1654 = function_3(array<f32, 3>((_e1590[0] + ((_e1596[0] - _e1590[0]) * _e1563)), (_e1590[1] + ((_e1596[1] - _e1590[1]) * _e1563)), (_e1590[2] + ((_e1596[2] - _e1590[2]) * _e1563))), array<f32, 3>((_e1612[0] + ((_e1618[0] - _e1612[0]) * _e1563)), (_e1612[1] + ((_e1618[1] - _e1612[1]) * _e1563)), (_e1612[2] + ((_e1618[2] - _e1612[2]) * _e1563))), array<f32, 3>((_e1634[0] + ((_e1640[0] - _e1634[0]) * _e1563)), (_e1634[1] + ((_e1640[1] - _e1634[1]) * _e1563)), (_e1634[2] + ((_e1640[2] - _e1634[2]) * _e1563))), _e231.member);
+                                            if (_e1573 == 0u) {
+                                                phi_2773_ = _e1654;
                                             } else {
-                                                phi_2755_ = array<f32, 3>(select(0f, _e1647[0], (_e1566 == 1u)), select(0f, _e1647[1], (_e1566 == 2u)), select(0f, _e1647[2], (_e1566 == 3u)));
+                                                phi_2773_ = array<f32, 3>(select(0f, _e1654[0], (_e1573 == 1u)), select(0f, _e1654[1], (_e1573 == 2u)), select(0f, _e1654[2], (_e1573 == 3u)));
                                             }
-                                            let _e1660 = phi_2755_;
-                                            let _e1674 = ((select(_e1660[0], -(_e1660[0]), (_e1660[0] < 0f)) + select(_e1660[1], -(_e1660[1]), (_e1660[1] < 0f))) + select(_e1660[2], -(_e1660[2]), (_e1660[2] < 0f)));
-                                            if (_e1674 > 0f) {
-                                                if ((bitcast<u32>(_e1674) & 2139095040u) != 2139095040u) {
-                                                    let _e1679 = (1f / _e1674);
-                                                    let _e1681 = (_e1660[0] * _e1679);
-                                                    let _e1683 = (_e1660[1] * _e1679);
-                                                    let _e1685 = (_e1660[2] * _e1679);
-                                                    let _e1690 = (((_e1681 * _e1681) + (_e1683 * _e1683)) + (_e1685 * _e1685));
-                                                    if (_e1690 <= 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2878_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1690 > 0f));
+                                            let _e1667 = phi_2773_;
+                                            let _e1681 = ((select(_e1667[0], -(_e1667[0]), (_e1667[0] < 0f)) + select(_e1667[1], -(_e1667[1]), (_e1667[1] < 0f))) + select(_e1667[2], -(_e1667[2]), (_e1667[2] < 0f)));
+                                            if (_e1681 > 0f) {
+                                                if ((bitcast<u32>(_e1681) & 2139095040u) != 2139095040u) {
+                                                    let _e1686 = (1f / _e1681);
+                                                    let _e1688 = (_e1667[0] * _e1686);
+                                                    let _e1690 = (_e1667[1] * _e1686);
+                                                    let _e1692 = (_e1667[2] * _e1686);
+                                                    let _e1697 = (((_e1688 * _e1688) + (_e1690 * _e1690)) + (_e1692 * _e1692));
+                                                    if (_e1697 <= 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2896_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1697 > 0f));
                                                     } else {
-                                                        phi_2821_ = type_16(0i, 5i);
-                                                        phi_2824_ = bitcast<f32>(((bitcast<u32>(_e1690) >> bitcast<u32>(1i)) + 532369198u));
+                                                        phi_2839_ = type_14(0i, 5i);
+                                                        phi_2842_ = bitcast<f32>(((bitcast<u32>(_e1697) >> bitcast<u32>(1i)) + 532369198u));
                                                         loop {
-                                                            let _e1698 = phi_2821_;
-                                                            let _e1700 = phi_2824_;
-                                                            local_7 = _e1700;
-                                                            if (_e1698.member < _e1698.member_1) {
-                                                                let _e1707 = (_e1698.member + 1i);
-                                                                phi_2822_ = type_16(select(_e1707, type_17().member_1, select(false, true, ((false == (_e1707 > _e1698.member)) != false))), _e1698.member_1);
-                                                                phi_2865_ = type_17(1u, _e1698.member);
+                                                            let _e1705 = phi_2839_;
+                                                            let _e1707 = phi_2842_;
+                                                            local_7 = _e1707;
+                                                            if (_e1705.member < _e1705.member_1) {
+                                                                let _e1714 = (_e1705.member + 1i);
+                                                                phi_2840_ = type_14(select(_e1714, type_15().member_1, select(false, true, ((false == (_e1714 > _e1705.member)) != false))), _e1705.member_1);
+                                                                phi_2883_ = type_15(1u, _e1705.member);
                                                             } else {
-                                                                phi_2822_ = _e1698;
-                                                                phi_2865_ = type_17(0u, type_17().member_1);
+                                                                phi_2840_ = _e1705;
+                                                                phi_2883_ = type_15(0u, type_15().member_1);
                                                             }
-                                                            let _e1718 = phi_2822_;
-                                                            let _e1720 = phi_2865_;
-                                                            let _e1723 = (bitcast<i32>(_e1720.member) != 0i);
-                                                            if _e1723 {
-                                                                phi_2825_ = (0.5f * (_e1700 + (_e1690 / _e1700)));
+                                                            let _e1725 = phi_2840_;
+                                                            let _e1727 = phi_2883_;
+                                                            let _e1730 = (bitcast<i32>(_e1727.member) != 0i);
+                                                            if _e1730 {
+                                                                phi_2843_ = (0.5f * (_e1707 + (_e1697 / _e1707)));
                                                             } else {
-                                                                phi_2825_ = f32();
+                                                                phi_2843_ = f32();
                                                             }
-                                                            let _e1728 = phi_2825_;
+                                                            let _e1735 = phi_2843_;
                                                             continue;
                                                             continuing {
-                                                                phi_2821_ = _e1718;
-                                                                phi_2824_ = _e1728;
-                                                                break if !(_e1723);
+                                                                phi_2839_ = _e1725;
+                                                                phi_2842_ = _e1735;
+                                                                break if !(_e1730);
                                                             }
                                                         }
-                                                        let _e1733 = local_7;
-                                                        phi_2878_ = (_e1733 * (1f + (8f * 0.000000059604645f)));
+                                                        let _e1740 = local_7;
+                                                        phi_2896_ = (_e1740 * (1f + (8f * 0.000000059604645f)));
                                                     }
-                                                    let _e1739 = phi_2878_;
-                                                    let _e1740 = (0.000000059604645f * 12f);
-                                                    let _e1745 = ((((((((select(_e1449, _e1430, (_e1430 > _e1449)) + _e1453) + (select(_e1492, _e1473, (_e1473 > _e1492)) + _e1496)) + (select(_e1535, _e1516, (_e1516 > _e1535)) + _e1539)) * (0.000000059604645f * 16f)) + (_e1546 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e608.member_1 * _e1739) * (1f + _e1740)));
-                                                    let _e1750 = (((_e1681 * _e1352[0]) + (_e1683 * _e1352[1])) + (_e1685 * _e1352[2]));
-                                                    let _e1755 = (((_e1681 * _e1368) + (_e1683 * _e1369)) + (_e1685 * _e1370));
-                                                    let _e1760 = (((_e1681 * (_e1352[0] - _e1364[0])) + (_e1683 * (_e1352[1] - _e1364[1]))) + (_e1685 * (_e1352[2] - _e1364[2])));
-                                                    let _e1765 = (((_e1681 * select((_e1368 - _e1364[0]), _e1352[0], _e1371)) + (_e1683 * select((_e1369 - _e1364[1]), _e1352[1], _e1371))) + (_e1685 * select((_e1370 - _e1364[2]), _e1352[2], _e1371)));
-                                                    let _e1771 = (((_e1681 * _e1383[0]) + (_e1683 * _e1383[1])) + (_e1685 * _e1383[2]));
-                                                    let _e1776 = (((_e1681 * _e1399) + (_e1683 * _e1400)) + (_e1685 * _e1401));
-                                                    let _e1781 = (((_e1681 * (_e1383[0] - _e1395[0])) + (_e1683 * (_e1383[1] - _e1395[1]))) + (_e1685 * (_e1383[2] - _e1395[2])));
-                                                    let _e1786 = (((_e1681 * select((_e1399 - _e1395[0]), _e1383[0], _e1402)) + (_e1683 * select((_e1400 - _e1395[1]), _e1383[1], _e1402))) + (_e1685 * select((_e1401 - _e1395[2]), _e1383[2], _e1402)));
-                                                    phi_3001_ = type_30(array<f32, 4>(_e1750, _e1755, _e1760, _e1765), array<f32, 4>(_e1771, _e1776, _e1781, _e1786), array<f32, 4>((_e1745 + ((select(_e1750, -(_e1750), (_e1750 < 0f)) + select(_e1771, -(_e1771), (_e1771 < 0f))) * _e1740)), (_e1745 + ((select(_e1755, -(_e1755), (_e1755 < 0f)) + select(_e1776, -(_e1776), (_e1776 < 0f))) * _e1740)), (_e1745 + ((select(_e1760, -(_e1760), (_e1760 < 0f)) + select(_e1781, -(_e1781), (_e1781 < 0f))) * _e1740)), (_e1745 + ((select(_e1765, -(_e1765), (_e1765 < 0f)) + select(_e1786, -(_e1786), (_e1786 < 0f))) * _e1740))));
-                                                    phi_3002_ = false;
+                                                    let _e1746 = phi_2896_;
+                                                    let _e1747 = (0.000000059604645f * 12f);
+                                                    let _e1752 = ((((((((select(_e1456, _e1437, (_e1437 > _e1456)) + _e1460) + (select(_e1499, _e1480, (_e1480 > _e1499)) + _e1503)) + (select(_e1542, _e1523, (_e1523 > _e1542)) + _e1546)) * (0.000000059604645f * 16f)) + (_e1553 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e615.member_1 * _e1746) * (1f + _e1747)));
+                                                    let _e1757 = (((_e1688 * _e1359[0]) + (_e1690 * _e1359[1])) + (_e1692 * _e1359[2]));
+                                                    let _e1762 = (((_e1688 * _e1375) + (_e1690 * _e1376)) + (_e1692 * _e1377));
+                                                    let _e1767 = (((_e1688 * (_e1359[0] - _e1371[0])) + (_e1690 * (_e1359[1] - _e1371[1]))) + (_e1692 * (_e1359[2] - _e1371[2])));
+                                                    let _e1772 = (((_e1688 * select((_e1375 - _e1371[0]), _e1359[0], _e1378)) + (_e1690 * select((_e1376 - _e1371[1]), _e1359[1], _e1378))) + (_e1692 * select((_e1377 - _e1371[2]), _e1359[2], _e1378)));
+                                                    let _e1778 = (((_e1688 * _e1390[0]) + (_e1690 * _e1390[1])) + (_e1692 * _e1390[2]));
+                                                    let _e1783 = (((_e1688 * _e1406) + (_e1690 * _e1407)) + (_e1692 * _e1408));
+                                                    let _e1788 = (((_e1688 * (_e1390[0] - _e1402[0])) + (_e1690 * (_e1390[1] - _e1402[1]))) + (_e1692 * (_e1390[2] - _e1402[2])));
+                                                    let _e1793 = (((_e1688 * select((_e1406 - _e1402[0]), _e1390[0], _e1409)) + (_e1690 * select((_e1407 - _e1402[1]), _e1390[1], _e1409))) + (_e1692 * select((_e1408 - _e1402[2]), _e1390[2], _e1409)));
+                                                    phi_3019_ = type_31(array<f32, 4>(_e1757, _e1762, _e1767, _e1772), array<f32, 4>(_e1778, _e1783, _e1788, _e1793), array<f32, 4>((_e1752 + ((select(_e1757, -(_e1757), (_e1757 < 0f)) + select(_e1778, -(_e1778), (_e1778 < 0f))) * _e1747)), (_e1752 + ((select(_e1762, -(_e1762), (_e1762 < 0f)) + select(_e1783, -(_e1783), (_e1783 < 0f))) * _e1747)), (_e1752 + ((select(_e1767, -(_e1767), (_e1767 < 0f)) + select(_e1788, -(_e1788), (_e1788 < 0f))) * _e1747)), (_e1752 + ((select(_e1772, -(_e1772), (_e1772 < 0f)) + select(_e1793, -(_e1793), (_e1793 < 0f))) * _e1747))));
+                                                    phi_3020_ = false;
                                                 } else {
-                                                    phi_3001_ = type_30();
-                                                    phi_3002_ = true;
+                                                    phi_3019_ = type_31();
+                                                    phi_3020_ = true;
                                                 }
-                                                let _e1827 = phi_3001_;
-                                                let _e1829 = phi_3002_;
-                                                phi_3003_ = _e1827;
-                                                phi_3004_ = _e1829;
+                                                let _e1834 = phi_3019_;
+                                                let _e1836 = phi_3020_;
+                                                phi_3021_ = _e1834;
+                                                phi_3022_ = _e1836;
                                             } else {
-                                                phi_3003_ = type_30();
-                                                phi_3004_ = true;
+                                                phi_3021_ = type_31();
+                                                phi_3022_ = true;
                                             }
-                                            let _e1831 = phi_3003_;
-                                            let _e1833 = phi_3004_;
-                                            if _e1833 {
-                                                phi_3012_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                            let _e1838 = phi_3021_;
+                                            let _e1840 = phi_3022_;
+                                            if _e1840 {
+                                                phi_3030_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                             } else {
-                                                phi_3012_ = _e1831;
+                                                phi_3030_ = _e1838;
                                             }
-                                            let _e1835 = phi_3012_;
-                                            local_4 = type_30(array<f32, 4>(_e1835.member[0], _e1835.member[1], _e1835.member[2], _e1835.member[3]), array<f32, 4>(_e1835.member_1[0], _e1835.member_1[1], _e1835.member_1[2], _e1835.member_1[3]), array<f32, 4>(_e1835.member_2[0], _e1835.member_2[1], _e1835.member_2[2], _e1835.member_2[3]));
-                                            let _e1855 = (_e1556 - _e1562);
-                                            let _e1859 = local_4.member[0u];
-                                            let _e1862 = local_4.member_1[0u];
-                                            let _e1865 = local_4.member[0u];
-                                            let _e1871 = local_4.member_2[0u];
-                                            if (((_e1859 + ((_e1862 - _e1865) * _e1556)) - _e1871) > 0f) {
-                                                let _e1876 = local_4.member[1u];
-                                                let _e1879 = local_4.member_1[1u];
-                                                let _e1882 = local_4.member[1u];
-                                                let _e1888 = local_4.member_2[1u];
-                                                if (((_e1876 + ((_e1879 - _e1882) * _e1556)) - _e1888) > 0f) {
-                                                    let _e1893 = local_4.member[2u];
-                                                    let _e1896 = local_4.member_1[2u];
-                                                    let _e1899 = local_4.member[2u];
-                                                    let _e1905 = local_4.member_2[2u];
-                                                    if (((_e1893 + ((_e1896 - _e1899) * _e1556)) - _e1905) > 0f) {
-                                                        let _e1910 = local_4.member[3u];
-                                                        let _e1913 = local_4.member_1[3u];
-                                                        let _e1916 = local_4.member[3u];
-                                                        let _e1922 = local_4.member_2[3u];
-                                                        phi_3183_ = (((_e1910 + ((_e1913 - _e1916) * _e1556)) - _e1922) > 0f);
-                                                        phi_3184_ = false;
+                                            let _e1842 = phi_3030_;
+                                            local_4 = type_31(array<f32, 4>(_e1842.member[0], _e1842.member[1], _e1842.member[2], _e1842.member[3]), array<f32, 4>(_e1842.member_1[0], _e1842.member_1[1], _e1842.member_1[2], _e1842.member_1[3]), array<f32, 4>(_e1842.member_2[0], _e1842.member_2[1], _e1842.member_2[2], _e1842.member_2[3]));
+                                            let _e1862 = (_e1563 - _e1569);
+                                            let _e1866 = local_4.member[0u];
+                                            let _e1869 = local_4.member_1[0u];
+                                            let _e1872 = local_4.member[0u];
+                                            let _e1878 = local_4.member_2[0u];
+                                            if (((_e1866 + ((_e1869 - _e1872) * _e1563)) - _e1878) > 0f) {
+                                                let _e1883 = local_4.member[1u];
+                                                let _e1886 = local_4.member_1[1u];
+                                                let _e1889 = local_4.member[1u];
+                                                let _e1895 = local_4.member_2[1u];
+                                                if (((_e1883 + ((_e1886 - _e1889) * _e1563)) - _e1895) > 0f) {
+                                                    let _e1900 = local_4.member[2u];
+                                                    let _e1903 = local_4.member_1[2u];
+                                                    let _e1906 = local_4.member[2u];
+                                                    let _e1912 = local_4.member_2[2u];
+                                                    if (((_e1900 + ((_e1903 - _e1906) * _e1563)) - _e1912) > 0f) {
+                                                        let _e1917 = local_4.member[3u];
+                                                        let _e1920 = local_4.member_1[3u];
+                                                        let _e1923 = local_4.member[3u];
+                                                        let _e1929 = local_4.member_2[3u];
+                                                        phi_3201_ = (((_e1917 + ((_e1920 - _e1923) * _e1563)) - _e1929) > 0f);
+                                                        phi_3202_ = false;
                                                     } else {
-                                                        phi_3183_ = bool();
-                                                        phi_3184_ = true;
+                                                        phi_3201_ = bool();
+                                                        phi_3202_ = true;
                                                     }
-                                                    let _e1926 = phi_3183_;
-                                                    let _e1928 = phi_3184_;
-                                                    phi_3185_ = _e1926;
-                                                    phi_3186_ = _e1928;
+                                                    let _e1933 = phi_3201_;
+                                                    let _e1935 = phi_3202_;
+                                                    phi_3203_ = _e1933;
+                                                    phi_3204_ = _e1935;
                                                 } else {
-                                                    phi_3185_ = bool();
-                                                    phi_3186_ = true;
+                                                    phi_3203_ = bool();
+                                                    phi_3204_ = true;
                                                 }
-                                                let _e1930 = phi_3185_;
-                                                let _e1932 = phi_3186_;
-                                                phi_3187_ = _e1930;
-                                                phi_3188_ = _e1932;
+                                                let _e1937 = phi_3203_;
+                                                let _e1939 = phi_3204_;
+                                                phi_3205_ = _e1937;
+                                                phi_3206_ = _e1939;
                                             } else {
-                                                phi_3187_ = bool();
-                                                phi_3188_ = true;
+                                                phi_3205_ = bool();
+                                                phi_3206_ = true;
                                             }
-                                            let _e1934 = phi_3187_;
-                                            let _e1936 = phi_3188_;
-                                            if select(_e1934, false, _e1936) {
-                                                if (_e1556 <= _e1558) {
-                                                    phi_3502_ = true;
+                                            let _e1941 = phi_3205_;
+                                            let _e1943 = phi_3206_;
+                                            if select(_e1941, false, _e1943) {
+                                                if (_e1563 <= _e1565) {
+                                                    phi_3520_ = true;
                                                 } else {
-                                                    let _e1941 = local_3.member[0u];
-                                                    let _e1944 = local_3.member_1[0u];
-                                                    let _e1947 = local_3.member[0u];
-                                                    let _e1953 = local_3.member_2[0u];
-                                                    let _e1957 = local_4.member[0u];
-                                                    let _e1960 = local_4.member_1[0u];
-                                                    let _e1963 = local_4.member[0u];
-                                                    let _e1969 = local_4.member_2[0u];
-                                                    if ((((_e1941 + ((_e1944 - _e1947) * _e1556)) - _e1953) + ((_e1957 + ((_e1960 - _e1963) * _e1562)) - _e1969)) > 0f) {
-                                                        let _e1975 = local_3.member[1u];
-                                                        let _e1978 = local_3.member_1[1u];
-                                                        let _e1981 = local_3.member[1u];
-                                                        let _e1987 = local_3.member_2[1u];
-                                                        let _e1991 = local_4.member[1u];
-                                                        let _e1994 = local_4.member_1[1u];
-                                                        let _e1997 = local_4.member[1u];
-                                                        let _e2003 = local_4.member_2[1u];
-                                                        if ((((_e1975 + ((_e1978 - _e1981) * _e1556)) - _e1987) + ((_e1991 + ((_e1994 - _e1997) * _e1562)) - _e2003)) > 0f) {
-                                                            let _e2009 = local_3.member[2u];
-                                                            let _e2012 = local_3.member_1[2u];
-                                                            let _e2015 = local_3.member[2u];
-                                                            let _e2021 = local_3.member_2[2u];
-                                                            let _e2025 = local_4.member[2u];
-                                                            let _e2028 = local_4.member_1[2u];
-                                                            let _e2031 = local_4.member[2u];
-                                                            let _e2037 = local_4.member_2[2u];
-                                                            if ((((_e2009 + ((_e2012 - _e2015) * _e1556)) - _e2021) + ((_e2025 + ((_e2028 - _e2031) * _e1562)) - _e2037)) > 0f) {
-                                                                let _e2043 = local_3.member[3u];
-                                                                let _e2046 = local_3.member_1[3u];
-                                                                let _e2049 = local_3.member[3u];
-                                                                let _e2055 = local_3.member_2[3u];
-                                                                let _e2059 = local_4.member[3u];
-                                                                let _e2062 = local_4.member_1[3u];
-                                                                let _e2065 = local_4.member[3u];
-                                                                let _e2071 = local_4.member_2[3u];
-                                                                phi_3489_ = ((((_e2043 + ((_e2046 - _e2049) * _e1556)) - _e2055) + ((_e2059 + ((_e2062 - _e2065) * _e1562)) - _e2071)) > 0f);
-                                                                phi_3490_ = false;
+                                                    let _e1948 = local_3.member[0u];
+                                                    let _e1951 = local_3.member_1[0u];
+                                                    let _e1954 = local_3.member[0u];
+                                                    let _e1960 = local_3.member_2[0u];
+                                                    let _e1964 = local_4.member[0u];
+                                                    let _e1967 = local_4.member_1[0u];
+                                                    let _e1970 = local_4.member[0u];
+                                                    let _e1976 = local_4.member_2[0u];
+                                                    if ((((_e1948 + ((_e1951 - _e1954) * _e1563)) - _e1960) + ((_e1964 + ((_e1967 - _e1970) * _e1569)) - _e1976)) > 0f) {
+                                                        let _e1982 = local_3.member[1u];
+                                                        let _e1985 = local_3.member_1[1u];
+                                                        let _e1988 = local_3.member[1u];
+                                                        let _e1994 = local_3.member_2[1u];
+                                                        let _e1998 = local_4.member[1u];
+                                                        let _e2001 = local_4.member_1[1u];
+                                                        let _e2004 = local_4.member[1u];
+                                                        let _e2010 = local_4.member_2[1u];
+                                                        if ((((_e1982 + ((_e1985 - _e1988) * _e1563)) - _e1994) + ((_e1998 + ((_e2001 - _e2004) * _e1569)) - _e2010)) > 0f) {
+                                                            let _e2016 = local_3.member[2u];
+                                                            let _e2019 = local_3.member_1[2u];
+                                                            let _e2022 = local_3.member[2u];
+                                                            let _e2028 = local_3.member_2[2u];
+                                                            let _e2032 = local_4.member[2u];
+                                                            let _e2035 = local_4.member_1[2u];
+                                                            let _e2038 = local_4.member[2u];
+                                                            let _e2044 = local_4.member_2[2u];
+                                                            if ((((_e2016 + ((_e2019 - _e2022) * _e1563)) - _e2028) + ((_e2032 + ((_e2035 - _e2038) * _e1569)) - _e2044)) > 0f) {
+                                                                let _e2050 = local_3.member[3u];
+                                                                let _e2053 = local_3.member_1[3u];
+                                                                let _e2056 = local_3.member[3u];
+                                                                let _e2062 = local_3.member_2[3u];
+                                                                let _e2066 = local_4.member[3u];
+                                                                let _e2069 = local_4.member_1[3u];
+                                                                let _e2072 = local_4.member[3u];
+                                                                let _e2078 = local_4.member_2[3u];
+                                                                phi_3507_ = ((((_e2050 + ((_e2053 - _e2056) * _e1563)) - _e2062) + ((_e2066 + ((_e2069 - _e2072) * _e1569)) - _e2078)) > 0f);
+                                                                phi_3508_ = false;
                                                             } else {
-                                                                phi_3489_ = bool();
-                                                                phi_3490_ = true;
+                                                                phi_3507_ = bool();
+                                                                phi_3508_ = true;
                                                             }
-                                                            let _e2076 = phi_3489_;
-                                                            let _e2078 = phi_3490_;
-                                                            phi_3491_ = _e2076;
-                                                            phi_3492_ = _e2078;
+                                                            let _e2083 = phi_3507_;
+                                                            let _e2085 = phi_3508_;
+                                                            phi_3509_ = _e2083;
+                                                            phi_3510_ = _e2085;
                                                         } else {
-                                                            phi_3491_ = bool();
-                                                            phi_3492_ = true;
+                                                            phi_3509_ = bool();
+                                                            phi_3510_ = true;
                                                         }
-                                                        let _e2080 = phi_3491_;
-                                                        let _e2082 = phi_3492_;
-                                                        phi_3493_ = _e2080;
-                                                        phi_3494_ = _e2082;
+                                                        let _e2087 = phi_3509_;
+                                                        let _e2089 = phi_3510_;
+                                                        phi_3511_ = _e2087;
+                                                        phi_3512_ = _e2089;
                                                     } else {
-                                                        phi_3493_ = bool();
-                                                        phi_3494_ = true;
+                                                        phi_3511_ = bool();
+                                                        phi_3512_ = true;
                                                     }
-                                                    let _e2084 = phi_3493_;
-                                                    let _e2086 = phi_3494_;
-                                                    phi_3502_ = select(_e2084, false, _e2086);
+                                                    let _e2091 = phi_3511_;
+                                                    let _e2093 = phi_3512_;
+                                                    phi_3520_ = select(_e2091, false, _e2093);
                                                 }
-                                                let _e2089 = phi_3502_;
-                                                if _e2089 {
-                                                    if select(true, select(true, false, (_e1556 >= _e381)), _e1564) {
-                                                        local_3 = type_30(array<f32, 4>(_e1835.member[0], _e1835.member[1], _e1835.member[2], _e1835.member[3]), array<f32, 4>(_e1835.member_1[0], _e1835.member_1[1], _e1835.member_1[2], _e1835.member_1[3]), array<f32, 4>(_e1835.member_2[0], _e1835.member_2[1], _e1835.member_2[2], _e1835.member_2[3]));
-                                                        let _e2114 = local_3.member[0u];
-                                                        let _e2117 = local_3.member_1[0u];
-                                                        let _e2120 = local_3.member_2[0u];
-                                                        if select(true, select(true, false, (_e2117 > _e2120)), (_e2114 > _e2120)) {
-                                                            let _e2125 = (_e2117 >= _e2114);
-                                                            if _e2125 {
-                                                                phi_3611_ = f32();
-                                                                phi_3612_ = false;
+                                                let _e2096 = phi_3520_;
+                                                if _e2096 {
+                                                    if select(true, select(true, false, (_e1563 >= _e388)), _e1571) {
+                                                        local_3 = type_31(array<f32, 4>(_e1842.member[0], _e1842.member[1], _e1842.member[2], _e1842.member[3]), array<f32, 4>(_e1842.member_1[0], _e1842.member_1[1], _e1842.member_1[2], _e1842.member_1[3]), array<f32, 4>(_e1842.member_2[0], _e1842.member_2[1], _e1842.member_2[2], _e1842.member_2[3]));
+                                                        let _e2121 = local_3.member[0u];
+                                                        let _e2124 = local_3.member_1[0u];
+                                                        let _e2127 = local_3.member_2[0u];
+                                                        if select(true, select(true, false, (_e2124 > _e2127)), (_e2121 > _e2127)) {
+                                                            let _e2132 = (_e2124 >= _e2121);
+                                                            if _e2132 {
+                                                                phi_3629_ = f32();
+                                                                phi_3630_ = false;
                                                             } else {
-                                                                if ((_e2114 - _e2117) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                    phi_3609_ = (((_e2114 - _e2120) / (_e2114 - _e2117)) * (1f - (0.000000059604645f * 16f)));
-                                                                    phi_3610_ = false;
+                                                                if ((_e2121 - _e2124) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                    phi_3627_ = (((_e2121 - _e2127) / (_e2121 - _e2124)) * (1f - (0.000000059604645f * 16f)));
+                                                                    phi_3628_ = false;
                                                                 } else {
-                                                                    phi_3609_ = f32();
-                                                                    phi_3610_ = true;
+                                                                    phi_3627_ = f32();
+                                                                    phi_3628_ = true;
                                                                 }
-                                                                let _e2136 = phi_3609_;
-                                                                let _e2138 = phi_3610_;
-                                                                phi_3611_ = _e2136;
-                                                                phi_3612_ = _e2138;
+                                                                let _e2143 = phi_3627_;
+                                                                let _e2145 = phi_3628_;
+                                                                phi_3629_ = _e2143;
+                                                                phi_3630_ = _e2145;
                                                             }
-                                                            let _e2140 = phi_3611_;
-                                                            let _e2142 = phi_3612_;
-                                                            phi_3613_ = _e2140;
-                                                            phi_3614_ = _e2125;
-                                                            phi_3615_ = _e2142;
+                                                            let _e2147 = phi_3629_;
+                                                            let _e2149 = phi_3630_;
+                                                            phi_3631_ = _e2147;
+                                                            phi_3632_ = _e2132;
+                                                            phi_3633_ = _e2149;
                                                         } else {
-                                                            phi_3613_ = f32();
-                                                            phi_3614_ = true;
-                                                            phi_3615_ = false;
+                                                            phi_3631_ = f32();
+                                                            phi_3632_ = true;
+                                                            phi_3633_ = false;
                                                         }
-                                                        let _e2144 = phi_3613_;
-                                                        let _e2146 = phi_3614_;
-                                                        let _e2148 = phi_3615_;
-                                                        let _e2151 = select(_e2144, select(_e1556, 2f, _e2146), select(_e2148, true, _e2146));
-                                                        let _e2154 = local_3.member[1u];
-                                                        let _e2157 = local_3.member_1[1u];
-                                                        let _e2160 = local_3.member_2[1u];
-                                                        if select(true, select(true, false, (_e2157 > _e2160)), (_e2154 > _e2160)) {
-                                                            let _e2165 = (_e2157 >= _e2154);
-                                                            if _e2165 {
-                                                                phi_3679_ = f32();
-                                                                phi_3680_ = false;
+                                                        let _e2151 = phi_3631_;
+                                                        let _e2153 = phi_3632_;
+                                                        let _e2155 = phi_3633_;
+                                                        let _e2158 = select(_e2151, select(_e1563, 2f, _e2153), select(_e2155, true, _e2153));
+                                                        let _e2161 = local_3.member[1u];
+                                                        let _e2164 = local_3.member_1[1u];
+                                                        let _e2167 = local_3.member_2[1u];
+                                                        if select(true, select(true, false, (_e2164 > _e2167)), (_e2161 > _e2167)) {
+                                                            let _e2172 = (_e2164 >= _e2161);
+                                                            if _e2172 {
+                                                                phi_3697_ = f32();
+                                                                phi_3698_ = false;
                                                             } else {
-                                                                if ((_e2154 - _e2157) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                    phi_3677_ = (((_e2154 - _e2160) / (_e2154 - _e2157)) * (1f - (0.000000059604645f * 16f)));
-                                                                    phi_3678_ = false;
+                                                                if ((_e2161 - _e2164) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                    phi_3695_ = (((_e2161 - _e2167) / (_e2161 - _e2164)) * (1f - (0.000000059604645f * 16f)));
+                                                                    phi_3696_ = false;
                                                                 } else {
-                                                                    phi_3677_ = f32();
-                                                                    phi_3678_ = true;
+                                                                    phi_3695_ = f32();
+                                                                    phi_3696_ = true;
                                                                 }
-                                                                let _e2176 = phi_3677_;
-                                                                let _e2178 = phi_3678_;
-                                                                phi_3679_ = _e2176;
-                                                                phi_3680_ = _e2178;
+                                                                let _e2183 = phi_3695_;
+                                                                let _e2185 = phi_3696_;
+                                                                phi_3697_ = _e2183;
+                                                                phi_3698_ = _e2185;
                                                             }
-                                                            let _e2180 = phi_3679_;
-                                                            let _e2182 = phi_3680_;
-                                                            phi_3681_ = _e2180;
-                                                            phi_3682_ = _e2165;
-                                                            phi_3683_ = _e2182;
+                                                            let _e2187 = phi_3697_;
+                                                            let _e2189 = phi_3698_;
+                                                            phi_3699_ = _e2187;
+                                                            phi_3700_ = _e2172;
+                                                            phi_3701_ = _e2189;
                                                         } else {
-                                                            phi_3681_ = f32();
-                                                            phi_3682_ = true;
-                                                            phi_3683_ = false;
+                                                            phi_3699_ = f32();
+                                                            phi_3700_ = true;
+                                                            phi_3701_ = false;
                                                         }
-                                                        let _e2184 = phi_3681_;
-                                                        let _e2186 = phi_3682_;
-                                                        let _e2188 = phi_3683_;
-                                                        let _e2191 = select(_e2184, select(_e1556, 2f, _e2186), select(_e2188, true, _e2186));
-                                                        let _e2193 = select(_e2191, _e2151, (_e2151 < _e2191));
-                                                        let _e2196 = local_3.member[2u];
-                                                        let _e2199 = local_3.member_1[2u];
-                                                        let _e2202 = local_3.member_2[2u];
-                                                        if select(true, select(true, false, (_e2199 > _e2202)), (_e2196 > _e2202)) {
-                                                            let _e2207 = (_e2199 >= _e2196);
-                                                            if _e2207 {
-                                                                phi_3752_ = f32();
-                                                                phi_3753_ = false;
+                                                        let _e2191 = phi_3699_;
+                                                        let _e2193 = phi_3700_;
+                                                        let _e2195 = phi_3701_;
+                                                        let _e2198 = select(_e2191, select(_e1563, 2f, _e2193), select(_e2195, true, _e2193));
+                                                        let _e2200 = select(_e2198, _e2158, (_e2158 < _e2198));
+                                                        let _e2203 = local_3.member[2u];
+                                                        let _e2206 = local_3.member_1[2u];
+                                                        let _e2209 = local_3.member_2[2u];
+                                                        if select(true, select(true, false, (_e2206 > _e2209)), (_e2203 > _e2209)) {
+                                                            let _e2214 = (_e2206 >= _e2203);
+                                                            if _e2214 {
+                                                                phi_3770_ = f32();
+                                                                phi_3771_ = false;
                                                             } else {
-                                                                if ((_e2196 - _e2199) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                    phi_3750_ = (((_e2196 - _e2202) / (_e2196 - _e2199)) * (1f - (0.000000059604645f * 16f)));
-                                                                    phi_3751_ = false;
+                                                                if ((_e2203 - _e2206) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                    phi_3768_ = (((_e2203 - _e2209) / (_e2203 - _e2206)) * (1f - (0.000000059604645f * 16f)));
+                                                                    phi_3769_ = false;
                                                                 } else {
-                                                                    phi_3750_ = f32();
-                                                                    phi_3751_ = true;
+                                                                    phi_3768_ = f32();
+                                                                    phi_3769_ = true;
                                                                 }
-                                                                let _e2218 = phi_3750_;
-                                                                let _e2220 = phi_3751_;
-                                                                phi_3752_ = _e2218;
-                                                                phi_3753_ = _e2220;
+                                                                let _e2225 = phi_3768_;
+                                                                let _e2227 = phi_3769_;
+                                                                phi_3770_ = _e2225;
+                                                                phi_3771_ = _e2227;
                                                             }
-                                                            let _e2222 = phi_3752_;
-                                                            let _e2224 = phi_3753_;
-                                                            phi_3754_ = _e2222;
-                                                            phi_3755_ = _e2207;
-                                                            phi_3756_ = _e2224;
+                                                            let _e2229 = phi_3770_;
+                                                            let _e2231 = phi_3771_;
+                                                            phi_3772_ = _e2229;
+                                                            phi_3773_ = _e2214;
+                                                            phi_3774_ = _e2231;
                                                         } else {
-                                                            phi_3754_ = f32();
-                                                            phi_3755_ = true;
-                                                            phi_3756_ = false;
+                                                            phi_3772_ = f32();
+                                                            phi_3773_ = true;
+                                                            phi_3774_ = false;
                                                         }
-                                                        let _e2226 = phi_3754_;
-                                                        let _e2228 = phi_3755_;
-                                                        let _e2230 = phi_3756_;
-                                                        let _e2233 = select(_e2226, select(_e1556, 2f, _e2228), select(_e2230, true, _e2228));
-                                                        let _e2236 = local_3.member[3u];
-                                                        let _e2239 = local_3.member_1[3u];
-                                                        let _e2242 = local_3.member_2[3u];
-                                                        if select(true, select(true, false, (_e2239 > _e2242)), (_e2236 > _e2242)) {
-                                                            let _e2247 = (_e2239 >= _e2236);
-                                                            if _e2247 {
-                                                                phi_3820_ = f32();
-                                                                phi_3821_ = false;
+                                                        let _e2233 = phi_3772_;
+                                                        let _e2235 = phi_3773_;
+                                                        let _e2237 = phi_3774_;
+                                                        let _e2240 = select(_e2233, select(_e1563, 2f, _e2235), select(_e2237, true, _e2235));
+                                                        let _e2243 = local_3.member[3u];
+                                                        let _e2246 = local_3.member_1[3u];
+                                                        let _e2249 = local_3.member_2[3u];
+                                                        if select(true, select(true, false, (_e2246 > _e2249)), (_e2243 > _e2249)) {
+                                                            let _e2254 = (_e2246 >= _e2243);
+                                                            if _e2254 {
+                                                                phi_3838_ = f32();
+                                                                phi_3839_ = false;
                                                             } else {
-                                                                if ((_e2236 - _e2239) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                    phi_3818_ = (((_e2236 - _e2242) / (_e2236 - _e2239)) * (1f - (0.000000059604645f * 16f)));
-                                                                    phi_3819_ = false;
+                                                                if ((_e2243 - _e2246) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                    phi_3836_ = (((_e2243 - _e2249) / (_e2243 - _e2246)) * (1f - (0.000000059604645f * 16f)));
+                                                                    phi_3837_ = false;
                                                                 } else {
-                                                                    phi_3818_ = f32();
-                                                                    phi_3819_ = true;
+                                                                    phi_3836_ = f32();
+                                                                    phi_3837_ = true;
                                                                 }
-                                                                let _e2258 = phi_3818_;
-                                                                let _e2260 = phi_3819_;
-                                                                phi_3820_ = _e2258;
-                                                                phi_3821_ = _e2260;
+                                                                let _e2265 = phi_3836_;
+                                                                let _e2267 = phi_3837_;
+                                                                phi_3838_ = _e2265;
+                                                                phi_3839_ = _e2267;
                                                             }
-                                                            let _e2262 = phi_3820_;
-                                                            let _e2264 = phi_3821_;
-                                                            phi_3822_ = _e2262;
-                                                            phi_3823_ = _e2247;
-                                                            phi_3824_ = _e2264;
+                                                            let _e2269 = phi_3838_;
+                                                            let _e2271 = phi_3839_;
+                                                            phi_3840_ = _e2269;
+                                                            phi_3841_ = _e2254;
+                                                            phi_3842_ = _e2271;
                                                         } else {
-                                                            phi_3822_ = f32();
-                                                            phi_3823_ = true;
-                                                            phi_3824_ = false;
+                                                            phi_3840_ = f32();
+                                                            phi_3841_ = true;
+                                                            phi_3842_ = false;
                                                         }
-                                                        let _e2266 = phi_3822_;
-                                                        let _e2268 = phi_3823_;
-                                                        let _e2270 = phi_3824_;
-                                                        let _e2273 = select(_e2266, select(_e1556, 2f, _e2268), select(_e2270, true, _e2268));
-                                                        let _e2275 = select(_e2273, _e2233, (_e2233 < _e2273));
-                                                        let _e2277 = select(_e2275, _e2193, (_e2193 < _e2275));
-                                                        let _e2279 = select(_e1556, _e2277, (_e2277 > _e1556));
-                                                        let _e2280 = (_e2279 > _e381);
-                                                        if _e2280 {
-                                                            phi_4353_ = f32();
-                                                            phi_4354_ = f32();
-                                                            phi_4355_ = false;
-                                                            phi_4356_ = false;
+                                                        let _e2273 = phi_3840_;
+                                                        let _e2275 = phi_3841_;
+                                                        let _e2277 = phi_3842_;
+                                                        let _e2280 = select(_e2273, select(_e1563, 2f, _e2275), select(_e2277, true, _e2275));
+                                                        let _e2282 = select(_e2280, _e2240, (_e2240 < _e2280));
+                                                        let _e2284 = select(_e2282, _e2200, (_e2200 < _e2282));
+                                                        let _e2286 = select(_e1563, _e2284, (_e2284 > _e1563));
+                                                        let _e2287 = (_e2286 > _e388);
+                                                        if _e2287 {
+                                                            phi_4371_ = f32();
+                                                            phi_4372_ = f32();
+                                                            phi_4373_ = false;
+                                                            phi_4374_ = false;
                                                         } else {
-                                                            let _e2281 = (_e2279 - _e1556);
-                                                            let _e2282 = (_e2281 <= _e1551);
-                                                            let _e2284 = (_e2279 + (_e377 * 0.01f));
-                                                            let _e2286 = select(_e381, _e2284, (_e2284 < _e381));
-                                                            if _e2282 {
-                                                                if (_e608.member_1 > 0f) {
-                                                                    let _e2290 = local_5.member[0u];
-                                                                    let _e2296 = local_5.member[1u];
-                                                                    let _e2312 = local_5.member_1[0u];
-                                                                    let _e2318 = local_5.member_1[1u];
-                                                                    let _e2334 = local_5.member_2[0u];
-                                                                    let _e2340 = local_5.member_2[1u];
-                                                                    let _e2354 = function_3(array<f32, 3>((_e2290[0] + ((_e2296[0] - _e2290[0]) * _e2286)), (_e2290[1] + ((_e2296[1] - _e2290[1]) * _e2286)), (_e2290[2] + ((_e2296[2] - _e2290[2]) * _e2286))), array<f32, 3>((_e2312[0] + ((_e2318[0] - _e2312[0]) * _e2286)), (_e2312[1] + ((_e2318[1] - _e2312[1]) * _e2286)), (_e2312[2] + ((_e2318[2] - _e2312[2]) * _e2286))), array<f32, 3>((_e2334[0] + ((_e2340[0] - _e2334[0]) * _e2286)), (_e2334[1] + ((_e2340[1] - _e2334[1]) * _e2286)), (_e2334[2] + ((_e2340[2] - _e2334[2]) * _e2286))), _e224.member);
-                                                                    let _e2365 = (((_e2354[0] * _e2354[0]) + (_e2354[1] * _e2354[1])) + (_e2354[2] * _e2354[2]));
-                                                                    if (_e2365 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                        phi_4055_ = select(0f, (0.000000000000000000106433627f * 2f), (_e2365 > 0f));
+                                                            let _e2288 = (_e2286 - _e1563);
+                                                            let _e2289 = (_e2288 <= _e1558);
+                                                            let _e2291 = (_e2286 + (_e384 * 0.01f));
+                                                            let _e2293 = select(_e388, _e2291, (_e2291 < _e388));
+                                                            if _e2289 {
+                                                                if (_e615.member_1 > 0f) {
+                                                                    let _e2297 = local_5.member[0u];
+                                                                    let _e2303 = local_5.member[1u];
+                                                                    let _e2319 = local_5.member_1[0u];
+                                                                    let _e2325 = local_5.member_1[1u];
+                                                                    let _e2341 = local_5.member_2[0u];
+                                                                    let _e2347 = local_5.member_2[1u];
+                                                                    let _e2361 = function_3(array<f32, 3>((_e2297[0] + ((_e2303[0] - _e2297[0]) * _e2293)), (_e2297[1] + ((_e2303[1] - _e2297[1]) * _e2293)), (_e2297[2] + ((_e2303[2] - _e2297[2]) * _e2293))), array<f32, 3>((_e2319[0] + ((_e2325[0] - _e2319[0]) * _e2293)), (_e2319[1] + ((_e2325[1] - _e2319[1]) * _e2293)), (_e2319[2] + ((_e2325[2] - _e2319[2]) * _e2293))), array<f32, 3>((_e2341[0] + ((_e2347[0] - _e2341[0]) * _e2293)), (_e2341[1] + ((_e2347[1] - _e2341[1]) * _e2293)), (_e2341[2] + ((_e2347[2] - _e2341[2]) * _e2293))), _e231.member);
+                                                                    let _e2372 = (((_e2361[0] * _e2361[0]) + (_e2361[1] * _e2361[1])) + (_e2361[2] * _e2361[2]));
+                                                                    if (_e2372 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                        phi_4073_ = select(0f, (0.000000000000000000106433627f * 2f), (_e2372 > 0f));
                                                                     } else {
-                                                                        phi_3998_ = type_16(0i, 5i);
-                                                                        phi_4001_ = bitcast<f32>(((bitcast<u32>(_e2365) >> bitcast<u32>(1i)) + 532369198u));
+                                                                        phi_4016_ = type_14(0i, 5i);
+                                                                        phi_4019_ = bitcast<f32>(((bitcast<u32>(_e2372) >> bitcast<u32>(1i)) + 532369198u));
                                                                         loop {
-                                                                            let _e2373 = phi_3998_;
-                                                                            let _e2375 = phi_4001_;
-                                                                            local_8 = _e2375;
-                                                                            if (_e2373.member < _e2373.member_1) {
-                                                                                let _e2382 = (_e2373.member + 1i);
-                                                                                phi_3999_ = type_16(select(_e2382, type_17().member_1, select(false, true, ((false == (_e2382 > _e2373.member)) != false))), _e2373.member_1);
-                                                                                phi_4042_ = type_17(1u, _e2373.member);
+                                                                            let _e2380 = phi_4016_;
+                                                                            let _e2382 = phi_4019_;
+                                                                            local_8 = _e2382;
+                                                                            if (_e2380.member < _e2380.member_1) {
+                                                                                let _e2389 = (_e2380.member + 1i);
+                                                                                phi_4017_ = type_14(select(_e2389, type_15().member_1, select(false, true, ((false == (_e2389 > _e2380.member)) != false))), _e2380.member_1);
+                                                                                phi_4060_ = type_15(1u, _e2380.member);
                                                                             } else {
-                                                                                phi_3999_ = _e2373;
-                                                                                phi_4042_ = type_17(0u, type_17().member_1);
+                                                                                phi_4017_ = _e2380;
+                                                                                phi_4060_ = type_15(0u, type_15().member_1);
                                                                             }
-                                                                            let _e2393 = phi_3999_;
-                                                                            let _e2395 = phi_4042_;
-                                                                            let _e2398 = (bitcast<i32>(_e2395.member) != 0i);
-                                                                            if _e2398 {
-                                                                                phi_4002_ = (0.5f * (_e2375 + (_e2365 / _e2375)));
+                                                                            let _e2400 = phi_4017_;
+                                                                            let _e2402 = phi_4060_;
+                                                                            let _e2405 = (bitcast<i32>(_e2402.member) != 0i);
+                                                                            if _e2405 {
+                                                                                phi_4020_ = (0.5f * (_e2382 + (_e2372 / _e2382)));
                                                                             } else {
-                                                                                phi_4002_ = f32();
+                                                                                phi_4020_ = f32();
                                                                             }
-                                                                            let _e2403 = phi_4002_;
+                                                                            let _e2410 = phi_4020_;
                                                                             continue;
                                                                             continuing {
-                                                                                phi_3998_ = _e2393;
-                                                                                phi_4001_ = _e2403;
-                                                                                break if !(_e2398);
+                                                                                phi_4016_ = _e2400;
+                                                                                phi_4019_ = _e2410;
+                                                                                break if !(_e2405);
                                                                             }
                                                                         }
-                                                                        let _e2408 = local_8;
-                                                                        phi_4055_ = (_e2408 * (1f + (8f * 0.000000059604645f)));
+                                                                        let _e2415 = local_8;
+                                                                        phi_4073_ = (_e2415 * (1f + (8f * 0.000000059604645f)));
                                                                     }
-                                                                    let _e2414 = phi_4055_;
-                                                                    let _e2420 = local_5.member[0u];
-                                                                    let _e2426 = select(_e2420[0], -(_e2420[0]), (_e2420[0] < 0f));
-                                                                    let _e2429 = select(_e2420[1], -(_e2420[1]), (_e2420[1] < 0f));
-                                                                    let _e2431 = select(_e2429, _e2426, (_e2426 > _e2429));
-                                                                    let _e2434 = select(_e2420[2], -(_e2420[2]), (_e2420[2] < 0f));
-                                                                    let _e2436 = select(_e2434, _e2431, (_e2431 > _e2434));
-                                                                    let _e2439 = local_5.member[1u];
-                                                                    let _e2445 = select(_e2439[0], -(_e2439[0]), (_e2439[0] < 0f));
-                                                                    let _e2448 = select(_e2439[1], -(_e2439[1]), (_e2439[1] < 0f));
-                                                                    let _e2450 = select(_e2448, _e2445, (_e2445 > _e2448));
-                                                                    let _e2453 = select(_e2439[2], -(_e2439[2]), (_e2439[2] < 0f));
-                                                                    let _e2455 = select(_e2453, _e2450, (_e2450 > _e2453));
-                                                                    let _e2459 = local_5.member_3;
-                                                                    let _e2463 = local_5.member_1[0u];
-                                                                    let _e2469 = select(_e2463[0], -(_e2463[0]), (_e2463[0] < 0f));
-                                                                    let _e2472 = select(_e2463[1], -(_e2463[1]), (_e2463[1] < 0f));
-                                                                    let _e2474 = select(_e2472, _e2469, (_e2469 > _e2472));
-                                                                    let _e2477 = select(_e2463[2], -(_e2463[2]), (_e2463[2] < 0f));
-                                                                    let _e2479 = select(_e2477, _e2474, (_e2474 > _e2477));
-                                                                    let _e2482 = local_5.member_1[1u];
-                                                                    let _e2488 = select(_e2482[0], -(_e2482[0]), (_e2482[0] < 0f));
-                                                                    let _e2491 = select(_e2482[1], -(_e2482[1]), (_e2482[1] < 0f));
-                                                                    let _e2493 = select(_e2491, _e2488, (_e2488 > _e2491));
-                                                                    let _e2496 = select(_e2482[2], -(_e2482[2]), (_e2482[2] < 0f));
-                                                                    let _e2498 = select(_e2496, _e2493, (_e2493 > _e2496));
-                                                                    let _e2502 = local_5.member_3;
-                                                                    let _e2506 = local_5.member_2[0u];
-                                                                    let _e2512 = select(_e2506[0], -(_e2506[0]), (_e2506[0] < 0f));
-                                                                    let _e2515 = select(_e2506[1], -(_e2506[1]), (_e2506[1] < 0f));
-                                                                    let _e2517 = select(_e2515, _e2512, (_e2512 > _e2515));
-                                                                    let _e2520 = select(_e2506[2], -(_e2506[2]), (_e2506[2] < 0f));
-                                                                    let _e2522 = select(_e2520, _e2517, (_e2517 > _e2520));
-                                                                    let _e2525 = local_5.member_2[1u];
-                                                                    let _e2531 = select(_e2525[0], -(_e2525[0]), (_e2525[0] < 0f));
-                                                                    let _e2534 = select(_e2525[1], -(_e2525[1]), (_e2525[1] < 0f));
-                                                                    let _e2536 = select(_e2534, _e2531, (_e2531 > _e2534));
-                                                                    let _e2539 = select(_e2525[2], -(_e2525[2]), (_e2525[2] < 0f));
-                                                                    let _e2541 = select(_e2539, _e2536, (_e2536 > _e2539));
-                                                                    let _e2545 = local_5.member_3;
+                                                                    let _e2421 = phi_4073_;
+                                                                    let _e2427 = local_5.member[0u];
+                                                                    let _e2433 = select(_e2427[0], -(_e2427[0]), (_e2427[0] < 0f));
+                                                                    let _e2436 = select(_e2427[1], -(_e2427[1]), (_e2427[1] < 0f));
+                                                                    let _e2438 = select(_e2436, _e2433, (_e2433 > _e2436));
+                                                                    let _e2441 = select(_e2427[2], -(_e2427[2]), (_e2427[2] < 0f));
+                                                                    let _e2443 = select(_e2441, _e2438, (_e2438 > _e2441));
+                                                                    let _e2446 = local_5.member[1u];
+                                                                    let _e2452 = select(_e2446[0], -(_e2446[0]), (_e2446[0] < 0f));
+                                                                    let _e2455 = select(_e2446[1], -(_e2446[1]), (_e2446[1] < 0f));
+                                                                    let _e2457 = select(_e2455, _e2452, (_e2452 > _e2455));
+                                                                    let _e2460 = select(_e2446[2], -(_e2446[2]), (_e2446[2] < 0f));
+                                                                    let _e2462 = select(_e2460, _e2457, (_e2457 > _e2460));
+                                                                    let _e2466 = local_5.member_3;
+                                                                    let _e2470 = local_5.member_1[0u];
+                                                                    let _e2476 = select(_e2470[0], -(_e2470[0]), (_e2470[0] < 0f));
+                                                                    let _e2479 = select(_e2470[1], -(_e2470[1]), (_e2470[1] < 0f));
+                                                                    let _e2481 = select(_e2479, _e2476, (_e2476 > _e2479));
+                                                                    let _e2484 = select(_e2470[2], -(_e2470[2]), (_e2470[2] < 0f));
+                                                                    let _e2486 = select(_e2484, _e2481, (_e2481 > _e2484));
+                                                                    let _e2489 = local_5.member_1[1u];
+                                                                    let _e2495 = select(_e2489[0], -(_e2489[0]), (_e2489[0] < 0f));
+                                                                    let _e2498 = select(_e2489[1], -(_e2489[1]), (_e2489[1] < 0f));
+                                                                    let _e2500 = select(_e2498, _e2495, (_e2495 > _e2498));
+                                                                    let _e2503 = select(_e2489[2], -(_e2489[2]), (_e2489[2] < 0f));
+                                                                    let _e2505 = select(_e2503, _e2500, (_e2500 > _e2503));
+                                                                    let _e2509 = local_5.member_3;
+                                                                    let _e2513 = local_5.member_2[0u];
+                                                                    let _e2519 = select(_e2513[0], -(_e2513[0]), (_e2513[0] < 0f));
+                                                                    let _e2522 = select(_e2513[1], -(_e2513[1]), (_e2513[1] < 0f));
+                                                                    let _e2524 = select(_e2522, _e2519, (_e2519 > _e2522));
+                                                                    let _e2527 = select(_e2513[2], -(_e2513[2]), (_e2513[2] < 0f));
+                                                                    let _e2529 = select(_e2527, _e2524, (_e2524 > _e2527));
+                                                                    let _e2532 = local_5.member_2[1u];
+                                                                    let _e2538 = select(_e2532[0], -(_e2532[0]), (_e2532[0] < 0f));
+                                                                    let _e2541 = select(_e2532[1], -(_e2532[1]), (_e2532[1] < 0f));
+                                                                    let _e2543 = select(_e2541, _e2538, (_e2538 > _e2541));
+                                                                    let _e2546 = select(_e2532[2], -(_e2532[2]), (_e2532[2] < 0f));
+                                                                    let _e2548 = select(_e2546, _e2543, (_e2543 > _e2546));
                                                                     let _e2552 = local_5.member_3;
-                                                                    phi_4326_ = select(true, false, (((_e2414 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e2455, _e2436, (_e2436 > _e2455)) + _e2459) + (select(_e2498, _e2479, (_e2479 > _e2498)) + _e2502)) + (select(_e2541, _e2522, (_e2522 > _e2541)) + _e2545)) * (0.000000059604645f * 16f)) + (_e2552 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e608.member_1));
+                                                                    let _e2559 = local_5.member_3;
+                                                                    phi_4344_ = select(true, false, (((_e2421 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e2462, _e2443, (_e2443 > _e2462)) + _e2466) + (select(_e2505, _e2486, (_e2486 > _e2505)) + _e2509)) + (select(_e2548, _e2529, (_e2529 > _e2548)) + _e2552)) * (0.000000059604645f * 16f)) + (_e2559 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e615.member_1));
                                                                 } else {
-                                                                    phi_4326_ = true;
+                                                                    phi_4344_ = true;
                                                                 }
-                                                                let _e2562 = phi_4326_;
-                                                                phi_4327_ = _e2562;
+                                                                let _e2569 = phi_4344_;
+                                                                phi_4345_ = _e2569;
                                                             } else {
-                                                                phi_4327_ = true;
+                                                                phi_4345_ = true;
                                                             }
-                                                            let _e2564 = phi_4327_;
-                                                            phi_4353_ = select(f32(), select((_e381 - _e1556), select(0f, (_e1855 + _e1855), select(select(true, false, (_e2281 <= (_e1560 * 0.25f))), true, _e2282)), _e1564), _e2564);
-                                                            phi_4354_ = _e2281;
-                                                            phi_4355_ = _e2564;
-                                                            phi_4356_ = select(true, false, _e2564);
+                                                            let _e2571 = phi_4345_;
+                                                            phi_4371_ = select(f32(), select((_e388 - _e1563), select(0f, (_e1862 + _e1862), select(select(true, false, (_e2288 <= (_e1567 * 0.25f))), true, _e2289)), _e1571), _e2571);
+                                                            phi_4372_ = _e2288;
+                                                            phi_4373_ = _e2571;
+                                                            phi_4374_ = select(true, false, _e2571);
                                                         }
-                                                        let _e2576 = phi_4353_;
-                                                        let _e2578 = phi_4354_;
-                                                        let _e2580 = phi_4355_;
-                                                        let _e2582 = phi_4356_;
-                                                        phi_4357_ = _e2279;
-                                                        phi_4358_ = _e2576;
-                                                        phi_4359_ = _e2578;
-                                                        phi_4360_ = _e2279;
-                                                        phi_4361_ = _e2580;
-                                                        phi_4362_ = _e2280;
-                                                        phi_4363_ = _e2582;
-                                                        phi_4364_ = false;
+                                                        let _e2583 = phi_4371_;
+                                                        let _e2585 = phi_4372_;
+                                                        let _e2587 = phi_4373_;
+                                                        let _e2589 = phi_4374_;
+                                                        phi_4375_ = _e2286;
+                                                        phi_4376_ = _e2583;
+                                                        phi_4377_ = _e2585;
+                                                        phi_4378_ = _e2286;
+                                                        phi_4379_ = _e2587;
+                                                        phi_4380_ = _e2287;
+                                                        phi_4381_ = _e2589;
+                                                        phi_4382_ = false;
                                                     } else {
-                                                        phi_4357_ = f32();
-                                                        phi_4358_ = f32();
-                                                        phi_4359_ = f32();
-                                                        phi_4360_ = f32();
-                                                        phi_4361_ = false;
-                                                        phi_4362_ = false;
-                                                        phi_4363_ = false;
-                                                        phi_4364_ = true;
+                                                        phi_4375_ = f32();
+                                                        phi_4376_ = f32();
+                                                        phi_4377_ = f32();
+                                                        phi_4378_ = f32();
+                                                        phi_4379_ = false;
+                                                        phi_4380_ = false;
+                                                        phi_4381_ = false;
+                                                        phi_4382_ = true;
                                                     }
-                                                    let _e2584 = phi_4357_;
-                                                    let _e2586 = phi_4358_;
-                                                    let _e2588 = phi_4359_;
-                                                    let _e2590 = phi_4360_;
-                                                    let _e2592 = phi_4361_;
-                                                    let _e2594 = phi_4362_;
-                                                    let _e2596 = phi_4363_;
-                                                    let _e2598 = phi_4364_;
-                                                    phi_4365_ = _e2584;
-                                                    phi_4366_ = _e2586;
-                                                    phi_4367_ = _e2588;
-                                                    phi_4368_ = _e2590;
-                                                    phi_4369_ = false;
-                                                    phi_4370_ = _e2592;
-                                                    phi_4371_ = _e2594;
-                                                    phi_4372_ = _e2596;
-                                                    phi_4373_ = _e2598;
+                                                    let _e2591 = phi_4375_;
+                                                    let _e2593 = phi_4376_;
+                                                    let _e2595 = phi_4377_;
+                                                    let _e2597 = phi_4378_;
+                                                    let _e2599 = phi_4379_;
+                                                    let _e2601 = phi_4380_;
+                                                    let _e2603 = phi_4381_;
+                                                    let _e2605 = phi_4382_;
+                                                    phi_4383_ = _e2591;
+                                                    phi_4384_ = _e2593;
+                                                    phi_4385_ = _e2595;
+                                                    phi_4386_ = _e2597;
+                                                    phi_4387_ = false;
+                                                    phi_4388_ = _e2599;
+                                                    phi_4389_ = _e2601;
+                                                    phi_4390_ = _e2603;
+                                                    phi_4391_ = _e2605;
                                                 } else {
-                                                    phi_4365_ = f32();
-                                                    phi_4366_ = f32();
-                                                    phi_4367_ = f32();
-                                                    phi_4368_ = f32();
-                                                    phi_4369_ = true;
-                                                    phi_4370_ = false;
-                                                    phi_4371_ = false;
-                                                    phi_4372_ = false;
-                                                    phi_4373_ = false;
+                                                    phi_4383_ = f32();
+                                                    phi_4384_ = f32();
+                                                    phi_4385_ = f32();
+                                                    phi_4386_ = f32();
+                                                    phi_4387_ = true;
+                                                    phi_4388_ = false;
+                                                    phi_4389_ = false;
+                                                    phi_4390_ = false;
+                                                    phi_4391_ = false;
                                                 }
-                                                let _e2600 = phi_4365_;
-                                                let _e2602 = phi_4366_;
-                                                let _e2604 = phi_4367_;
-                                                let _e2606 = phi_4368_;
-                                                let _e2608 = phi_4369_;
-                                                let _e2610 = phi_4370_;
-                                                let _e2612 = phi_4371_;
-                                                let _e2614 = phi_4372_;
-                                                let _e2616 = phi_4373_;
-                                                phi_4374_ = _e2600;
-                                                phi_4375_ = _e2602;
-                                                phi_4376_ = _e2604;
-                                                phi_4377_ = _e2606;
-                                                phi_4378_ = _e2608;
-                                                phi_4379_ = _e2610;
-                                                phi_4380_ = _e2612;
-                                                phi_4381_ = _e2614;
-                                                phi_4382_ = _e2616;
+                                                let _e2607 = phi_4383_;
+                                                let _e2609 = phi_4384_;
+                                                let _e2611 = phi_4385_;
+                                                let _e2613 = phi_4386_;
+                                                let _e2615 = phi_4387_;
+                                                let _e2617 = phi_4388_;
+                                                let _e2619 = phi_4389_;
+                                                let _e2621 = phi_4390_;
+                                                let _e2623 = phi_4391_;
+                                                phi_4392_ = _e2607;
+                                                phi_4393_ = _e2609;
+                                                phi_4394_ = _e2611;
+                                                phi_4395_ = _e2613;
+                                                phi_4396_ = _e2615;
+                                                phi_4397_ = _e2617;
+                                                phi_4398_ = _e2619;
+                                                phi_4399_ = _e2621;
+                                                phi_4400_ = _e2623;
                                             } else {
-                                                phi_4374_ = f32();
-                                                phi_4375_ = f32();
-                                                phi_4376_ = f32();
-                                                phi_4377_ = f32();
-                                                phi_4378_ = true;
-                                                phi_4379_ = false;
-                                                phi_4380_ = false;
-                                                phi_4381_ = false;
-                                                phi_4382_ = false;
+                                                phi_4392_ = f32();
+                                                phi_4393_ = f32();
+                                                phi_4394_ = f32();
+                                                phi_4395_ = f32();
+                                                phi_4396_ = true;
+                                                phi_4397_ = false;
+                                                phi_4398_ = false;
+                                                phi_4399_ = false;
+                                                phi_4400_ = false;
                                             }
-                                            let _e2618 = phi_4374_;
-                                            let _e2620 = phi_4375_;
-                                            let _e2622 = phi_4376_;
-                                            let _e2624 = phi_4377_;
-                                            let _e2626 = phi_4378_;
-                                            let _e2628 = phi_4379_;
-                                            let _e2630 = phi_4380_;
-                                            let _e2632 = phi_4381_;
-                                            let _e2634 = phi_4382_;
-                                            if _e2626 {
-                                                if (_e1556 <= _e1558) {
-                                                    let _e2787 = (_e1566 + 1u);
-                                                    let _e2788 = (_e2787 > 3u);
-                                                    phi_4717_ = _e2787;
-                                                    phi_4718_ = f32();
-                                                    phi_4719_ = false;
-                                                    phi_4720_ = select(true, false, _e2788);
-                                                    phi_4721_ = _e2788;
+                                            let _e2625 = phi_4392_;
+                                            let _e2627 = phi_4393_;
+                                            let _e2629 = phi_4394_;
+                                            let _e2631 = phi_4395_;
+                                            let _e2633 = phi_4396_;
+                                            let _e2635 = phi_4397_;
+                                            let _e2637 = phi_4398_;
+                                            let _e2639 = phi_4399_;
+                                            let _e2641 = phi_4400_;
+                                            if _e2633 {
+                                                if (_e1563 <= _e1565) {
+                                                    let _e2794 = (_e1573 + 1u);
+                                                    let _e2795 = (_e2794 > 3u);
+                                                    phi_4735_ = _e2794;
+                                                    phi_4736_ = f32();
+                                                    phi_4737_ = false;
+                                                    phi_4738_ = select(true, false, _e2795);
+                                                    phi_4739_ = _e2795;
                                                 } else {
-                                                    let _e2638 = local_3.member[0u];
-                                                    let _e2641 = local_3.member_1[0u];
-                                                    let _e2644 = local_3.member[0u];
-                                                    let _e2650 = local_3.member_2[0u];
-                                                    let _e2651 = ((_e2638 + ((_e2641 - _e2644) * _e1562)) - _e2650);
-                                                    let _e2654 = local_3.member[1u];
-                                                    let _e2657 = local_3.member_1[1u];
-                                                    let _e2660 = local_3.member[1u];
-                                                    let _e2666 = local_3.member_2[1u];
-                                                    let _e2667 = ((_e2654 + ((_e2657 - _e2660) * _e1562)) - _e2666);
-                                                    let _e2669 = select(_e2667, _e2651, (_e2651 < _e2667));
-                                                    let _e2672 = local_3.member[2u];
-                                                    let _e2675 = local_3.member_1[2u];
-                                                    let _e2678 = local_3.member[2u];
-                                                    let _e2684 = local_3.member_2[2u];
-                                                    let _e2685 = ((_e2672 + ((_e2675 - _e2678) * _e1562)) - _e2684);
-                                                    let _e2688 = local_3.member[3u];
-                                                    let _e2691 = local_3.member_1[3u];
-                                                    let _e2694 = local_3.member[3u];
-                                                    let _e2700 = local_3.member_2[3u];
-                                                    let _e2701 = ((_e2688 + ((_e2691 - _e2694) * _e1562)) - _e2700);
-                                                    let _e2703 = select(_e2701, _e2685, (_e2685 < _e2701));
-                                                    let _e2705 = select(_e2703, _e2669, (_e2669 < _e2703));
-                                                    let _e2708 = local_4.member[0u];
-                                                    let _e2711 = local_4.member_1[0u];
-                                                    let _e2714 = local_4.member[0u];
-                                                    let _e2720 = local_4.member_2[0u];
-                                                    let _e2721 = ((_e2708 + ((_e2711 - _e2714) * _e1556)) - _e2720);
-                                                    let _e2724 = local_4.member[1u];
-                                                    let _e2727 = local_4.member_1[1u];
-                                                    let _e2730 = local_4.member[1u];
-                                                    let _e2736 = local_4.member_2[1u];
-                                                    let _e2737 = ((_e2724 + ((_e2727 - _e2730) * _e1556)) - _e2736);
-                                                    let _e2739 = select(_e2737, _e2721, (_e2721 < _e2737));
-                                                    let _e2742 = local_4.member[2u];
-                                                    let _e2745 = local_4.member_1[2u];
-                                                    let _e2748 = local_4.member[2u];
-                                                    let _e2754 = local_4.member_2[2u];
-                                                    let _e2755 = ((_e2742 + ((_e2745 - _e2748) * _e1556)) - _e2754);
-                                                    let _e2758 = local_4.member[3u];
-                                                    let _e2761 = local_4.member_1[3u];
-                                                    let _e2764 = local_4.member[3u];
-                                                    let _e2770 = local_4.member_2[3u];
-                                                    let _e2771 = ((_e2758 + ((_e2761 - _e2764) * _e1556)) - _e2770);
-                                                    let _e2773 = select(_e2771, _e2755, (_e2755 < _e2771));
-                                                    let _e2775 = select(_e2773, _e2739, (_e2739 < _e2773));
-                                                    if (_e2775 > 0f) {
-                                                        phi_4715_ = 0.5f;
+                                                    let _e2645 = local_3.member[0u];
+                                                    let _e2648 = local_3.member_1[0u];
+                                                    let _e2651 = local_3.member[0u];
+                                                    let _e2657 = local_3.member_2[0u];
+                                                    let _e2658 = ((_e2645 + ((_e2648 - _e2651) * _e1569)) - _e2657);
+                                                    let _e2661 = local_3.member[1u];
+                                                    let _e2664 = local_3.member_1[1u];
+                                                    let _e2667 = local_3.member[1u];
+                                                    let _e2673 = local_3.member_2[1u];
+                                                    let _e2674 = ((_e2661 + ((_e2664 - _e2667) * _e1569)) - _e2673);
+                                                    let _e2676 = select(_e2674, _e2658, (_e2658 < _e2674));
+                                                    let _e2679 = local_3.member[2u];
+                                                    let _e2682 = local_3.member_1[2u];
+                                                    let _e2685 = local_3.member[2u];
+                                                    let _e2691 = local_3.member_2[2u];
+                                                    let _e2692 = ((_e2679 + ((_e2682 - _e2685) * _e1569)) - _e2691);
+                                                    let _e2695 = local_3.member[3u];
+                                                    let _e2698 = local_3.member_1[3u];
+                                                    let _e2701 = local_3.member[3u];
+                                                    let _e2707 = local_3.member_2[3u];
+                                                    let _e2708 = ((_e2695 + ((_e2698 - _e2701) * _e1569)) - _e2707);
+                                                    let _e2710 = select(_e2708, _e2692, (_e2692 < _e2708));
+                                                    let _e2712 = select(_e2710, _e2676, (_e2676 < _e2710));
+                                                    let _e2715 = local_4.member[0u];
+                                                    let _e2718 = local_4.member_1[0u];
+                                                    let _e2721 = local_4.member[0u];
+                                                    let _e2727 = local_4.member_2[0u];
+                                                    let _e2728 = ((_e2715 + ((_e2718 - _e2721) * _e1563)) - _e2727);
+                                                    let _e2731 = local_4.member[1u];
+                                                    let _e2734 = local_4.member_1[1u];
+                                                    let _e2737 = local_4.member[1u];
+                                                    let _e2743 = local_4.member_2[1u];
+                                                    let _e2744 = ((_e2731 + ((_e2734 - _e2737) * _e1563)) - _e2743);
+                                                    let _e2746 = select(_e2744, _e2728, (_e2728 < _e2744));
+                                                    let _e2749 = local_4.member[2u];
+                                                    let _e2752 = local_4.member_1[2u];
+                                                    let _e2755 = local_4.member[2u];
+                                                    let _e2761 = local_4.member_2[2u];
+                                                    let _e2762 = ((_e2749 + ((_e2752 - _e2755) * _e1563)) - _e2761);
+                                                    let _e2765 = local_4.member[3u];
+                                                    let _e2768 = local_4.member_1[3u];
+                                                    let _e2771 = local_4.member[3u];
+                                                    let _e2777 = local_4.member_2[3u];
+                                                    let _e2778 = ((_e2765 + ((_e2768 - _e2771) * _e1563)) - _e2777);
+                                                    let _e2780 = select(_e2778, _e2762, (_e2762 < _e2778));
+                                                    let _e2782 = select(_e2780, _e2746, (_e2746 < _e2780));
+                                                    if (_e2782 > 0f) {
+                                                        phi_4733_ = 0.5f;
                                                     } else {
-                                                        let _e2779 = (0.95f * (_e2705 / (_e2705 - _e2775)));
-                                                        phi_4715_ = select(0.0625f, select(0.9f, _e2779, (_e2779 < 0.9f)), (_e2779 > 0.0625f));
+                                                        let _e2786 = (0.95f * (_e2712 / (_e2712 - _e2782)));
+                                                        phi_4733_ = select(0.0625f, select(0.9f, _e2786, (_e2786 < 0.9f)), (_e2786 > 0.0625f));
                                                     }
-                                                    let _e2785 = phi_4715_;
-                                                    phi_4717_ = u32();
-                                                    phi_4718_ = (_e1855 * _e2785);
-                                                    phi_4719_ = true;
-                                                    phi_4720_ = false;
-                                                    phi_4721_ = false;
+                                                    let _e2792 = phi_4733_;
+                                                    phi_4735_ = u32();
+                                                    phi_4736_ = (_e1862 * _e2792);
+                                                    phi_4737_ = true;
+                                                    phi_4738_ = false;
+                                                    phi_4739_ = false;
                                                 }
-                                                let _e2791 = phi_4717_;
-                                                let _e2793 = phi_4718_;
-                                                let _e2795 = phi_4719_;
-                                                let _e2797 = phi_4720_;
-                                                let _e2799 = phi_4721_;
-                                                phi_4722_ = _e2791;
-                                                phi_4723_ = _e1558;
-                                                phi_4724_ = _e2793;
-                                                phi_4725_ = _e1560;
-                                                phi_4726_ = _e1562;
-                                                phi_4727_ = _e1564;
-                                                phi_4728_ = _e1566;
-                                                phi_4729_ = _e2795;
-                                                phi_4730_ = _e2797;
-                                                phi_4731_ = _e2799;
-                                                phi_4732_ = false;
-                                                phi_4733_ = false;
-                                                phi_4734_ = false;
+                                                let _e2798 = phi_4735_;
+                                                let _e2800 = phi_4736_;
+                                                let _e2802 = phi_4737_;
+                                                let _e2804 = phi_4738_;
+                                                let _e2806 = phi_4739_;
+                                                phi_4740_ = _e2798;
+                                                phi_4741_ = _e1565;
+                                                phi_4742_ = _e2800;
+                                                phi_4743_ = _e1567;
+                                                phi_4744_ = _e1569;
+                                                phi_4745_ = _e1571;
+                                                phi_4746_ = _e1573;
+                                                phi_4747_ = _e2802;
+                                                phi_4748_ = _e2804;
+                                                phi_4749_ = _e2806;
+                                                phi_4750_ = false;
+                                                phi_4751_ = false;
+                                                phi_4752_ = false;
                                             } else {
-                                                phi_4722_ = u32();
-                                                phi_4723_ = _e2618;
-                                                phi_4724_ = _e2620;
-                                                phi_4725_ = _e2622;
-                                                phi_4726_ = _e1556;
-                                                phi_4727_ = true;
-                                                phi_4728_ = 0u;
-                                                phi_4729_ = _e2628;
-                                                phi_4730_ = false;
-                                                phi_4731_ = false;
-                                                phi_4732_ = _e2630;
-                                                phi_4733_ = _e2632;
-                                                phi_4734_ = _e2634;
+                                                phi_4740_ = u32();
+                                                phi_4741_ = _e2625;
+                                                phi_4742_ = _e2627;
+                                                phi_4743_ = _e2629;
+                                                phi_4744_ = _e1563;
+                                                phi_4745_ = true;
+                                                phi_4746_ = 0u;
+                                                phi_4747_ = _e2635;
+                                                phi_4748_ = false;
+                                                phi_4749_ = false;
+                                                phi_4750_ = _e2637;
+                                                phi_4751_ = _e2639;
+                                                phi_4752_ = _e2641;
                                             }
-                                            let _e2801 = phi_4722_;
-                                            let _e2803 = phi_4723_;
-                                            let _e2805 = phi_4724_;
-                                            let _e2807 = phi_4725_;
-                                            let _e2809 = phi_4726_;
-                                            let _e2811 = phi_4727_;
-                                            let _e2813 = phi_4728_;
-                                            let _e2815 = phi_4729_;
-                                            let _e2817 = phi_4730_;
-                                            let _e2819 = phi_4731_;
-                                            let _e2821 = phi_4732_;
-                                            let _e2823 = phi_4733_;
-                                            let _e2825 = phi_4734_;
-                                            if _e2815 {
-                                                let _e2826 = (_e2809 + _e2805);
-                                                let _e2828 = select(_e2803, _e2826, (_e2826 > _e2803));
-                                                let _e2830 = select(_e381, _e2828, (_e2828 < _e381));
-                                                let _e2833 = select(((_e2830 - _e2809) > _e1551), true, !(_e1564));
-                                                phi_4762_ = _e2830;
-                                                phi_4763_ = _e2803;
-                                                phi_4764_ = _e2807;
-                                                phi_4765_ = _e2809;
-                                                phi_4766_ = _e2811;
-                                                phi_4767_ = _e2813;
-                                                phi_4768_ = _e2833;
-                                                phi_4769_ = select(true, false, _e2833);
-                                                phi_4770_ = false;
-                                                phi_4771_ = false;
-                                                phi_4772_ = false;
-                                                phi_4773_ = false;
+                                            let _e2808 = phi_4740_;
+                                            let _e2810 = phi_4741_;
+                                            let _e2812 = phi_4742_;
+                                            let _e2814 = phi_4743_;
+                                            let _e2816 = phi_4744_;
+                                            let _e2818 = phi_4745_;
+                                            let _e2820 = phi_4746_;
+                                            let _e2822 = phi_4747_;
+                                            let _e2824 = phi_4748_;
+                                            let _e2826 = phi_4749_;
+                                            let _e2828 = phi_4750_;
+                                            let _e2830 = phi_4751_;
+                                            let _e2832 = phi_4752_;
+                                            if _e2822 {
+                                                let _e2833 = (_e2816 + _e2812);
+                                                let _e2835 = select(_e2810, _e2833, (_e2833 > _e2810));
+                                                let _e2837 = select(_e388, _e2835, (_e2835 < _e388));
+                                                let _e2840 = select(((_e2837 - _e2816) > _e1558), true, !(_e1571));
+                                                phi_4780_ = _e2837;
+                                                phi_4781_ = _e2810;
+                                                phi_4782_ = _e2814;
+                                                phi_4783_ = _e2816;
+                                                phi_4784_ = _e2818;
+                                                phi_4785_ = _e2820;
+                                                phi_4786_ = _e2840;
+                                                phi_4787_ = select(true, false, _e2840);
+                                                phi_4788_ = false;
+                                                phi_4789_ = false;
+                                                phi_4790_ = false;
+                                                phi_4791_ = false;
                                             } else {
-                                                phi_4762_ = _e1556;
-                                                phi_4763_ = _e1558;
-                                                phi_4764_ = _e1560;
-                                                phi_4765_ = _e1562;
-                                                phi_4766_ = _e1564;
-                                                phi_4767_ = _e2801;
-                                                phi_4768_ = _e2817;
-                                                phi_4769_ = false;
-                                                phi_4770_ = _e2819;
-                                                phi_4771_ = _e2821;
-                                                phi_4772_ = _e2823;
-                                                phi_4773_ = _e2825;
+                                                phi_4780_ = _e1563;
+                                                phi_4781_ = _e1565;
+                                                phi_4782_ = _e1567;
+                                                phi_4783_ = _e1569;
+                                                phi_4784_ = _e1571;
+                                                phi_4785_ = _e2808;
+                                                phi_4786_ = _e2824;
+                                                phi_4787_ = false;
+                                                phi_4788_ = _e2826;
+                                                phi_4789_ = _e2828;
+                                                phi_4790_ = _e2830;
+                                                phi_4791_ = _e2832;
                                             }
-                                            let _e2836 = phi_4762_;
-                                            let _e2838 = phi_4763_;
-                                            let _e2840 = phi_4764_;
-                                            let _e2842 = phi_4765_;
-                                            let _e2844 = phi_4766_;
-                                            let _e2846 = phi_4767_;
-                                            let _e2848 = phi_4768_;
-                                            let _e2850 = phi_4769_;
-                                            let _e2852 = phi_4770_;
-                                            let _e2854 = phi_4771_;
-                                            let _e2856 = phi_4772_;
-                                            let _e2858 = phi_4773_;
-                                            phi_2595_ = _e2836;
-                                            phi_2597_ = _e2838;
-                                            phi_2599_ = _e2840;
-                                            phi_2601_ = _e2842;
-                                            phi_2603_ = _e2844;
-                                            phi_2605_ = _e2846;
-                                            phi_4774_ = _e2803;
-                                            phi_4775_ = _e2624;
-                                            phi_4776_ = _e2848;
-                                            phi_4777_ = _e2850;
-                                            phi_4778_ = _e2852;
-                                            phi_4779_ = _e2854;
-                                            phi_4780_ = _e2856;
-                                            phi_4781_ = false;
-                                            phi_4782_ = _e2858;
+                                            let _e2843 = phi_4780_;
+                                            let _e2845 = phi_4781_;
+                                            let _e2847 = phi_4782_;
+                                            let _e2849 = phi_4783_;
+                                            let _e2851 = phi_4784_;
+                                            let _e2853 = phi_4785_;
+                                            let _e2855 = phi_4786_;
+                                            let _e2857 = phi_4787_;
+                                            let _e2859 = phi_4788_;
+                                            let _e2861 = phi_4789_;
+                                            let _e2863 = phi_4790_;
+                                            let _e2865 = phi_4791_;
+                                            phi_2613_ = _e2843;
+                                            phi_2615_ = _e2845;
+                                            phi_2617_ = _e2847;
+                                            phi_2619_ = _e2849;
+                                            phi_2621_ = _e2851;
+                                            phi_2623_ = _e2853;
+                                            phi_4792_ = _e2810;
+                                            phi_4793_ = _e2631;
+                                            phi_4794_ = _e2855;
+                                            phi_4795_ = _e2857;
+                                            phi_4796_ = _e2859;
+                                            phi_4797_ = _e2861;
+                                            phi_4798_ = _e2863;
+                                            phi_4799_ = false;
+                                            phi_4800_ = _e2865;
                                         } else {
-                                            phi_2595_ = f32();
-                                            phi_2597_ = f32();
-                                            phi_2599_ = f32();
-                                            phi_2601_ = f32();
-                                            phi_2603_ = bool();
-                                            phi_2605_ = u32();
-                                            phi_4774_ = f32();
-                                            phi_4775_ = f32();
-                                            phi_4776_ = false;
-                                            phi_4777_ = false;
-                                            phi_4778_ = false;
-                                            phi_4779_ = false;
-                                            phi_4780_ = false;
-                                            phi_4781_ = true;
-                                            phi_4782_ = false;
+                                            phi_2613_ = f32();
+                                            phi_2615_ = f32();
+                                            phi_2617_ = f32();
+                                            phi_2619_ = f32();
+                                            phi_2621_ = bool();
+                                            phi_2623_ = u32();
+                                            phi_4792_ = f32();
+                                            phi_4793_ = f32();
+                                            phi_4794_ = false;
+                                            phi_4795_ = false;
+                                            phi_4796_ = false;
+                                            phi_4797_ = false;
+                                            phi_4798_ = false;
+                                            phi_4799_ = true;
+                                            phi_4800_ = false;
                                         }
-                                        let _e2860 = phi_2595_;
-                                        let _e2862 = phi_2597_;
-                                        let _e2864 = phi_2599_;
-                                        let _e2866 = phi_2601_;
-                                        let _e2868 = phi_2603_;
-                                        let _e2870 = phi_2605_;
-                                        let _e2872 = phi_4774_;
-                                        let _e2874 = phi_4775_;
-                                        let _e2876 = phi_4776_;
-                                        let _e2878 = phi_4777_;
-                                        let _e2880 = phi_4778_;
-                                        let _e2882 = phi_4779_;
-                                        let _e2884 = phi_4780_;
-                                        let _e2886 = phi_4781_;
-                                        let _e2888 = phi_4782_;
-                                        local_9 = _e2878;
-                                        local_10 = _e2880;
-                                        local_11 = _e2878;
-                                        local_12 = _e2882;
-                                        local_13 = _e2878;
-                                        local_14 = _e2884;
-                                        local_15 = _e2878;
-                                        local_16 = _e2886;
-                                        local_17 = _e2878;
-                                        local_18 = _e2888;
-                                        local_20 = _e2878;
-                                        local_21 = _e2874;
-                                        local_22 = _e2872;
+                                        let _e2867 = phi_2613_;
+                                        let _e2869 = phi_2615_;
+                                        let _e2871 = phi_2617_;
+                                        let _e2873 = phi_2619_;
+                                        let _e2875 = phi_2621_;
+                                        let _e2877 = phi_2623_;
+                                        let _e2879 = phi_4792_;
+                                        let _e2881 = phi_4793_;
+                                        let _e2883 = phi_4794_;
+                                        let _e2885 = phi_4795_;
+                                        let _e2887 = phi_4796_;
+                                        let _e2889 = phi_4797_;
+                                        let _e2891 = phi_4798_;
+                                        let _e2893 = phi_4799_;
+                                        let _e2895 = phi_4800_;
+                                        local_9 = _e2885;
+                                        local_10 = _e2887;
+                                        local_11 = _e2885;
+                                        local_12 = _e2889;
+                                        local_13 = _e2885;
+                                        local_14 = _e2891;
+                                        local_15 = _e2885;
+                                        local_16 = _e2893;
+                                        local_17 = _e2885;
+                                        local_18 = _e2895;
+                                        local_20 = _e2885;
+                                        local_21 = _e2881;
+                                        local_22 = _e2879;
                                         continue;
                                         continuing {
-                                            phi_2591_ = type_9(select(_e1554.member, (_e1554.member + 1u), _e1569), select(_e1554.member_1, _e1554.member_1, _e1569));
-                                            phi_2594_ = _e2860;
-                                            phi_2596_ = _e2862;
-                                            phi_2598_ = _e2864;
-                                            phi_2600_ = _e2866;
-                                            phi_2602_ = _e2868;
-                                            phi_2604_ = _e2870;
-                                            break if !(_e2876);
+                                            phi_2609_ = type_9(select(_e1561.member, (_e1561.member + 1u), _e1576), select(_e1561.member_1, _e1561.member_1, _e1576));
+                                            phi_2612_ = _e2867;
+                                            phi_2614_ = _e2869;
+                                            phi_2616_ = _e2871;
+                                            phi_2618_ = _e2873;
+                                            phi_2620_ = _e2875;
+                                            phi_2622_ = _e2877;
+                                            break if !(_e2883);
                                         }
                                     }
-                                    let _e2891 = local_9;
-                                    let _e2893 = local_10;
-                                    let _e2894 = select(_e2893, false, _e2891);
-                                    let _e2896 = local_11;
-                                    let _e2898 = local_12;
-                                    let _e2901 = local_13;
-                                    let _e2903 = local_14;
-                                    let _e2906 = local_15;
-                                    let _e2908 = local_16;
-                                    let _e2911 = local_17;
-                                    let _e2913 = local_18;
-                                    let _e2919 = local_19;
-                                    let _e2921 = select(select(_e2898, false, _e2896), false, _e2894);
-                                    let _e2924 = local_20;
-                                    let _e2931 = select(select(select(_e2903, false, _e2901), false, _e2894), false, _e2921);
-                                    let _e2937 = local_21;
-                                    let _e2939 = local_22;
-                                    let _e2941 = select(select(select(_e2924, false, _e2894), false, _e2921), true, _e2931);
-                                    let _e2946 = local_23;
-                                    let _e2948 = select(select(select(select(select(_e2908, false, _e2906), false, _e2894), false, _e2921), false, _e2931), true, _e2941);
-                                    let _e2955 = select(select(select(select(select(select(_e2913, false, _e2911), false, _e2894), false, _e2921), false, _e2931), false, _e2941), false, _e2948);
-                                    let _e2960 = select(select(select(select(select(_e2894, true, _e2921), false, _e2931), false, _e2941), false, _e2948), true, _e2955);
-                                    phi_4849_ = select(select(type_33().member_1, select(_e2946, select(_e2939, _e2937, _e2931), _e2941), _e2948), select(select(select(type_33().member_1, _e2919, _e2894), type_33().member_1, _e2921), type_33().member_1, _e2955), _e2960);
-                                    phi_4850_ = (select(select(type_33().member, 1u, _e2948), select(select(select(type_33().member, 1u, _e2894), 0u, _e2921), 0u, _e2955), _e2960) != 0u);
+                                    let _e2898 = local_9;
+                                    let _e2900 = local_10;
+                                    let _e2901 = select(_e2900, false, _e2898);
+                                    let _e2903 = local_11;
+                                    let _e2905 = local_12;
+                                    let _e2908 = local_13;
+                                    let _e2910 = local_14;
+                                    let _e2913 = local_15;
+                                    let _e2915 = local_16;
+                                    let _e2918 = local_17;
+                                    let _e2920 = local_18;
+                                    let _e2926 = local_19;
+                                    let _e2928 = select(select(_e2905, false, _e2903), false, _e2901);
+                                    let _e2931 = local_20;
+                                    let _e2938 = select(select(select(_e2910, false, _e2908), false, _e2901), false, _e2928);
+                                    let _e2944 = local_21;
+                                    let _e2946 = local_22;
+                                    let _e2948 = select(select(select(_e2931, false, _e2901), false, _e2928), true, _e2938);
+                                    let _e2953 = local_23;
+                                    let _e2955 = select(select(select(select(select(_e2915, false, _e2913), false, _e2901), false, _e2928), false, _e2938), true, _e2948);
+                                    let _e2962 = select(select(select(select(select(select(_e2920, false, _e2918), false, _e2901), false, _e2928), false, _e2938), false, _e2948), false, _e2955);
+                                    let _e2967 = select(select(select(select(select(_e2901, true, _e2928), false, _e2938), false, _e2948), false, _e2955), true, _e2962);
+                                    phi_4867_ = select(select(type_34().member_1, select(_e2953, select(_e2946, _e2944, _e2938), _e2948), _e2955), select(select(select(type_34().member_1, _e2926, _e2901), type_34().member_1, _e2928), type_34().member_1, _e2962), _e2967);
+                                    phi_4868_ = (select(select(type_34().member, 1u, _e2955), select(select(select(type_34().member, 1u, _e2901), 0u, _e2928), 0u, _e2962), _e2967) != 0u);
                                 } else {
-                                    phi_4849_ = _e1318;
-                                    phi_4850_ = true;
+                                    phi_4867_ = _e1325;
+                                    phi_4868_ = true;
                                 }
-                                let _e2965 = phi_4849_;
-                                let _e2967 = phi_4850_;
-                                if _e2967 {
-                                    let _e2968 = (_e2965 > _e379);
-                                    if _e2968 {
-                                        phi_7015_ = f32();
-                                        phi_7016_ = u32();
-                                        phi_7017_ = f32();
-                                        phi_7018_ = type_35();
-                                        phi_7019_ = u32();
-                                        phi_7020_ = u32();
-                                        phi_7021_ = false;
-                                        phi_7022_ = false;
-                                        phi_7023_ = false;
+                                let _e2972 = phi_4867_;
+                                let _e2974 = phi_4868_;
+                                if _e2974 {
+                                    let _e2975 = (_e2972 > _e386);
+                                    if _e2975 {
+                                        phi_7033_ = f32();
+                                        phi_7034_ = u32();
+                                        phi_7035_ = f32();
+                                        phi_7036_ = type_36();
+                                        phi_7037_ = u32();
+                                        phi_7038_ = u32();
+                                        phi_7039_ = false;
+                                        phi_7040_ = false;
+                                        phi_7041_ = false;
                                     } else {
-                                        let _e2971 = local_5.member[0u];
-                                        let _e2977 = local_5.member[1u];
-                                        let _e2993 = local_5.member_1[0u];
-                                        let _e2999 = local_5.member_1[1u];
-                                        let _e3015 = local_5.member_2[0u];
-                                        let _e3021 = local_5.member_2[1u];
-                                        let _e3035 = function_3(array<f32, 3>((_e2971[0] + ((_e2977[0] - _e2971[0]) * _e1322)), (_e2971[1] + ((_e2977[1] - _e2971[1]) * _e1322)), (_e2971[2] + ((_e2977[2] - _e2971[2]) * _e1322))), array<f32, 3>((_e2993[0] + ((_e2999[0] - _e2993[0]) * _e1322)), (_e2993[1] + ((_e2999[1] - _e2993[1]) * _e1322)), (_e2993[2] + ((_e2999[2] - _e2993[2]) * _e1322))), array<f32, 3>((_e3015[0] + ((_e3021[0] - _e3015[0]) * _e1322)), (_e3015[1] + ((_e3021[1] - _e3015[1]) * _e1322)), (_e3015[2] + ((_e3021[2] - _e3015[2]) * _e1322))), _e224.member);
-                                        let _e3049 = ((select(_e3035[0], -(_e3035[0]), (_e3035[0] < 0f)) + select(_e3035[1], -(_e3035[1]), (_e3035[1] < 0f))) + select(_e3035[2], -(_e3035[2]), (_e3035[2] < 0f)));
-                                        let _e3052 = local_5.member[0u];
-                                        let _e3058 = local_5.member_1[0u];
-                                        let _e3064 = local_5.member_2[0u];
-                                        let _e3068 = (_e3052[0] - _e3058[0]);
-                                        let _e3069 = (_e3052[1] - _e3058[1]);
-                                        let _e3070 = (_e3052[2] - _e3058[2]);
-                                        let _e3071 = (_e224.member == 0u);
-                                        let _e3083 = local_5.member[1u];
-                                        let _e3089 = local_5.member_1[1u];
-                                        let _e3095 = local_5.member_2[1u];
-                                        let _e3099 = (_e3083[0] - _e3089[0]);
-                                        let _e3100 = (_e3083[1] - _e3089[1]);
-                                        let _e3101 = (_e3083[2] - _e3089[2]);
-                                        let _e3102 = (_e224.member == 0u);
-                                        let _e3114 = local_5.member[0u];
-                                        let _e3120 = select(_e3114[0], -(_e3114[0]), (_e3114[0] < 0f));
-                                        let _e3123 = select(_e3114[1], -(_e3114[1]), (_e3114[1] < 0f));
-                                        let _e3125 = select(_e3123, _e3120, (_e3120 > _e3123));
-                                        let _e3128 = select(_e3114[2], -(_e3114[2]), (_e3114[2] < 0f));
-                                        let _e3130 = select(_e3128, _e3125, (_e3125 > _e3128));
-                                        let _e3133 = local_5.member[1u];
-                                        let _e3139 = select(_e3133[0], -(_e3133[0]), (_e3133[0] < 0f));
-                                        let _e3142 = select(_e3133[1], -(_e3133[1]), (_e3133[1] < 0f));
-                                        let _e3144 = select(_e3142, _e3139, (_e3139 > _e3142));
-                                        let _e3147 = select(_e3133[2], -(_e3133[2]), (_e3133[2] < 0f));
-                                        let _e3149 = select(_e3147, _e3144, (_e3144 > _e3147));
-                                        let _e3153 = local_5.member_3;
-                                        let _e3157 = local_5.member_1[0u];
-                                        let _e3163 = select(_e3157[0], -(_e3157[0]), (_e3157[0] < 0f));
-                                        let _e3166 = select(_e3157[1], -(_e3157[1]), (_e3157[1] < 0f));
-                                        let _e3168 = select(_e3166, _e3163, (_e3163 > _e3166));
-                                        let _e3171 = select(_e3157[2], -(_e3157[2]), (_e3157[2] < 0f));
-                                        let _e3173 = select(_e3171, _e3168, (_e3168 > _e3171));
-                                        let _e3176 = local_5.member_1[1u];
-                                        let _e3182 = select(_e3176[0], -(_e3176[0]), (_e3176[0] < 0f));
-                                        let _e3185 = select(_e3176[1], -(_e3176[1]), (_e3176[1] < 0f));
-                                        let _e3187 = select(_e3185, _e3182, (_e3182 > _e3185));
-                                        let _e3190 = select(_e3176[2], -(_e3176[2]), (_e3176[2] < 0f));
-                                        let _e3192 = select(_e3190, _e3187, (_e3187 > _e3190));
-                                        let _e3196 = local_5.member_3;
-                                        let _e3200 = local_5.member_2[0u];
-                                        let _e3206 = select(_e3200[0], -(_e3200[0]), (_e3200[0] < 0f));
-                                        let _e3209 = select(_e3200[1], -(_e3200[1]), (_e3200[1] < 0f));
-                                        let _e3211 = select(_e3209, _e3206, (_e3206 > _e3209));
-                                        let _e3214 = select(_e3200[2], -(_e3200[2]), (_e3200[2] < 0f));
-                                        let _e3216 = select(_e3214, _e3211, (_e3211 > _e3214));
-                                        let _e3219 = local_5.member_2[1u];
-                                        let _e3225 = select(_e3219[0], -(_e3219[0]), (_e3219[0] < 0f));
-                                        let _e3228 = select(_e3219[1], -(_e3219[1]), (_e3219[1] < 0f));
-                                        let _e3230 = select(_e3228, _e3225, (_e3225 > _e3228));
-                                        let _e3233 = select(_e3219[2], -(_e3219[2]), (_e3219[2] < 0f));
-                                        let _e3235 = select(_e3233, _e3230, (_e3230 > _e3233));
-                                        let _e3239 = local_5.member_3;
+                                        let _e2978 = local_5.member[0u];
+                                        let _e2984 = local_5.member[1u];
+                                        let _e3000 = local_5.member_1[0u];
+                                        let _e3006 = local_5.member_1[1u];
+                                        let _e3022 = local_5.member_2[0u];
+                                        let _e3028 = local_5.member_2[1u];
+                                        let _e3042 = function_3(array<f32, 3>((_e2978[0] + ((_e2984[0] - _e2978[0]) * _e1329)), (_e2978[1] + ((_e2984[1] - _e2978[1]) * _e1329)), (_e2978[2] + ((_e2984[2] - _e2978[2]) * _e1329))), array<f32, 3>((_e3000[0] + ((_e3006[0] - _e3000[0]) * _e1329)), (_e3000[1] + ((_e3006[1] - _e3000[1]) * _e1329)), (_e3000[2] + ((_e3006[2] - _e3000[2]) * _e1329))), array<f32, 3>((_e3022[0] + ((_e3028[0] - _e3022[0]) * _e1329)), (_e3022[1] + ((_e3028[1] - _e3022[1]) * _e1329)), (_e3022[2] + ((_e3028[2] - _e3022[2]) * _e1329))), _e231.member);
+                                        let _e3056 = ((select(_e3042[0], -(_e3042[0]), (_e3042[0] < 0f)) + select(_e3042[1], -(_e3042[1]), (_e3042[1] < 0f))) + select(_e3042[2], -(_e3042[2]), (_e3042[2] < 0f)));
+                                        let _e3059 = local_5.member[0u];
+                                        let _e3065 = local_5.member_1[0u];
+                                        let _e3071 = local_5.member_2[0u];
+                                        let _e3075 = (_e3059[0] - _e3065[0]);
+                                        let _e3076 = (_e3059[1] - _e3065[1]);
+                                        let _e3077 = (_e3059[2] - _e3065[2]);
+                                        let _e3078 = (_e231.member == 0u);
+                                        let _e3090 = local_5.member[1u];
+                                        let _e3096 = local_5.member_1[1u];
+                                        let _e3102 = local_5.member_2[1u];
+                                        let _e3106 = (_e3090[0] - _e3096[0]);
+                                        let _e3107 = (_e3090[1] - _e3096[1]);
+                                        let _e3108 = (_e3090[2] - _e3096[2]);
+                                        let _e3109 = (_e231.member == 0u);
+                                        let _e3121 = local_5.member[0u];
+                                        let _e3127 = select(_e3121[0], -(_e3121[0]), (_e3121[0] < 0f));
+                                        let _e3130 = select(_e3121[1], -(_e3121[1]), (_e3121[1] < 0f));
+                                        let _e3132 = select(_e3130, _e3127, (_e3127 > _e3130));
+                                        let _e3135 = select(_e3121[2], -(_e3121[2]), (_e3121[2] < 0f));
+                                        let _e3137 = select(_e3135, _e3132, (_e3132 > _e3135));
+                                        let _e3140 = local_5.member[1u];
+                                        let _e3146 = select(_e3140[0], -(_e3140[0]), (_e3140[0] < 0f));
+                                        let _e3149 = select(_e3140[1], -(_e3140[1]), (_e3140[1] < 0f));
+                                        let _e3151 = select(_e3149, _e3146, (_e3146 > _e3149));
+                                        let _e3154 = select(_e3140[2], -(_e3140[2]), (_e3140[2] < 0f));
+                                        let _e3156 = select(_e3154, _e3151, (_e3151 > _e3154));
+                                        let _e3160 = local_5.member_3;
+                                        let _e3164 = local_5.member_1[0u];
+                                        let _e3170 = select(_e3164[0], -(_e3164[0]), (_e3164[0] < 0f));
+                                        let _e3173 = select(_e3164[1], -(_e3164[1]), (_e3164[1] < 0f));
+                                        let _e3175 = select(_e3173, _e3170, (_e3170 > _e3173));
+                                        let _e3178 = select(_e3164[2], -(_e3164[2]), (_e3164[2] < 0f));
+                                        let _e3180 = select(_e3178, _e3175, (_e3175 > _e3178));
+                                        let _e3183 = local_5.member_1[1u];
+                                        let _e3189 = select(_e3183[0], -(_e3183[0]), (_e3183[0] < 0f));
+                                        let _e3192 = select(_e3183[1], -(_e3183[1]), (_e3183[1] < 0f));
+                                        let _e3194 = select(_e3192, _e3189, (_e3189 > _e3192));
+                                        let _e3197 = select(_e3183[2], -(_e3183[2]), (_e3183[2] < 0f));
+                                        let _e3199 = select(_e3197, _e3194, (_e3194 > _e3197));
+                                        let _e3203 = local_5.member_3;
+                                        let _e3207 = local_5.member_2[0u];
+                                        let _e3213 = select(_e3207[0], -(_e3207[0]), (_e3207[0] < 0f));
+                                        let _e3216 = select(_e3207[1], -(_e3207[1]), (_e3207[1] < 0f));
+                                        let _e3218 = select(_e3216, _e3213, (_e3213 > _e3216));
+                                        let _e3221 = select(_e3207[2], -(_e3207[2]), (_e3207[2] < 0f));
+                                        let _e3223 = select(_e3221, _e3218, (_e3218 > _e3221));
+                                        let _e3226 = local_5.member_2[1u];
+                                        let _e3232 = select(_e3226[0], -(_e3226[0]), (_e3226[0] < 0f));
+                                        let _e3235 = select(_e3226[1], -(_e3226[1]), (_e3226[1] < 0f));
+                                        let _e3237 = select(_e3235, _e3232, (_e3232 > _e3235));
+                                        let _e3240 = select(_e3226[2], -(_e3226[2]), (_e3226[2] < 0f));
+                                        let _e3242 = select(_e3240, _e3237, (_e3237 > _e3240));
                                         let _e3246 = local_5.member_3;
-                                        local_1 = type_29(array<array<array<f32, 3>, 4>, 2>(array<array<f32, 3>, 4>(_e3052, array<f32, 3>(_e3068, _e3069, _e3070), array<f32, 3>((_e3052[0] - _e3064[0]), (_e3052[1] - _e3064[1]), (_e3052[2] - _e3064[2])), array<f32, 3>(select((_e3068 - _e3064[0]), _e3052[0], _e3071), select((_e3069 - _e3064[1]), _e3052[1], _e3071), select((_e3070 - _e3064[2]), _e3052[2], _e3071))), array<array<f32, 3>, 4>(_e3083, array<f32, 3>(_e3099, _e3100, _e3101), array<f32, 3>((_e3083[0] - _e3095[0]), (_e3083[1] - _e3095[1]), (_e3083[2] - _e3095[2])), array<f32, 3>(select((_e3099 - _e3095[0]), _e3083[0], _e3102), select((_e3100 - _e3095[1]), _e3083[1], _e3102), select((_e3101 - _e3095[2]), _e3083[2], _e3102)))), ((((((select(_e3149, _e3130, (_e3130 > _e3149)) + _e3153) + (select(_e3192, _e3173, (_e3173 > _e3192)) + _e3196)) + (select(_e3235, _e3216, (_e3216 > _e3235)) + _e3239)) * (0.000000059604645f * 16f)) + (_e3246 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)), _e608.member_1);
-                                        let _e3262 = local_1.member_1;
-                                        if (_e3049 > _e3262) {
-                                            if ((bitcast<u32>(_e3049) & 2139095040u) != 2139095040u) {
-                                                let _e3267 = (1f / _e3049);
-                                                let _e3269 = (_e3035[0] * _e3267);
-                                                let _e3271 = (_e3035[1] * _e3267);
-                                                let _e3273 = (_e3035[2] * _e3267);
-                                                let _e3278 = (((_e3269 * _e3269) + (_e3271 * _e3271)) + (_e3273 * _e3273));
-                                                if (_e3278 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_5527_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3278 > 0f));
+                                        let _e3253 = local_5.member_3;
+                                        local_1 = type_30(array<array<array<f32, 3>, 4>, 2>(array<array<f32, 3>, 4>(_e3059, array<f32, 3>(_e3075, _e3076, _e3077), array<f32, 3>((_e3059[0] - _e3071[0]), (_e3059[1] - _e3071[1]), (_e3059[2] - _e3071[2])), array<f32, 3>(select((_e3075 - _e3071[0]), _e3059[0], _e3078), select((_e3076 - _e3071[1]), _e3059[1], _e3078), select((_e3077 - _e3071[2]), _e3059[2], _e3078))), array<array<f32, 3>, 4>(_e3090, array<f32, 3>(_e3106, _e3107, _e3108), array<f32, 3>((_e3090[0] - _e3102[0]), (_e3090[1] - _e3102[1]), (_e3090[2] - _e3102[2])), array<f32, 3>(select((_e3106 - _e3102[0]), _e3090[0], _e3109), select((_e3107 - _e3102[1]), _e3090[1], _e3109), select((_e3108 - _e3102[2]), _e3090[2], _e3109)))), ((((((select(_e3156, _e3137, (_e3137 > _e3156)) + _e3160) + (select(_e3199, _e3180, (_e3180 > _e3199)) + _e3203)) + (select(_e3242, _e3223, (_e3223 > _e3242)) + _e3246)) * (0.000000059604645f * 16f)) + (_e3253 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)), _e615.member_1);
+                                        let _e3269 = local_1.member_1;
+                                        if (_e3056 > _e3269) {
+                                            if ((bitcast<u32>(_e3056) & 2139095040u) != 2139095040u) {
+                                                let _e3274 = (1f / _e3056);
+                                                let _e3276 = (_e3042[0] * _e3274);
+                                                let _e3278 = (_e3042[1] * _e3274);
+                                                let _e3280 = (_e3042[2] * _e3274);
+                                                let _e3285 = (((_e3276 * _e3276) + (_e3278 * _e3278)) + (_e3280 * _e3280));
+                                                if (_e3285 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_5545_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3285 > 0f));
                                                 } else {
-                                                    phi_5470_ = type_16(0i, 5i);
-                                                    phi_5473_ = bitcast<f32>(((bitcast<u32>(_e3278) >> bitcast<u32>(1i)) + 532369198u));
+                                                    phi_5488_ = type_14(0i, 5i);
+                                                    phi_5491_ = bitcast<f32>(((bitcast<u32>(_e3285) >> bitcast<u32>(1i)) + 532369198u));
                                                     loop {
-                                                        let _e3286 = phi_5470_;
-                                                        let _e3288 = phi_5473_;
-                                                        local_24 = _e3288;
-                                                        if (_e3286.member < _e3286.member_1) {
-                                                            let _e3295 = (_e3286.member + 1i);
-                                                            phi_5471_ = type_16(select(_e3295, type_17().member_1, select(false, true, ((false == (_e3295 > _e3286.member)) != false))), _e3286.member_1);
-                                                            phi_5514_ = type_17(1u, _e3286.member);
+                                                        let _e3293 = phi_5488_;
+                                                        let _e3295 = phi_5491_;
+                                                        local_24 = _e3295;
+                                                        if (_e3293.member < _e3293.member_1) {
+                                                            let _e3302 = (_e3293.member + 1i);
+                                                            phi_5489_ = type_14(select(_e3302, type_15().member_1, select(false, true, ((false == (_e3302 > _e3293.member)) != false))), _e3293.member_1);
+                                                            phi_5532_ = type_15(1u, _e3293.member);
                                                         } else {
-                                                            phi_5471_ = _e3286;
-                                                            phi_5514_ = type_17(0u, type_17().member_1);
+                                                            phi_5489_ = _e3293;
+                                                            phi_5532_ = type_15(0u, type_15().member_1);
                                                         }
-                                                        let _e3306 = phi_5471_;
-                                                        let _e3308 = phi_5514_;
-                                                        let _e3311 = (bitcast<i32>(_e3308.member) != 0i);
-                                                        if _e3311 {
-                                                            phi_5474_ = (0.5f * (_e3288 + (_e3278 / _e3288)));
+                                                        let _e3313 = phi_5489_;
+                                                        let _e3315 = phi_5532_;
+                                                        let _e3318 = (bitcast<i32>(_e3315.member) != 0i);
+                                                        if _e3318 {
+                                                            phi_5492_ = (0.5f * (_e3295 + (_e3285 / _e3295)));
                                                         } else {
-                                                            phi_5474_ = f32();
+                                                            phi_5492_ = f32();
                                                         }
-                                                        let _e3316 = phi_5474_;
+                                                        let _e3323 = phi_5492_;
                                                         continue;
                                                         continuing {
-                                                            phi_5470_ = _e3306;
-                                                            phi_5473_ = _e3316;
-                                                            break if !(_e3311);
+                                                            phi_5488_ = _e3313;
+                                                            phi_5491_ = _e3323;
+                                                            break if !(_e3318);
                                                         }
                                                     }
-                                                    let _e3321 = local_24;
-                                                    phi_5527_ = (_e3321 * (1f + (8f * 0.000000059604645f)));
+                                                    let _e3328 = local_24;
+                                                    phi_5545_ = (_e3328 * (1f + (8f * 0.000000059604645f)));
                                                 }
-                                                let _e3327 = phi_5527_;
-                                                let _e3328 = (0.000000059604645f * 12f);
-                                                let _e3330 = local_1.member_1;
-                                                let _e3333 = local_1.member_2;
-                                                let _e3337 = ((_e3330 * 1.01f) + ((_e3333 * _e3327) * (1f + _e3328)));
-                                                let _e3341 = local_1.member[0u][0u];
-                                                let _e3349 = (((_e3269 * _e3341[0]) + (_e3271 * _e3341[1])) + (_e3273 * _e3341[2]));
-                                                let _e3353 = local_1.member[0u][1u];
-                                                let _e3361 = (((_e3269 * _e3353[0]) + (_e3271 * _e3353[1])) + (_e3273 * _e3353[2]));
-                                                let _e3365 = local_1.member[0u][2u];
-                                                let _e3373 = (((_e3269 * _e3365[0]) + (_e3271 * _e3365[1])) + (_e3273 * _e3365[2]));
-                                                let _e3377 = local_1.member[0u][3u];
-                                                let _e3385 = (((_e3269 * _e3377[0]) + (_e3271 * _e3377[1])) + (_e3273 * _e3377[2]));
-                                                let _e3389 = local_1.member[1u][0u];
-                                                let _e3397 = (((_e3269 * _e3389[0]) + (_e3271 * _e3389[1])) + (_e3273 * _e3389[2]));
-                                                let _e3401 = local_1.member[1u][1u];
-                                                let _e3409 = (((_e3269 * _e3401[0]) + (_e3271 * _e3401[1])) + (_e3273 * _e3401[2]));
-                                                let _e3413 = local_1.member[1u][2u];
-                                                let _e3421 = (((_e3269 * _e3413[0]) + (_e3271 * _e3413[1])) + (_e3273 * _e3413[2]));
-                                                let _e3425 = local_1.member[1u][3u];
-                                                let _e3433 = (((_e3269 * _e3425[0]) + (_e3271 * _e3425[1])) + (_e3273 * _e3425[2]));
-                                                local_2 = type_30(array<f32, 4>(_e3349, _e3361, _e3373, _e3385), array<f32, 4>(_e3397, _e3409, _e3421, _e3433), array<f32, 4>((_e3337 + ((select(_e3349, -(_e3349), (_e3349 < 0f)) + select(_e3397, -(_e3397), (_e3397 < 0f))) * _e3328)), (_e3337 + ((select(_e3361, -(_e3361), (_e3361 < 0f)) + select(_e3409, -(_e3409), (_e3409 < 0f))) * _e3328)), (_e3337 + ((select(_e3373, -(_e3373), (_e3373 < 0f)) + select(_e3421, -(_e3421), (_e3421 < 0f))) * _e3328)), (_e3337 + ((select(_e3385, -(_e3385), (_e3385 < 0f)) + select(_e3433, -(_e3433), (_e3433 < 0f))) * _e3328))));
-                                                let _e3478 = (((_e3269 * _e3269) + (_e3271 * _e3271)) + (_e3273 * _e3273));
-                                                if (_e3478 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_5819_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3478 > 0f));
+                                                let _e3334 = phi_5545_;
+                                                let _e3335 = (0.000000059604645f * 12f);
+                                                let _e3337 = local_1.member_1;
+                                                let _e3340 = local_1.member_2;
+                                                let _e3344 = ((_e3337 * 1.01f) + ((_e3340 * _e3334) * (1f + _e3335)));
+                                                let _e3348 = local_1.member[0u][0u];
+                                                let _e3356 = (((_e3276 * _e3348[0]) + (_e3278 * _e3348[1])) + (_e3280 * _e3348[2]));
+                                                let _e3360 = local_1.member[0u][1u];
+                                                let _e3368 = (((_e3276 * _e3360[0]) + (_e3278 * _e3360[1])) + (_e3280 * _e3360[2]));
+                                                let _e3372 = local_1.member[0u][2u];
+                                                let _e3380 = (((_e3276 * _e3372[0]) + (_e3278 * _e3372[1])) + (_e3280 * _e3372[2]));
+                                                let _e3384 = local_1.member[0u][3u];
+                                                let _e3392 = (((_e3276 * _e3384[0]) + (_e3278 * _e3384[1])) + (_e3280 * _e3384[2]));
+                                                let _e3396 = local_1.member[1u][0u];
+                                                let _e3404 = (((_e3276 * _e3396[0]) + (_e3278 * _e3396[1])) + (_e3280 * _e3396[2]));
+                                                let _e3408 = local_1.member[1u][1u];
+                                                let _e3416 = (((_e3276 * _e3408[0]) + (_e3278 * _e3408[1])) + (_e3280 * _e3408[2]));
+                                                let _e3420 = local_1.member[1u][2u];
+                                                let _e3428 = (((_e3276 * _e3420[0]) + (_e3278 * _e3420[1])) + (_e3280 * _e3420[2]));
+                                                let _e3432 = local_1.member[1u][3u];
+                                                let _e3440 = (((_e3276 * _e3432[0]) + (_e3278 * _e3432[1])) + (_e3280 * _e3432[2]));
+                                                local_2 = type_31(array<f32, 4>(_e3356, _e3368, _e3380, _e3392), array<f32, 4>(_e3404, _e3416, _e3428, _e3440), array<f32, 4>((_e3344 + ((select(_e3356, -(_e3356), (_e3356 < 0f)) + select(_e3404, -(_e3404), (_e3404 < 0f))) * _e3335)), (_e3344 + ((select(_e3368, -(_e3368), (_e3368 < 0f)) + select(_e3416, -(_e3416), (_e3416 < 0f))) * _e3335)), (_e3344 + ((select(_e3380, -(_e3380), (_e3380 < 0f)) + select(_e3428, -(_e3428), (_e3428 < 0f))) * _e3335)), (_e3344 + ((select(_e3392, -(_e3392), (_e3392 < 0f)) + select(_e3440, -(_e3440), (_e3440 < 0f))) * _e3335))));
+                                                let _e3485 = (((_e3276 * _e3276) + (_e3278 * _e3278)) + (_e3280 * _e3280));
+                                                if (_e3485 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_5837_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3485 > 0f));
                                                 } else {
-                                                    phi_5762_ = type_16(0i, 5i);
-                                                    phi_5765_ = bitcast<f32>(((bitcast<u32>(_e3478) >> bitcast<u32>(1i)) + 532369198u));
+                                                    phi_5780_ = type_14(0i, 5i);
+                                                    phi_5783_ = bitcast<f32>(((bitcast<u32>(_e3485) >> bitcast<u32>(1i)) + 532369198u));
                                                     loop {
-                                                        let _e3486 = phi_5762_;
-                                                        let _e3488 = phi_5765_;
-                                                        local_25 = _e3488;
-                                                        if (_e3486.member < _e3486.member_1) {
-                                                            let _e3495 = (_e3486.member + 1i);
-                                                            phi_5763_ = type_16(select(_e3495, type_17().member_1, select(false, true, ((false == (_e3495 > _e3486.member)) != false))), _e3486.member_1);
-                                                            phi_5806_ = type_17(1u, _e3486.member);
+                                                        let _e3493 = phi_5780_;
+                                                        let _e3495 = phi_5783_;
+                                                        local_25 = _e3495;
+                                                        if (_e3493.member < _e3493.member_1) {
+                                                            let _e3502 = (_e3493.member + 1i);
+                                                            phi_5781_ = type_14(select(_e3502, type_15().member_1, select(false, true, ((false == (_e3502 > _e3493.member)) != false))), _e3493.member_1);
+                                                            phi_5824_ = type_15(1u, _e3493.member);
                                                         } else {
-                                                            phi_5763_ = _e3486;
-                                                            phi_5806_ = type_17(0u, type_17().member_1);
+                                                            phi_5781_ = _e3493;
+                                                            phi_5824_ = type_15(0u, type_15().member_1);
                                                         }
-                                                        let _e3506 = phi_5763_;
-                                                        let _e3508 = phi_5806_;
-                                                        let _e3511 = (bitcast<i32>(_e3508.member) != 0i);
-                                                        if _e3511 {
-                                                            phi_5766_ = (0.5f * (_e3488 + (_e3478 / _e3488)));
+                                                        let _e3513 = phi_5781_;
+                                                        let _e3515 = phi_5824_;
+                                                        let _e3518 = (bitcast<i32>(_e3515.member) != 0i);
+                                                        if _e3518 {
+                                                            phi_5784_ = (0.5f * (_e3495 + (_e3485 / _e3495)));
                                                         } else {
-                                                            phi_5766_ = f32();
+                                                            phi_5784_ = f32();
                                                         }
-                                                        let _e3516 = phi_5766_;
+                                                        let _e3523 = phi_5784_;
                                                         continue;
                                                         continuing {
-                                                            phi_5762_ = _e3506;
-                                                            phi_5765_ = _e3516;
-                                                            break if !(_e3511);
+                                                            phi_5780_ = _e3513;
+                                                            phi_5783_ = _e3523;
+                                                            break if !(_e3518);
                                                         }
                                                     }
-                                                    let _e3521 = local_25;
-                                                    phi_5819_ = (_e3521 * (1f + (8f * 0.000000059604645f)));
+                                                    let _e3528 = local_25;
+                                                    phi_5837_ = (_e3528 * (1f + (8f * 0.000000059604645f)));
                                                 }
-                                                let _e3527 = phi_5819_;
-                                                let _e3538 = (((_e3035[0] * _e3035[0]) + (_e3035[1] * _e3035[1])) + (_e3035[2] * _e3035[2]));
-                                                if (_e3538 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_5908_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3538 > 0f));
+                                                let _e3534 = phi_5837_;
+                                                let _e3545 = (((_e3042[0] * _e3042[0]) + (_e3042[1] * _e3042[1])) + (_e3042[2] * _e3042[2]));
+                                                if (_e3545 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_5926_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3545 > 0f));
                                                 } else {
-                                                    phi_5851_ = type_16(0i, 5i);
-                                                    phi_5854_ = bitcast<f32>(((bitcast<u32>(_e3538) >> bitcast<u32>(1i)) + 532369198u));
+                                                    phi_5869_ = type_14(0i, 5i);
+                                                    phi_5872_ = bitcast<f32>(((bitcast<u32>(_e3545) >> bitcast<u32>(1i)) + 532369198u));
                                                     loop {
-                                                        let _e3546 = phi_5851_;
-                                                        let _e3548 = phi_5854_;
-                                                        local_26 = _e3548;
-                                                        if (_e3546.member < _e3546.member_1) {
-                                                            let _e3555 = (_e3546.member + 1i);
-                                                            phi_5852_ = type_16(select(_e3555, type_17().member_1, select(false, true, ((false == (_e3555 > _e3546.member)) != false))), _e3546.member_1);
-                                                            phi_5895_ = type_17(1u, _e3546.member);
+                                                        let _e3553 = phi_5869_;
+                                                        let _e3555 = phi_5872_;
+                                                        local_26 = _e3555;
+                                                        if (_e3553.member < _e3553.member_1) {
+                                                            let _e3562 = (_e3553.member + 1i);
+                                                            phi_5870_ = type_14(select(_e3562, type_15().member_1, select(false, true, ((false == (_e3562 > _e3553.member)) != false))), _e3553.member_1);
+                                                            phi_5913_ = type_15(1u, _e3553.member);
                                                         } else {
-                                                            phi_5852_ = _e3546;
-                                                            phi_5895_ = type_17(0u, type_17().member_1);
+                                                            phi_5870_ = _e3553;
+                                                            phi_5913_ = type_15(0u, type_15().member_1);
                                                         }
-                                                        let _e3566 = phi_5852_;
-                                                        let _e3568 = phi_5895_;
-                                                        let _e3571 = (bitcast<i32>(_e3568.member) != 0i);
-                                                        if _e3571 {
-                                                            phi_5855_ = (0.5f * (_e3548 + (_e3538 / _e3548)));
+                                                        let _e3573 = phi_5870_;
+                                                        let _e3575 = phi_5913_;
+                                                        let _e3578 = (bitcast<i32>(_e3575.member) != 0i);
+                                                        if _e3578 {
+                                                            phi_5873_ = (0.5f * (_e3555 + (_e3545 / _e3555)));
                                                         } else {
-                                                            phi_5855_ = f32();
+                                                            phi_5873_ = f32();
                                                         }
-                                                        let _e3576 = phi_5855_;
+                                                        let _e3583 = phi_5873_;
                                                         continue;
                                                         continuing {
-                                                            phi_5851_ = _e3566;
-                                                            phi_5854_ = _e3576;
-                                                            break if !(_e3571);
+                                                            phi_5869_ = _e3573;
+                                                            phi_5872_ = _e3583;
+                                                            break if !(_e3578);
                                                         }
                                                     }
-                                                    let _e3581 = local_26;
-                                                    phi_5908_ = (_e3581 * (1f + (8f * 0.000000059604645f)));
+                                                    let _e3588 = local_26;
+                                                    phi_5926_ = (_e3588 * (1f + (8f * 0.000000059604645f)));
                                                 }
-                                                let _e3587 = phi_5908_;
-                                                let _e3593 = local_5.member[0u];
-                                                let _e3599 = select(_e3593[0], -(_e3593[0]), (_e3593[0] < 0f));
-                                                let _e3602 = select(_e3593[1], -(_e3593[1]), (_e3593[1] < 0f));
-                                                let _e3604 = select(_e3602, _e3599, (_e3599 > _e3602));
-                                                let _e3607 = select(_e3593[2], -(_e3593[2]), (_e3593[2] < 0f));
-                                                let _e3609 = select(_e3607, _e3604, (_e3604 > _e3607));
-                                                let _e3612 = local_5.member[1u];
-                                                let _e3618 = select(_e3612[0], -(_e3612[0]), (_e3612[0] < 0f));
-                                                let _e3621 = select(_e3612[1], -(_e3612[1]), (_e3612[1] < 0f));
-                                                let _e3623 = select(_e3621, _e3618, (_e3618 > _e3621));
-                                                let _e3626 = select(_e3612[2], -(_e3612[2]), (_e3612[2] < 0f));
-                                                let _e3628 = select(_e3626, _e3623, (_e3623 > _e3626));
-                                                let _e3632 = local_5.member_3;
-                                                let _e3636 = local_5.member_1[0u];
-                                                let _e3642 = select(_e3636[0], -(_e3636[0]), (_e3636[0] < 0f));
-                                                let _e3645 = select(_e3636[1], -(_e3636[1]), (_e3636[1] < 0f));
-                                                let _e3647 = select(_e3645, _e3642, (_e3642 > _e3645));
-                                                let _e3650 = select(_e3636[2], -(_e3636[2]), (_e3636[2] < 0f));
-                                                let _e3652 = select(_e3650, _e3647, (_e3647 > _e3650));
-                                                let _e3655 = local_5.member_1[1u];
-                                                let _e3661 = select(_e3655[0], -(_e3655[0]), (_e3655[0] < 0f));
-                                                let _e3664 = select(_e3655[1], -(_e3655[1]), (_e3655[1] < 0f));
-                                                let _e3666 = select(_e3664, _e3661, (_e3661 > _e3664));
-                                                let _e3669 = select(_e3655[2], -(_e3655[2]), (_e3655[2] < 0f));
-                                                let _e3671 = select(_e3669, _e3666, (_e3666 > _e3669));
-                                                let _e3675 = local_5.member_3;
-                                                let _e3679 = local_5.member_2[0u];
-                                                let _e3685 = select(_e3679[0], -(_e3679[0]), (_e3679[0] < 0f));
-                                                let _e3688 = select(_e3679[1], -(_e3679[1]), (_e3679[1] < 0f));
-                                                let _e3690 = select(_e3688, _e3685, (_e3685 > _e3688));
-                                                let _e3693 = select(_e3679[2], -(_e3679[2]), (_e3679[2] < 0f));
-                                                let _e3695 = select(_e3693, _e3690, (_e3690 > _e3693));
-                                                let _e3698 = local_5.member_2[1u];
-                                                let _e3704 = select(_e3698[0], -(_e3698[0]), (_e3698[0] < 0f));
-                                                let _e3707 = select(_e3698[1], -(_e3698[1]), (_e3698[1] < 0f));
-                                                let _e3709 = select(_e3707, _e3704, (_e3704 > _e3707));
-                                                let _e3712 = select(_e3698[2], -(_e3698[2]), (_e3698[2] < 0f));
-                                                let _e3714 = select(_e3712, _e3709, (_e3709 > _e3712));
-                                                let _e3718 = local_5.member_3;
+                                                let _e3594 = phi_5926_;
+                                                let _e3600 = local_5.member[0u];
+                                                let _e3606 = select(_e3600[0], -(_e3600[0]), (_e3600[0] < 0f));
+                                                let _e3609 = select(_e3600[1], -(_e3600[1]), (_e3600[1] < 0f));
+                                                let _e3611 = select(_e3609, _e3606, (_e3606 > _e3609));
+                                                let _e3614 = select(_e3600[2], -(_e3600[2]), (_e3600[2] < 0f));
+                                                let _e3616 = select(_e3614, _e3611, (_e3611 > _e3614));
+                                                let _e3619 = local_5.member[1u];
+                                                let _e3625 = select(_e3619[0], -(_e3619[0]), (_e3619[0] < 0f));
+                                                let _e3628 = select(_e3619[1], -(_e3619[1]), (_e3619[1] < 0f));
+                                                let _e3630 = select(_e3628, _e3625, (_e3625 > _e3628));
+                                                let _e3633 = select(_e3619[2], -(_e3619[2]), (_e3619[2] < 0f));
+                                                let _e3635 = select(_e3633, _e3630, (_e3630 > _e3633));
+                                                let _e3639 = local_5.member_3;
+                                                let _e3643 = local_5.member_1[0u];
+                                                let _e3649 = select(_e3643[0], -(_e3643[0]), (_e3643[0] < 0f));
+                                                let _e3652 = select(_e3643[1], -(_e3643[1]), (_e3643[1] < 0f));
+                                                let _e3654 = select(_e3652, _e3649, (_e3649 > _e3652));
+                                                let _e3657 = select(_e3643[2], -(_e3643[2]), (_e3643[2] < 0f));
+                                                let _e3659 = select(_e3657, _e3654, (_e3654 > _e3657));
+                                                let _e3662 = local_5.member_1[1u];
+                                                let _e3668 = select(_e3662[0], -(_e3662[0]), (_e3662[0] < 0f));
+                                                let _e3671 = select(_e3662[1], -(_e3662[1]), (_e3662[1] < 0f));
+                                                let _e3673 = select(_e3671, _e3668, (_e3668 > _e3671));
+                                                let _e3676 = select(_e3662[2], -(_e3662[2]), (_e3662[2] < 0f));
+                                                let _e3678 = select(_e3676, _e3673, (_e3673 > _e3676));
+                                                let _e3682 = local_5.member_3;
+                                                let _e3686 = local_5.member_2[0u];
+                                                let _e3692 = select(_e3686[0], -(_e3686[0]), (_e3686[0] < 0f));
+                                                let _e3695 = select(_e3686[1], -(_e3686[1]), (_e3686[1] < 0f));
+                                                let _e3697 = select(_e3695, _e3692, (_e3692 > _e3695));
+                                                let _e3700 = select(_e3686[2], -(_e3686[2]), (_e3686[2] < 0f));
+                                                let _e3702 = select(_e3700, _e3697, (_e3697 > _e3700));
+                                                let _e3705 = local_5.member_2[1u];
+                                                let _e3711 = select(_e3705[0], -(_e3705[0]), (_e3705[0] < 0f));
+                                                let _e3714 = select(_e3705[1], -(_e3705[1]), (_e3705[1] < 0f));
+                                                let _e3716 = select(_e3714, _e3711, (_e3711 > _e3714));
+                                                let _e3719 = select(_e3705[2], -(_e3705[2]), (_e3705[2] < 0f));
+                                                let _e3721 = select(_e3719, _e3716, (_e3716 > _e3719));
                                                 let _e3725 = local_5.member_3;
-                                                let _e3735 = ((((_e3587 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e3628, _e3609, (_e3609 > _e3628)) + _e3632) + (select(_e3671, _e3652, (_e3652 > _e3671)) + _e3675)) + (select(_e3714, _e3695, (_e3695 > _e3714)) + _e3718)) * (0.000000059604645f * 16f)) + (_e3725 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) * _e3527) * (1f + (0.000000059604645f * 64f)));
-                                                let _e3738 = local_2.member[0u];
-                                                let _e3741 = local_2.member_1[0u];
-                                                phi_6216_ = type_9(1u, 4u);
-                                                phi_6219_ = ((_e3738 + ((_e3741 - _e3738) * _e1322)) - ((_e3262 * 1.01f) + ((select(_e3738, -(_e3738), (_e3738 < 0f)) + select(_e3741, -(_e3741), (_e3741 < 0f))) * (0.000000059604645f * 12f))));
+                                                let _e3732 = local_5.member_3;
+                                                let _e3742 = ((((_e3594 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e3635, _e3616, (_e3616 > _e3635)) + _e3639) + (select(_e3678, _e3659, (_e3659 > _e3678)) + _e3682)) + (select(_e3721, _e3702, (_e3702 > _e3721)) + _e3725)) * (0.000000059604645f * 16f)) + (_e3732 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) * _e3534) * (1f + (0.000000059604645f * 64f)));
+                                                let _e3745 = local_2.member[0u];
+                                                let _e3748 = local_2.member_1[0u];
+                                                phi_6234_ = type_9(1u, 4u);
+                                                phi_6237_ = ((_e3745 + ((_e3748 - _e3745) * _e1329)) - ((_e3269 * 1.01f) + ((select(_e3745, -(_e3745), (_e3745 < 0f)) + select(_e3748, -(_e3748), (_e3748 < 0f))) * (0.000000059604645f * 12f))));
                                                 loop {
-                                                    let _e3758 = phi_6216_;
-                                                    let _e3760 = phi_6219_;
-                                                    local_27 = _e3760;
-                                                    local_28 = _e3760;
-                                                    let _e3763 = (_e3758.member < _e3758.member_1);
-                                                    let _e3774 = select(type_9().member_1, _e3758.member, _e3763);
-                                                    let _e3776 = (bitcast<i32>(select(0u, 1u, _e3763)) != 0i);
-                                                    if _e3776 {
-                                                        let _e3779 = local_2.member[_e3774];
-                                                        let _e3782 = local_2.member_1[_e3774];
-                                                        let _e3797 = ((_e3779 + ((_e3782 - _e3779) * _e1322)) - ((_e3262 * 1.01f) + ((select(_e3779, -(_e3779), (_e3779 < 0f)) + select(_e3782, -(_e3782), (_e3782 < 0f))) * (0.000000059604645f * 12f))));
-                                                        phi_6220_ = select(_e3797, _e3760, (_e3760 < _e3797));
+                                                    let _e3765 = phi_6234_;
+                                                    let _e3767 = phi_6237_;
+                                                    local_27 = _e3767;
+                                                    local_28 = _e3767;
+                                                    let _e3770 = (_e3765.member < _e3765.member_1);
+                                                    let _e3781 = select(type_9().member_1, _e3765.member, _e3770);
+                                                    let _e3783 = (bitcast<i32>(select(0u, 1u, _e3770)) != 0i);
+                                                    if _e3783 {
+                                                        let _e3786 = local_2.member[_e3781];
+                                                        let _e3789 = local_2.member_1[_e3781];
+                                                        let _e3804 = ((_e3786 + ((_e3789 - _e3786) * _e1329)) - ((_e3269 * 1.01f) + ((select(_e3786, -(_e3786), (_e3786 < 0f)) + select(_e3789, -(_e3789), (_e3789 < 0f))) * (0.000000059604645f * 12f))));
+                                                        phi_6238_ = select(_e3804, _e3767, (_e3767 < _e3804));
                                                     } else {
-                                                        phi_6220_ = f32();
+                                                        phi_6238_ = f32();
                                                     }
-                                                    let _e3801 = phi_6220_;
+                                                    let _e3808 = phi_6238_;
                                                     continue;
                                                     continuing {
-                                                        phi_6216_ = type_9(select(_e3758.member, (_e3758.member + 1u), _e3763), select(_e3758.member_1, _e3758.member_1, _e3763));
-                                                        phi_6219_ = _e3801;
-                                                        break if !(_e3776);
+                                                        phi_6234_ = type_9(select(_e3765.member, (_e3765.member + 1u), _e3770), select(_e3765.member_1, _e3765.member_1, _e3770));
+                                                        phi_6237_ = _e3808;
+                                                        break if !(_e3783);
                                                     }
                                                 }
-                                                let _e3804 = local_27;
-                                                if (_e3804 > 0f) {
-                                                    let _e3808 = local_28;
-                                                    let _e3811 = (((_e3735 - _e3808) / _e3735) * 2.02f);
-                                                    if (_e3811 <= 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_6375_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3811 > 0f));
+                                                let _e3811 = local_27;
+                                                if (_e3811 > 0f) {
+                                                    let _e3815 = local_28;
+                                                    let _e3818 = (((_e3742 - _e3815) / _e3742) * 2.02f);
+                                                    if (_e3818 <= 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_6393_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3818 > 0f));
                                                     } else {
-                                                        phi_6318_ = type_16(0i, 5i);
-                                                        phi_6321_ = bitcast<f32>(((bitcast<u32>(_e3811) >> bitcast<u32>(1i)) + 532369198u));
+                                                        phi_6336_ = type_14(0i, 5i);
+                                                        phi_6339_ = bitcast<f32>(((bitcast<u32>(_e3818) >> bitcast<u32>(1i)) + 532369198u));
                                                         loop {
-                                                            let _e3819 = phi_6318_;
-                                                            let _e3821 = phi_6321_;
-                                                            local_29 = _e3821;
-                                                            if (_e3819.member < _e3819.member_1) {
-                                                                let _e3828 = (_e3819.member + 1i);
-                                                                phi_6319_ = type_16(select(_e3828, type_17().member_1, select(false, true, ((false == (_e3828 > _e3819.member)) != false))), _e3819.member_1);
-                                                                phi_6362_ = type_17(1u, _e3819.member);
+                                                            let _e3826 = phi_6336_;
+                                                            let _e3828 = phi_6339_;
+                                                            local_29 = _e3828;
+                                                            if (_e3826.member < _e3826.member_1) {
+                                                                let _e3835 = (_e3826.member + 1i);
+                                                                phi_6337_ = type_14(select(_e3835, type_15().member_1, select(false, true, ((false == (_e3835 > _e3826.member)) != false))), _e3826.member_1);
+                                                                phi_6380_ = type_15(1u, _e3826.member);
                                                             } else {
-                                                                phi_6319_ = _e3819;
-                                                                phi_6362_ = type_17(0u, type_17().member_1);
+                                                                phi_6337_ = _e3826;
+                                                                phi_6380_ = type_15(0u, type_15().member_1);
                                                             }
-                                                            let _e3839 = phi_6319_;
-                                                            let _e3841 = phi_6362_;
-                                                            let _e3844 = (bitcast<i32>(_e3841.member) != 0i);
-                                                            if _e3844 {
-                                                                phi_6322_ = (0.5f * (_e3821 + (_e3811 / _e3821)));
+                                                            let _e3846 = phi_6337_;
+                                                            let _e3848 = phi_6380_;
+                                                            let _e3851 = (bitcast<i32>(_e3848.member) != 0i);
+                                                            if _e3851 {
+                                                                phi_6340_ = (0.5f * (_e3828 + (_e3818 / _e3828)));
                                                             } else {
-                                                                phi_6322_ = f32();
+                                                                phi_6340_ = f32();
                                                             }
-                                                            let _e3849 = phi_6322_;
+                                                            let _e3856 = phi_6340_;
                                                             continue;
                                                             continuing {
-                                                                phi_6318_ = _e3839;
-                                                                phi_6321_ = _e3849;
-                                                                break if !(_e3844);
+                                                                phi_6336_ = _e3846;
+                                                                phi_6339_ = _e3856;
+                                                                break if !(_e3851);
                                                             }
                                                         }
-                                                        let _e3854 = local_29;
-                                                        phi_6375_ = (_e3854 * (1f + (8f * 0.000000059604645f)));
+                                                        let _e3861 = local_29;
+                                                        phi_6393_ = (_e3861 * (1f + (8f * 0.000000059604645f)));
                                                     }
-                                                    let _e3860 = phi_6375_;
-                                                    let _e3862 = ((_e3860 * _e3527) * 1.01f);
-                                                    phi_6380_ = type_9(0u, 4u);
-                                                    phi_6383_ = 2f;
-                                                    phi_6385_ = true;
-                                                    phi_6387_ = true;
+                                                    let _e3867 = phi_6393_;
+                                                    let _e3869 = ((_e3867 * _e3534) * 1.01f);
+                                                    phi_6398_ = type_9(0u, 4u);
+                                                    phi_6401_ = 2f;
+                                                    phi_6403_ = true;
+                                                    phi_6405_ = true;
                                                     loop {
-                                                        let _e3864 = phi_6380_;
-                                                        let _e3866 = phi_6383_;
-                                                        let _e3868 = phi_6385_;
-                                                        let _e3870 = phi_6387_;
-                                                        local_30 = _e3866;
-                                                        local_31 = _e3866;
-                                                        local_32 = _e3868;
-                                                        local_33 = _e3870;
-                                                        local_34 = _e3870;
-                                                        local_35 = _e3870;
-                                                        local_60 = _e3870;
-                                                        local_36 = _e3870;
-                                                        let _e3873 = (_e3864.member < _e3864.member_1);
-                                                        let _e3884 = select(type_9().member_1, _e3864.member, _e3873);
-                                                        let _e3886 = (bitcast<i32>(select(0u, 1u, _e3873)) != 0i);
-                                                        if _e3886 {
-                                                            let _e3890 = local_1.member[0u][_e3884];
-                                                            let _e3897 = local_1.member[1u][_e3884];
-                                                            let _e3911 = ((select(_e3890[0], -(_e3890[0]), (_e3890[0] < 0f)) + select(_e3890[1], -(_e3890[1]), (_e3890[1] < 0f))) + select(_e3890[2], -(_e3890[2]), (_e3890[2] < 0f)));
-                                                            let _e3922 = ((select(_e3897[0], -(_e3897[0]), (_e3897[0] < 0f)) + select(_e3897[1], -(_e3897[1]), (_e3897[1] < 0f))) + select(_e3897[2], -(_e3897[2]), (_e3897[2] < 0f)));
-                                                            let _e3928 = (_e3897[0] - _e3890[0]);
-                                                            let _e3929 = (_e3897[1] - _e3890[1]);
-                                                            let _e3930 = (_e3897[2] - _e3890[2]);
-                                                            let _e3947 = local_2.member[_e3884];
-                                                            let _e3950 = local_2.member_1[_e3884];
-                                                            let _e3961 = ((_e3262 * 1.01f) + ((select(_e3947, -(_e3947), (_e3947 < 0f)) + select(_e3950, -(_e3950), (_e3950 < 0f))) * (0.000000059604645f * 12f)));
-                                                            let _e3968 = local_2.member_1[_e3884];
-                                                            let _e3971 = local_2.member[_e3884];
-                                                            let _e3972 = (_e3968 - _e3971);
-                                                            let _e3975 = ((_e3961 + _e3961) + (_e3862 * ((((select(_e3928, -(_e3928), (_e3928 < 0f)) + select(_e3929, -(_e3929), (_e3929 < 0f))) + select(_e3930, -(_e3930), (_e3930 < 0f))) + (_e3262 * 6f)) * 1.01f)));
-                                                            let _e3978 = ((((_e3947 + ((_e3950 - _e3947) * _e1322)) - _e3961) - (_e3862 * ((select(_e3922, _e3911, (_e3911 > _e3922)) + (_e3262 * 3f)) * 1.01f))) - _e3735);
-                                                            let _e3979 = (_e3978 > 0.000000000000000000000000000000000000011754944f);
-                                                            let _e3980 = (_e3972 > _e3975);
-                                                            if _e3980 {
-                                                                phi_6618_ = _e3866;
+                                                        let _e3871 = phi_6398_;
+                                                        let _e3873 = phi_6401_;
+                                                        let _e3875 = phi_6403_;
+                                                        let _e3877 = phi_6405_;
+                                                        local_30 = _e3873;
+                                                        local_31 = _e3873;
+                                                        local_32 = _e3875;
+                                                        local_33 = _e3877;
+                                                        local_34 = _e3877;
+                                                        local_35 = _e3877;
+                                                        local_60 = _e3877;
+                                                        local_36 = _e3877;
+                                                        let _e3880 = (_e3871.member < _e3871.member_1);
+                                                        let _e3891 = select(type_9().member_1, _e3871.member, _e3880);
+                                                        let _e3893 = (bitcast<i32>(select(0u, 1u, _e3880)) != 0i);
+                                                        if _e3893 {
+                                                            let _e3897 = local_1.member[0u][_e3891];
+                                                            let _e3904 = local_1.member[1u][_e3891];
+                                                            let _e3918 = ((select(_e3897[0], -(_e3897[0]), (_e3897[0] < 0f)) + select(_e3897[1], -(_e3897[1]), (_e3897[1] < 0f))) + select(_e3897[2], -(_e3897[2]), (_e3897[2] < 0f)));
+                                                            let _e3929 = ((select(_e3904[0], -(_e3904[0]), (_e3904[0] < 0f)) + select(_e3904[1], -(_e3904[1]), (_e3904[1] < 0f))) + select(_e3904[2], -(_e3904[2]), (_e3904[2] < 0f)));
+                                                            let _e3935 = (_e3904[0] - _e3897[0]);
+                                                            let _e3936 = (_e3904[1] - _e3897[1]);
+                                                            let _e3937 = (_e3904[2] - _e3897[2]);
+                                                            let _e3954 = local_2.member[_e3891];
+                                                            let _e3957 = local_2.member_1[_e3891];
+                                                            let _e3968 = ((_e3269 * 1.01f) + ((select(_e3954, -(_e3954), (_e3954 < 0f)) + select(_e3957, -(_e3957), (_e3957 < 0f))) * (0.000000059604645f * 12f)));
+                                                            let _e3975 = local_2.member_1[_e3891];
+                                                            let _e3978 = local_2.member[_e3891];
+                                                            let _e3979 = (_e3975 - _e3978);
+                                                            let _e3982 = ((_e3968 + _e3968) + (_e3869 * ((((select(_e3935, -(_e3935), (_e3935 < 0f)) + select(_e3936, -(_e3936), (_e3936 < 0f))) + select(_e3937, -(_e3937), (_e3937 < 0f))) + (_e3269 * 6f)) * 1.01f)));
+                                                            let _e3985 = ((((_e3954 + ((_e3957 - _e3954) * _e1329)) - _e3968) - (_e3869 * ((select(_e3929, _e3918, (_e3918 > _e3929)) + (_e3269 * 3f)) * 1.01f))) - _e3742);
+                                                            let _e3986 = (_e3985 > 0.000000000000000000000000000000000000011754944f);
+                                                            let _e3987 = (_e3979 > _e3982);
+                                                            if _e3987 {
+                                                                phi_6636_ = _e3873;
                                                             } else {
-                                                                if _e3979 {
-                                                                    let _e3987 = (_e3975 - _e3972);
-                                                                    let _e3990 = (_e3978 / select(0.000000000000000000000000000000000000011754944f, _e3987, (_e3987 > 0.000000000000000000000000000000000000011754944f)));
-                                                                    phi_6617_ = select(_e3990, _e3866, (_e3866 < _e3990));
+                                                                if _e3986 {
+                                                                    let _e3994 = (_e3982 - _e3979);
+                                                                    let _e3997 = (_e3985 / select(0.000000000000000000000000000000000000011754944f, _e3994, (_e3994 > 0.000000000000000000000000000000000000011754944f)));
+                                                                    phi_6635_ = select(_e3997, _e3873, (_e3873 < _e3997));
                                                                 } else {
-                                                                    phi_6617_ = _e3866;
+                                                                    phi_6635_ = _e3873;
                                                                 }
-                                                                let _e3994 = phi_6617_;
-                                                                phi_6618_ = _e3994;
+                                                                let _e4001 = phi_6635_;
+                                                                phi_6636_ = _e4001;
                                                             }
-                                                            let _e3996 = phi_6618_;
-                                                            phi_6384_ = _e3996;
-                                                            phi_6386_ = (_e3868 && select(_e3979, true, (_e3972 < -(_e3975))));
-                                                            phi_6388_ = (_e3870 && select(_e3979, true, _e3980));
+                                                            let _e4003 = phi_6636_;
+                                                            phi_6402_ = _e4003;
+                                                            phi_6404_ = (_e3875 && select(_e3986, true, (_e3979 < -(_e3982))));
+                                                            phi_6406_ = (_e3877 && select(_e3986, true, _e3987));
                                                         } else {
-                                                            phi_6384_ = f32();
-                                                            phi_6386_ = bool();
-                                                            phi_6388_ = bool();
+                                                            phi_6402_ = f32();
+                                                            phi_6404_ = bool();
+                                                            phi_6406_ = bool();
                                                         }
-                                                        let _e3998 = phi_6384_;
-                                                        let _e4000 = phi_6386_;
-                                                        let _e4002 = phi_6388_;
+                                                        let _e4005 = phi_6402_;
+                                                        let _e4007 = phi_6404_;
+                                                        let _e4009 = phi_6406_;
                                                         continue;
                                                         continuing {
-                                                            phi_6380_ = type_9(select(_e3864.member, (_e3864.member + 1u), _e3873), select(_e3864.member_1, _e3864.member_1, _e3873));
-                                                            phi_6383_ = _e3998;
-                                                            phi_6385_ = _e4000;
-                                                            phi_6387_ = _e4002;
-                                                            break if !(_e3886);
+                                                            phi_6398_ = type_9(select(_e3871.member, (_e3871.member + 1u), _e3880), select(_e3871.member_1, _e3871.member_1, _e3880));
+                                                            phi_6401_ = _e4005;
+                                                            phi_6403_ = _e4007;
+                                                            phi_6405_ = _e4009;
+                                                            break if !(_e3893);
                                                         }
                                                     }
-                                                    let _e4005 = local_30;
-                                                    let _e4008 = local_31;
-                                                    let _e4010 = (select(2f, _e4008, (_e4005 < 2f)) * 0.999f);
-                                                    let _e4012 = local_32;
-                                                    if _e4012 {
-                                                        let _e4015 = local_33;
-                                                        let _e4019 = local_34;
-                                                        let _e4023 = local_35;
-                                                        phi_6633_ = type_35(select(1u, type_35().member, _e4015), select(_e1322, type_35().member_1, _e4019), select(2f, type_35().member_2, _e4023));
-                                                        let _e5175 = local_60;
-                                                        phi_6634_ = _e5175;
+                                                    let _e4012 = local_30;
+                                                    let _e4015 = local_31;
+                                                    let _e4017 = (select(2f, _e4015, (_e4012 < 2f)) * 0.999f);
+                                                    let _e4019 = local_32;
+                                                    if _e4019 {
+                                                        let _e4022 = local_33;
+                                                        let _e4026 = local_34;
+                                                        let _e4030 = local_35;
+                                                        phi_6651_ = type_36(select(1u, type_36().member, _e4022), select(_e1329, type_36().member_1, _e4026), select(2f, type_36().member_2, _e4030));
+                                                        let _e5184 = local_60;
+                                                        phi_6652_ = _e5184;
                                                     } else {
-                                                        phi_6633_ = type_35();
-                                                        phi_6634_ = true;
+                                                        phi_6651_ = type_36();
+                                                        phi_6652_ = true;
                                                     }
-                                                    let _e4027 = phi_6633_;
-                                                    let _e4029 = phi_6634_;
-                                                    if _e4029 {
-                                                        let _e4031 = local_36;
-                                                        if _e4031 {
-                                                            let _e4035 = (_e1322 + _e4010);
-                                                            let _e4038 = select(_e1322, select(_e381, _e4035, (_e4035 < _e381)), (_e4010 > (0.000000059604645f * 4096f)));
-                                                            phi_6655_ = type_9(0u, 4u);
-                                                            phi_6658_ = _e4038;
-                                                            phi_6660_ = _e1322;
+                                                    let _e4034 = phi_6651_;
+                                                    let _e4036 = phi_6652_;
+                                                    if _e4036 {
+                                                        let _e4038 = local_36;
+                                                        if _e4038 {
+                                                            let _e4042 = (_e1329 + _e4017);
+                                                            let _e4045 = select(_e1329, select(_e388, _e4042, (_e4042 < _e388)), (_e4017 > (0.000000059604645f * 4096f)));
+                                                            phi_6673_ = type_9(0u, 4u);
+                                                            phi_6676_ = _e4045;
+                                                            phi_6678_ = _e1329;
                                                             loop {
-                                                                let _e4040 = phi_6655_;
-                                                                let _e4042 = phi_6658_;
-                                                                let _e4044 = phi_6660_;
-                                                                local_37 = _e4042;
-                                                                local_38 = _e4044;
-                                                                local_39 = _e4044;
-                                                                let _e4047 = (_e4040.member < _e4040.member_1);
-                                                                let _e4058 = select(type_9().member_1, _e4040.member, _e4047);
-                                                                let _e4060 = (bitcast<i32>(select(0u, 1u, _e4047)) != 0i);
-                                                                if _e4060 {
-                                                                    let _e4063 = local_2.member[_e4058];
-                                                                    let _e4066 = local_2.member_1[_e4058];
-                                                                    let _e4069 = local_2.member[_e4058];
-                                                                    let _e4075 = local_2.member_2[_e4058];
-                                                                    let _e4076 = ((_e4063 + ((_e4066 - _e4069) * _e1322)) - _e4075);
-                                                                    let _e4079 = local_2.member_1[_e4058];
-                                                                    let _e4082 = local_2.member[_e4058];
-                                                                    let _e4083 = (_e4079 - _e4082);
-                                                                    if (_e4083 > 0f) {
-                                                                        let _e4096 = (_e1322 - (_e4076 / _e4083));
-                                                                        phi_6769_ = _e4042;
-                                                                        phi_6770_ = select(_e4096, _e4044, (_e4044 > _e4096));
+                                                                let _e4047 = phi_6673_;
+                                                                let _e4049 = phi_6676_;
+                                                                let _e4051 = phi_6678_;
+                                                                local_37 = _e4049;
+                                                                local_38 = _e4051;
+                                                                local_39 = _e4051;
+                                                                let _e4054 = (_e4047.member < _e4047.member_1);
+                                                                let _e4065 = select(type_9().member_1, _e4047.member, _e4054);
+                                                                let _e4067 = (bitcast<i32>(select(0u, 1u, _e4054)) != 0i);
+                                                                if _e4067 {
+                                                                    let _e4070 = local_2.member[_e4065];
+                                                                    let _e4073 = local_2.member_1[_e4065];
+                                                                    let _e4076 = local_2.member[_e4065];
+                                                                    let _e4082 = local_2.member_2[_e4065];
+                                                                    let _e4083 = ((_e4070 + ((_e4073 - _e4076) * _e1329)) - _e4082);
+                                                                    let _e4086 = local_2.member_1[_e4065];
+                                                                    let _e4089 = local_2.member[_e4065];
+                                                                    let _e4090 = (_e4086 - _e4089);
+                                                                    if (_e4090 > 0f) {
+                                                                        let _e4103 = (_e1329 - (_e4083 / _e4090));
+                                                                        phi_6787_ = _e4049;
+                                                                        phi_6788_ = select(_e4103, _e4051, (_e4051 > _e4103));
                                                                     } else {
-                                                                        if (_e4076 > 0f) {
-                                                                            if (_e4083 < 0f) {
-                                                                                let _e4088 = (_e1322 - (_e4076 / _e4083));
-                                                                                phi_6767_ = select(_e4088, _e4042, (_e4042 < _e4088));
+                                                                        if (_e4083 > 0f) {
+                                                                            if (_e4090 < 0f) {
+                                                                                let _e4095 = (_e1329 - (_e4083 / _e4090));
+                                                                                phi_6785_ = select(_e4095, _e4049, (_e4049 < _e4095));
                                                                             } else {
-                                                                                phi_6767_ = _e4042;
+                                                                                phi_6785_ = _e4049;
                                                                             }
-                                                                            let _e4092 = phi_6767_;
-                                                                            phi_6768_ = _e4092;
+                                                                            let _e4099 = phi_6785_;
+                                                                            phi_6786_ = _e4099;
                                                                         } else {
-                                                                            phi_6768_ = _e4042;
+                                                                            phi_6786_ = _e4049;
                                                                         }
-                                                                        let _e4094 = phi_6768_;
-                                                                        phi_6769_ = _e4094;
-                                                                        phi_6770_ = _e4044;
+                                                                        let _e4101 = phi_6786_;
+                                                                        phi_6787_ = _e4101;
+                                                                        phi_6788_ = _e4051;
                                                                     }
-                                                                    let _e4100 = phi_6769_;
-                                                                    let _e4102 = phi_6770_;
-                                                                    phi_6659_ = _e4100;
-                                                                    phi_6661_ = _e4102;
+                                                                    let _e4107 = phi_6787_;
+                                                                    let _e4109 = phi_6788_;
+                                                                    phi_6677_ = _e4107;
+                                                                    phi_6679_ = _e4109;
                                                                 } else {
-                                                                    phi_6659_ = f32();
-                                                                    phi_6661_ = f32();
+                                                                    phi_6677_ = f32();
+                                                                    phi_6679_ = f32();
                                                                 }
-                                                                let _e4104 = phi_6659_;
-                                                                let _e4106 = phi_6661_;
+                                                                let _e4111 = phi_6677_;
+                                                                let _e4113 = phi_6679_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_6655_ = type_9(select(_e4040.member, (_e4040.member + 1u), _e4047), select(_e4040.member_1, _e4040.member_1, _e4047));
-                                                                    phi_6658_ = _e4104;
-                                                                    phi_6660_ = _e4106;
-                                                                    break if !(_e4060);
+                                                                    phi_6673_ = type_9(select(_e4047.member, (_e4047.member + 1u), _e4054), select(_e4047.member_1, _e4047.member_1, _e4054));
+                                                                    phi_6676_ = _e4111;
+                                                                    phi_6678_ = _e4113;
+                                                                    break if !(_e4067);
                                                                 }
                                                             }
-                                                            let _e4109 = local_37;
-                                                            let _e4111 = local_38;
-                                                            let _e4115 = local_39;
-                                                            let _e4116 = (_e4115 + ((_e4109 - _e4111) * 0.5f));
-                                                            if (_e4116 > _e1322) {
-                                                                if (_e4116 <= _e4038) {
-                                                                    let _e4121 = local_2.member[0u];
-                                                                    let _e4124 = local_2.member_1[0u];
-                                                                    let _e4127 = local_2.member[0u];
-                                                                    let _e4133 = local_2.member_2[0u];
-                                                                    if (((_e4121 + ((_e4124 - _e4127) * _e4116)) - _e4133) > 0f) {
-                                                                        let _e4138 = local_2.member[1u];
-                                                                        let _e4141 = local_2.member_1[1u];
-                                                                        let _e4144 = local_2.member[1u];
-                                                                        let _e4150 = local_2.member_2[1u];
-                                                                        if (((_e4138 + ((_e4141 - _e4144) * _e4116)) - _e4150) > 0f) {
-                                                                            let _e4155 = local_2.member[2u];
-                                                                            let _e4158 = local_2.member_1[2u];
-                                                                            let _e4161 = local_2.member[2u];
-                                                                            let _e4167 = local_2.member_2[2u];
-                                                                            if (((_e4155 + ((_e4158 - _e4161) * _e4116)) - _e4167) > 0f) {
-                                                                                let _e4172 = local_2.member[3u];
-                                                                                let _e4175 = local_2.member_1[3u];
-                                                                                let _e4178 = local_2.member[3u];
-                                                                                let _e4184 = local_2.member_2[3u];
-                                                                                phi_6931_ = (((_e4172 + ((_e4175 - _e4178) * _e4116)) - _e4184) > 0f);
-                                                                                phi_6932_ = false;
+                                                            let _e4116 = local_37;
+                                                            let _e4118 = local_38;
+                                                            let _e4122 = local_39;
+                                                            let _e4123 = (_e4122 + ((_e4116 - _e4118) * 0.5f));
+                                                            if (_e4123 > _e1329) {
+                                                                if (_e4123 <= _e4045) {
+                                                                    let _e4128 = local_2.member[0u];
+                                                                    let _e4131 = local_2.member_1[0u];
+                                                                    let _e4134 = local_2.member[0u];
+                                                                    let _e4140 = local_2.member_2[0u];
+                                                                    if (((_e4128 + ((_e4131 - _e4134) * _e4123)) - _e4140) > 0f) {
+                                                                        let _e4145 = local_2.member[1u];
+                                                                        let _e4148 = local_2.member_1[1u];
+                                                                        let _e4151 = local_2.member[1u];
+                                                                        let _e4157 = local_2.member_2[1u];
+                                                                        if (((_e4145 + ((_e4148 - _e4151) * _e4123)) - _e4157) > 0f) {
+                                                                            let _e4162 = local_2.member[2u];
+                                                                            let _e4165 = local_2.member_1[2u];
+                                                                            let _e4168 = local_2.member[2u];
+                                                                            let _e4174 = local_2.member_2[2u];
+                                                                            if (((_e4162 + ((_e4165 - _e4168) * _e4123)) - _e4174) > 0f) {
+                                                                                let _e4179 = local_2.member[3u];
+                                                                                let _e4182 = local_2.member_1[3u];
+                                                                                let _e4185 = local_2.member[3u];
+                                                                                let _e4191 = local_2.member_2[3u];
+                                                                                phi_6949_ = (((_e4179 + ((_e4182 - _e4185) * _e4123)) - _e4191) > 0f);
+                                                                                phi_6950_ = false;
                                                                             } else {
-                                                                                phi_6931_ = bool();
-                                                                                phi_6932_ = true;
+                                                                                phi_6949_ = bool();
+                                                                                phi_6950_ = true;
                                                                             }
-                                                                            let _e4188 = phi_6931_;
-                                                                            let _e4190 = phi_6932_;
-                                                                            phi_6933_ = _e4188;
-                                                                            phi_6934_ = _e4190;
+                                                                            let _e4195 = phi_6949_;
+                                                                            let _e4197 = phi_6950_;
+                                                                            phi_6951_ = _e4195;
+                                                                            phi_6952_ = _e4197;
                                                                         } else {
-                                                                            phi_6933_ = bool();
-                                                                            phi_6934_ = true;
+                                                                            phi_6951_ = bool();
+                                                                            phi_6952_ = true;
                                                                         }
-                                                                        let _e4192 = phi_6933_;
-                                                                        let _e4194 = phi_6934_;
-                                                                        phi_6935_ = _e4192;
-                                                                        phi_6936_ = _e4194;
+                                                                        let _e4199 = phi_6951_;
+                                                                        let _e4201 = phi_6952_;
+                                                                        phi_6953_ = _e4199;
+                                                                        phi_6954_ = _e4201;
                                                                     } else {
-                                                                        phi_6935_ = bool();
-                                                                        phi_6936_ = true;
+                                                                        phi_6953_ = bool();
+                                                                        phi_6954_ = true;
                                                                     }
-                                                                    let _e4196 = phi_6935_;
-                                                                    let _e4198 = phi_6936_;
-                                                                    phi_6945_ = select(true, false, select(_e4196, false, _e4198));
+                                                                    let _e4203 = phi_6953_;
+                                                                    let _e4205 = phi_6954_;
+                                                                    phi_6963_ = select(true, false, select(_e4203, false, _e4205));
                                                                 } else {
-                                                                    phi_6945_ = true;
+                                                                    phi_6963_ = true;
                                                                 }
-                                                                let _e4202 = phi_6945_;
-                                                                phi_6946_ = _e4202;
+                                                                let _e4209 = phi_6963_;
+                                                                phi_6964_ = _e4209;
                                                             } else {
-                                                                phi_6946_ = true;
+                                                                phi_6964_ = true;
                                                             }
-                                                            let _e4204 = phi_6946_;
-                                                            phi_6953_ = type_35(2u, _e4038, select(_e4116, 2f, _e4204));
-                                                            phi_6954_ = type_35();
-                                                            phi_6955_ = false;
+                                                            let _e4211 = phi_6964_;
+                                                            phi_6971_ = type_36(2u, _e4045, select(_e4123, 2f, _e4211));
+                                                            phi_6972_ = type_36();
+                                                            phi_6973_ = false;
                                                         } else {
-                                                            phi_6953_ = type_35();
-                                                            phi_6954_ = type_35(0u, _e1322, 2f);
-                                                            phi_6955_ = true;
+                                                            phi_6971_ = type_36();
+                                                            phi_6972_ = type_36(0u, _e1329, 2f);
+                                                            phi_6973_ = true;
                                                         }
-                                                        let _e4208 = phi_6953_;
-                                                        let _e4210 = phi_6954_;
-                                                        let _e4212 = phi_6955_;
-                                                        phi_6956_ = _e4208;
-                                                        phi_6957_ = _e4210;
-                                                        phi_6958_ = _e4212;
+                                                        let _e4215 = phi_6971_;
+                                                        let _e4217 = phi_6972_;
+                                                        let _e4219 = phi_6973_;
+                                                        phi_6974_ = _e4215;
+                                                        phi_6975_ = _e4217;
+                                                        phi_6976_ = _e4219;
                                                     } else {
-                                                        phi_6956_ = type_35();
-                                                        phi_6957_ = _e4027;
-                                                        phi_6958_ = true;
+                                                        phi_6974_ = type_36();
+                                                        phi_6975_ = _e4034;
+                                                        phi_6976_ = true;
                                                     }
-                                                    let _e4214 = phi_6956_;
-                                                    let _e4216 = phi_6957_;
-                                                    let _e4218 = phi_6958_;
-                                                    phi_6963_ = _e4216;
-                                                    phi_6964_ = _e4214;
-                                                    phi_6965_ = _e4218;
+                                                    let _e4221 = phi_6974_;
+                                                    let _e4223 = phi_6975_;
+                                                    let _e4225 = phi_6976_;
+                                                    phi_6981_ = _e4223;
+                                                    phi_6982_ = _e4221;
+                                                    phi_6983_ = _e4225;
                                                 } else {
-                                                    phi_6963_ = type_35(0u, _e1322, 2f);
-                                                    phi_6964_ = type_35();
-                                                    phi_6965_ = true;
+                                                    phi_6981_ = type_36(0u, _e1329, 2f);
+                                                    phi_6982_ = type_36();
+                                                    phi_6983_ = true;
                                                 }
-                                                let _e4220 = phi_6963_;
-                                                let _e4222 = phi_6964_;
-                                                let _e4224 = phi_6965_;
-                                                phi_6969_ = _e4220;
-                                                phi_6970_ = _e4222;
-                                                phi_6971_ = false;
-                                                phi_6972_ = _e4224;
+                                                let _e4227 = phi_6981_;
+                                                let _e4229 = phi_6982_;
+                                                let _e4231 = phi_6983_;
+                                                phi_6987_ = _e4227;
+                                                phi_6988_ = _e4229;
+                                                phi_6989_ = false;
+                                                phi_6990_ = _e4231;
                                             } else {
-                                                phi_6969_ = type_35();
-                                                phi_6970_ = type_35();
-                                                phi_6971_ = true;
-                                                phi_6972_ = false;
+                                                phi_6987_ = type_36();
+                                                phi_6988_ = type_36();
+                                                phi_6989_ = true;
+                                                phi_6990_ = false;
                                             }
-                                            let _e4226 = phi_6969_;
-                                            let _e4228 = phi_6970_;
-                                            let _e4230 = phi_6971_;
-                                            let _e4232 = phi_6972_;
-                                            phi_6973_ = _e4226;
-                                            phi_6974_ = _e4228;
-                                            phi_6975_ = _e4230;
-                                            phi_6976_ = _e4232;
+                                            let _e4233 = phi_6987_;
+                                            let _e4235 = phi_6988_;
+                                            let _e4237 = phi_6989_;
+                                            let _e4239 = phi_6990_;
+                                            phi_6991_ = _e4233;
+                                            phi_6992_ = _e4235;
+                                            phi_6993_ = _e4237;
+                                            phi_6994_ = _e4239;
                                         } else {
-                                            phi_6973_ = type_35();
-                                            phi_6974_ = type_35();
-                                            phi_6975_ = true;
-                                            phi_6976_ = false;
+                                            phi_6991_ = type_36();
+                                            phi_6992_ = type_36();
+                                            phi_6993_ = true;
+                                            phi_6994_ = false;
                                         }
-                                        let _e4234 = phi_6973_;
-                                        let _e4236 = phi_6974_;
-                                        let _e4238 = phi_6975_;
-                                        let _e4240 = phi_6976_;
-                                        let _e4247 = select(_e4240, true, _e4238);
-                                        let _e4249 = select(_e4236.member, select(_e4234.member, 0u, _e4238), _e4247);
-                                        let _e4253 = select(_e4236.member_2, select(_e4234.member_2, 2f, _e4238), _e4247);
-                                        if select(false, _e373, ((_e383 & 64u) != 0u)) {
-                                            let _e4255 = (_e4249 == 2u);
-                                            let _e4256 = (_e4253 <= _e381);
-                                            phi_7010_ = select(f32(), select(f32(), _e4253, _e4256), _e4255);
-                                            phi_7011_ = select(f32(), select(f32(), _e4253, _e4256), _e4255);
-                                            phi_7012_ = select(false, _e4256, _e4255);
-                                            phi_7013_ = select(false, select(true, false, _e4256), _e4255);
-                                            phi_7014_ = select(true, false, _e4255);
+                                        let _e4241 = phi_6991_;
+                                        let _e4243 = phi_6992_;
+                                        let _e4245 = phi_6993_;
+                                        let _e4247 = phi_6994_;
+                                        let _e4254 = select(_e4247, true, _e4245);
+                                        let _e4256 = select(_e4243.member, select(_e4241.member, 0u, _e4245), _e4254);
+                                        let _e4260 = select(_e4243.member_2, select(_e4241.member_2, 2f, _e4245), _e4254);
+                                        if select(false, _e380, ((_e390 & 64u) != 0u)) {
+                                            let _e4262 = (_e4256 == 2u);
+                                            let _e4263 = (_e4260 <= _e388);
+                                            phi_7028_ = select(f32(), select(f32(), _e4260, _e4263), _e4262);
+                                            phi_7029_ = select(f32(), select(f32(), _e4260, _e4263), _e4262);
+                                            phi_7030_ = select(false, _e4263, _e4262);
+                                            phi_7031_ = select(false, select(true, false, _e4263), _e4262);
+                                            phi_7032_ = select(true, false, _e4262);
                                         } else {
-                                            phi_7010_ = f32();
-                                            phi_7011_ = f32();
-                                            phi_7012_ = false;
-                                            phi_7013_ = false;
-                                            phi_7014_ = true;
+                                            phi_7028_ = f32();
+                                            phi_7029_ = f32();
+                                            phi_7030_ = false;
+                                            phi_7031_ = false;
+                                            phi_7032_ = true;
                                         }
-                                        let _e4266 = phi_7010_;
-                                        let _e4268 = phi_7011_;
-                                        let _e4270 = phi_7012_;
-                                        let _e4272 = phi_7013_;
-                                        let _e4274 = phi_7014_;
-                                        phi_7015_ = _e4266;
-                                        phi_7016_ = _e4249;
-                                        phi_7017_ = _e4268;
-                                        phi_7018_ = type_35(_e4249, select(_e4236.member_1, select(_e4234.member_1, _e1322, _e4238), _e4247), _e4253);
-                                        phi_7019_ = _e4249;
-                                        phi_7020_ = _e4249;
-                                        phi_7021_ = _e4270;
-                                        phi_7022_ = _e4272;
-                                        phi_7023_ = _e4274;
+                                        let _e4273 = phi_7028_;
+                                        let _e4275 = phi_7029_;
+                                        let _e4277 = phi_7030_;
+                                        let _e4279 = phi_7031_;
+                                        let _e4281 = phi_7032_;
+                                        phi_7033_ = _e4273;
+                                        phi_7034_ = _e4256;
+                                        phi_7035_ = _e4275;
+                                        phi_7036_ = type_36(_e4256, select(_e4243.member_1, select(_e4241.member_1, _e1329, _e4245), _e4254), _e4260);
+                                        phi_7037_ = _e4256;
+                                        phi_7038_ = _e4256;
+                                        phi_7039_ = _e4277;
+                                        phi_7040_ = _e4279;
+                                        phi_7041_ = _e4281;
                                     }
-                                    let _e4276 = phi_7015_;
-                                    let _e4278 = phi_7016_;
-                                    let _e4280 = phi_7017_;
-                                    let _e4282 = phi_7018_;
-                                    let _e4284 = phi_7019_;
-                                    let _e4286 = phi_7020_;
-                                    let _e4288 = phi_7021_;
-                                    let _e4290 = phi_7022_;
-                                    let _e4292 = phi_7023_;
-                                    phi_7024_ = _e4276;
-                                    phi_7025_ = _e4278;
-                                    phi_7026_ = _e4280;
-                                    phi_7027_ = _e4282;
-                                    phi_7028_ = _e4284;
-                                    phi_7029_ = _e4286;
-                                    phi_7030_ = _e4288;
-                                    phi_7031_ = _e2968;
-                                    phi_7032_ = _e4290;
-                                    phi_7033_ = _e4292;
-                                    phi_7034_ = false;
+                                    let _e4283 = phi_7033_;
+                                    let _e4285 = phi_7034_;
+                                    let _e4287 = phi_7035_;
+                                    let _e4289 = phi_7036_;
+                                    let _e4291 = phi_7037_;
+                                    let _e4293 = phi_7038_;
+                                    let _e4295 = phi_7039_;
+                                    let _e4297 = phi_7040_;
+                                    let _e4299 = phi_7041_;
+                                    phi_7042_ = _e4283;
+                                    phi_7043_ = _e4285;
+                                    phi_7044_ = _e4287;
+                                    phi_7045_ = _e4289;
+                                    phi_7046_ = _e4291;
+                                    phi_7047_ = _e4293;
+                                    phi_7048_ = _e4295;
+                                    phi_7049_ = _e2975;
+                                    phi_7050_ = _e4297;
+                                    phi_7051_ = _e4299;
+                                    phi_7052_ = false;
                                 } else {
-                                    phi_7024_ = f32();
-                                    phi_7025_ = u32();
-                                    phi_7026_ = f32();
-                                    phi_7027_ = type_35();
-                                    phi_7028_ = u32();
-                                    phi_7029_ = u32();
-                                    phi_7030_ = false;
-                                    phi_7031_ = false;
-                                    phi_7032_ = false;
-                                    phi_7033_ = false;
-                                    phi_7034_ = true;
+                                    phi_7042_ = f32();
+                                    phi_7043_ = u32();
+                                    phi_7044_ = f32();
+                                    phi_7045_ = type_36();
+                                    phi_7046_ = u32();
+                                    phi_7047_ = u32();
+                                    phi_7048_ = false;
+                                    phi_7049_ = false;
+                                    phi_7050_ = false;
+                                    phi_7051_ = false;
+                                    phi_7052_ = true;
                                 }
-                                let _e4294 = phi_7024_;
-                                let _e4296 = phi_7025_;
-                                let _e4298 = phi_7026_;
-                                let _e4300 = phi_7027_;
-                                let _e4302 = phi_7028_;
-                                let _e4304 = phi_7029_;
-                                let _e4306 = phi_7030_;
-                                let _e4308 = phi_7031_;
-                                let _e4310 = phi_7032_;
-                                let _e4312 = phi_7033_;
-                                let _e4314 = phi_7034_;
-                                phi_7035_ = _e2965;
-                                phi_2110_ = _e4294;
-                                phi_2112_ = _e4296;
-                                phi_2114_ = _e4298;
-                                phi_7036_ = _e4300;
-                                phi_7037_ = _e4302;
-                                phi_7038_ = _e2965;
-                                phi_7039_ = _e4304;
-                                phi_7040_ = _e4306;
-                                phi_7041_ = _e4308;
-                                phi_7042_ = _e4310;
-                                phi_7043_ = _e4312;
-                                phi_7044_ = false;
-                                phi_7045_ = _e4314;
+                                let _e4301 = phi_7042_;
+                                let _e4303 = phi_7043_;
+                                let _e4305 = phi_7044_;
+                                let _e4307 = phi_7045_;
+                                let _e4309 = phi_7046_;
+                                let _e4311 = phi_7047_;
+                                let _e4313 = phi_7048_;
+                                let _e4315 = phi_7049_;
+                                let _e4317 = phi_7050_;
+                                let _e4319 = phi_7051_;
+                                let _e4321 = phi_7052_;
+                                phi_7053_ = _e2972;
+                                phi_2128_ = _e4301;
+                                phi_2130_ = _e4303;
+                                phi_2132_ = _e4305;
+                                phi_7054_ = _e4307;
+                                phi_7055_ = _e4309;
+                                phi_7056_ = _e2972;
+                                phi_7057_ = _e4311;
+                                phi_7058_ = _e4313;
+                                phi_7059_ = _e4315;
+                                phi_7060_ = _e4317;
+                                phi_7061_ = _e4319;
+                                phi_7062_ = false;
+                                phi_7063_ = _e4321;
                             } else {
-                                phi_7035_ = f32();
-                                phi_2110_ = f32();
-                                phi_2112_ = u32();
-                                phi_2114_ = f32();
-                                phi_7036_ = type_35();
-                                phi_7037_ = u32();
-                                phi_7038_ = f32();
-                                phi_7039_ = u32();
-                                phi_7040_ = false;
-                                phi_7041_ = false;
-                                phi_7042_ = false;
-                                phi_7043_ = false;
-                                phi_7044_ = true;
-                                phi_7045_ = false;
+                                phi_7053_ = f32();
+                                phi_2128_ = f32();
+                                phi_2130_ = u32();
+                                phi_2132_ = f32();
+                                phi_7054_ = type_36();
+                                phi_7055_ = u32();
+                                phi_7056_ = f32();
+                                phi_7057_ = u32();
+                                phi_7058_ = false;
+                                phi_7059_ = false;
+                                phi_7060_ = false;
+                                phi_7061_ = false;
+                                phi_7062_ = true;
+                                phi_7063_ = false;
                             }
-                            let _e4316 = phi_7035_;
-                            let _e4318 = phi_2110_;
-                            let _e4320 = phi_2112_;
-                            let _e4322 = phi_2114_;
-                            let _e4324 = phi_7036_;
-                            let _e4326 = phi_7037_;
-                            let _e4328 = phi_7038_;
-                            let _e4330 = phi_7039_;
-                            let _e4332 = phi_7040_;
-                            let _e4334 = phi_7041_;
-                            let _e4336 = phi_7042_;
-                            let _e4338 = phi_7043_;
-                            let _e4340 = phi_7044_;
-                            let _e4342 = phi_7045_;
-                            local_40 = _e4334;
-                            local_41 = _e4336;
-                            local_42 = _e4334;
-                            local_43 = _e4338;
-                            local_44 = _e4334;
-                            local_45 = _e4340;
-                            local_46 = _e4334;
-                            local_47 = _e4342;
-                            local_48 = _e4324;
-                            local_49 = _e4324;
-                            local_50 = _e4326;
-                            local_51 = _e4324;
-                            local_61 = _e4334;
-                            local_52 = _e4330;
-                            local_54 = _e4328;
-                            local_55 = _e4316;
+                            let _e4323 = phi_7053_;
+                            let _e4325 = phi_2128_;
+                            let _e4327 = phi_2130_;
+                            let _e4329 = phi_2132_;
+                            let _e4331 = phi_7054_;
+                            let _e4333 = phi_7055_;
+                            let _e4335 = phi_7056_;
+                            let _e4337 = phi_7057_;
+                            let _e4339 = phi_7058_;
+                            let _e4341 = phi_7059_;
+                            let _e4343 = phi_7060_;
+                            let _e4345 = phi_7061_;
+                            let _e4347 = phi_7062_;
+                            let _e4349 = phi_7063_;
+                            local_40 = _e4341;
+                            local_41 = _e4343;
+                            local_42 = _e4341;
+                            local_43 = _e4345;
+                            local_44 = _e4341;
+                            local_45 = _e4347;
+                            local_46 = _e4341;
+                            local_47 = _e4349;
+                            local_48 = _e4331;
+                            local_49 = _e4331;
+                            local_50 = _e4333;
+                            local_51 = _e4331;
+                            local_61 = _e4341;
+                            local_52 = _e4337;
+                            local_54 = _e4335;
+                            local_55 = _e4323;
                             continue;
                             continuing {
-                                phi_2106_ = _e1340;
-                                phi_2109_ = _e4318;
-                                phi_2111_ = _e4320;
-                                phi_2113_ = _e4322;
-                                break if !(_e4332);
+                                phi_2124_ = _e1347;
+                                phi_2127_ = _e4325;
+                                phi_2129_ = _e4327;
+                                phi_2131_ = _e4329;
+                                break if !(_e4339);
                             }
                         }
-                        let _e4345 = local_40;
-                        let _e4347 = local_41;
-                        let _e4348 = select(_e4347, false, _e4345);
-                        let _e4350 = local_42;
-                        let _e4352 = local_43;
-                        let _e4355 = local_44;
-                        let _e4357 = local_45;
-                        let _e4360 = local_46;
-                        let _e4362 = local_47;
-                        if _e4348 {
-                            let _e4365 = local_48;
-                            if (_e4365.member_1 >= _e381) {
-                                phi_7074_ = type_34(type_33(0u, f32()), 0u);
+                        let _e4352 = local_40;
+                        let _e4354 = local_41;
+                        let _e4355 = select(_e4354, false, _e4352);
+                        let _e4357 = local_42;
+                        let _e4359 = local_43;
+                        let _e4362 = local_44;
+                        let _e4364 = local_45;
+                        let _e4367 = local_46;
+                        let _e4369 = local_47;
+                        if _e4355 {
+                            let _e4372 = local_48;
+                            if (_e4372.member_1 >= _e388) {
+                                phi_7092_ = type_35(type_34(0u, f32()), 0u);
                             } else {
-                                let _e4369 = local_49;
-                                let _e4373 = local_50;
-                                let _e4376 = local_51;
-                                phi_7074_ = type_34(type_33(2u, _e4376.member_1), select(_e4373, 0u, (_e4369.member_1 > _e379)));
+                                let _e4376 = local_49;
+                                let _e4380 = local_50;
+                                let _e4383 = local_51;
+                                phi_7092_ = type_35(type_34(2u, _e4383.member_1), select(_e4380, 0u, (_e4376.member_1 > _e386)));
                             }
-                            let _e4383 = phi_7074_;
-                            phi_7075_ = _e4383;
-                            phi_7076_ = false;
-                            phi_7077_ = false;
-                            phi_7078_ = false;
-                            phi_7079_ = false;
+                            let _e4390 = phi_7092_;
+                            phi_7093_ = _e4390;
+                            phi_7094_ = false;
+                            phi_7095_ = false;
+                            phi_7096_ = false;
+                            phi_7097_ = false;
                         } else {
-                            phi_7075_ = type_34();
-                            phi_7076_ = select(_e4352, false, _e4350);
-                            let _e5270 = local_61;
-                            phi_7077_ = _e5270;
-                            phi_7078_ = select(_e4357, false, _e4355);
-                            phi_7079_ = select(_e4362, false, _e4360);
+                            phi_7093_ = type_35();
+                            phi_7094_ = select(_e4359, false, _e4357);
+                            let _e5279 = local_61;
+                            phi_7095_ = _e5279;
+                            phi_7096_ = select(_e4364, false, _e4362);
+                            phi_7097_ = select(_e4369, false, _e4367);
                         }
-                        let _e4385 = phi_7075_;
-                        let _e4387 = phi_7076_;
-                        let _e4389 = phi_7077_;
-                        let _e4391 = phi_7078_;
-                        let _e4393 = phi_7079_;
-                        let _e4395 = local_52;
-                        let _e4397 = local_53;
-                        let _e4400 = local_54;
-                        let _e4402 = local_55;
-                        let _e4404 = select(_e4389, true, _e4387);
-                        let _e4409 = local_56;
-                        let _e4410 = select(_e4409, select(_e4402, _e4400, _e4387), _e4404);
-                        let _e4412 = local_57;
-                        let _e4413 = select(_e4412, select(_e4397, _e4395, _e4387), _e4404);
-                        if select(select(_e4391, false, _e4387), true, _e4404) {
+                        let _e4392 = phi_7093_;
+                        let _e4394 = phi_7094_;
+                        let _e4396 = phi_7095_;
+                        let _e4398 = phi_7096_;
+                        let _e4400 = phi_7097_;
+                        let _e4402 = local_52;
+                        let _e4404 = local_53;
+                        let _e4407 = local_54;
+                        let _e4409 = local_55;
+                        let _e4411 = select(_e4396, true, _e4394);
+                        let _e4416 = local_56;
+                        let _e4417 = select(_e4416, select(_e4409, _e4407, _e4394), _e4411);
+                        let _e4419 = local_57;
+                        let _e4420 = select(_e4419, select(_e4404, _e4402, _e4394), _e4411);
+                        if select(select(_e4398, false, _e4394), true, _e4411) {
                             local[0u] = 0.01f;
                             local[1u] = 0f;
                             local[2u] = 0.8f;
-                            phi_7111_ = type_9(0u, 3u);
+                            phi_7129_ = type_9(0u, 3u);
                             loop {
-                                let _e4424 = phi_7111_;
-                                let _e4427 = (_e4424.member < _e4424.member_1);
-                                if (bitcast<i32>(select(0u, 1u, _e4427)) != 0i) {
-                                    let _e4442 = local[select(type_9().member_1, _e4424.member, _e4427)];
-                                    let _e4444 = (_e4410 + (select(0f, _e377, (_e377 >= (0.000000059604645f * 8f))) * _e4442));
-                                    let _e4446 = select(_e381, _e4444, (_e4444 < _e381));
-                                    let _e4449 = local_5.member[0u];
-                                    let _e4455 = local_5.member[1u];
-                                    let _e4471 = local_5.member_1[0u];
-                                    let _e4477 = local_5.member_1[1u];
-                                    let _e4493 = local_5.member_2[0u];
-                                    let _e4499 = local_5.member_2[1u];
-                                    let _e4513 = function_3(array<f32, 3>((_e4449[0] + ((_e4455[0] - _e4449[0]) * _e4446)), (_e4449[1] + ((_e4455[1] - _e4449[1]) * _e4446)), (_e4449[2] + ((_e4455[2] - _e4449[2]) * _e4446))), array<f32, 3>((_e4471[0] + ((_e4477[0] - _e4471[0]) * _e4446)), (_e4471[1] + ((_e4477[1] - _e4471[1]) * _e4446)), (_e4471[2] + ((_e4477[2] - _e4471[2]) * _e4446))), array<f32, 3>((_e4493[0] + ((_e4499[0] - _e4493[0]) * _e4446)), (_e4493[1] + ((_e4499[1] - _e4493[1]) * _e4446)), (_e4493[2] + ((_e4499[2] - _e4493[2]) * _e4446))), _e224.member);
-                                    let _e4524 = (((_e4513[0] * _e4513[0]) + (_e4513[1] * _e4513[1])) + (_e4513[2] * _e4513[2]));
-                                    if (_e4524 <= 0.000000000000000000000000000000000000011754944f) {
-                                        phi_7343_ = select(0f, (0.000000000000000000106433627f * 2f), (_e4524 > 0f));
+                                let _e4431 = phi_7129_;
+                                let _e4434 = (_e4431.member < _e4431.member_1);
+                                if (bitcast<i32>(select(0u, 1u, _e4434)) != 0i) {
+                                    let _e4449 = local[select(type_9().member_1, _e4431.member, _e4434)];
+                                    let _e4451 = (_e4417 + (select(0f, _e384, (_e384 >= (0.000000059604645f * 8f))) * _e4449));
+                                    let _e4453 = select(_e388, _e4451, (_e4451 < _e388));
+                                    let _e4456 = local_5.member[0u];
+                                    let _e4462 = local_5.member[1u];
+                                    let _e4478 = local_5.member_1[0u];
+                                    let _e4484 = local_5.member_1[1u];
+                                    let _e4500 = local_5.member_2[0u];
+                                    let _e4506 = local_5.member_2[1u];
+                                    let _e4520 = function_3(array<f32, 3>((_e4456[0] + ((_e4462[0] - _e4456[0]) * _e4453)), (_e4456[1] + ((_e4462[1] - _e4456[1]) * _e4453)), (_e4456[2] + ((_e4462[2] - _e4456[2]) * _e4453))), array<f32, 3>((_e4478[0] + ((_e4484[0] - _e4478[0]) * _e4453)), (_e4478[1] + ((_e4484[1] - _e4478[1]) * _e4453)), (_e4478[2] + ((_e4484[2] - _e4478[2]) * _e4453))), array<f32, 3>((_e4500[0] + ((_e4506[0] - _e4500[0]) * _e4453)), (_e4500[1] + ((_e4506[1] - _e4500[1]) * _e4453)), (_e4500[2] + ((_e4506[2] - _e4500[2]) * _e4453))), _e231.member);
+                                    let _e4531 = (((_e4520[0] * _e4520[0]) + (_e4520[1] * _e4520[1])) + (_e4520[2] * _e4520[2]));
+                                    if (_e4531 <= 0.000000000000000000000000000000000000011754944f) {
+                                        phi_7361_ = select(0f, (0.000000000000000000106433627f * 2f), (_e4531 > 0f));
                                     } else {
-                                        phi_7286_ = type_16(0i, 5i);
-                                        phi_7289_ = bitcast<f32>(((bitcast<u32>(_e4524) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_7304_ = type_14(0i, 5i);
+                                        phi_7307_ = bitcast<f32>(((bitcast<u32>(_e4531) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e4532 = phi_7286_;
-                                            let _e4534 = phi_7289_;
-                                            local_58 = _e4534;
-                                            if (_e4532.member < _e4532.member_1) {
-                                                let _e4541 = (_e4532.member + 1i);
-                                                phi_7287_ = type_16(select(_e4541, type_17().member_1, select(false, true, ((false == (_e4541 > _e4532.member)) != false))), _e4532.member_1);
-                                                phi_7330_ = type_17(1u, _e4532.member);
+                                            let _e4539 = phi_7304_;
+                                            let _e4541 = phi_7307_;
+                                            local_58 = _e4541;
+                                            if (_e4539.member < _e4539.member_1) {
+                                                let _e4548 = (_e4539.member + 1i);
+                                                phi_7305_ = type_14(select(_e4548, type_15().member_1, select(false, true, ((false == (_e4548 > _e4539.member)) != false))), _e4539.member_1);
+                                                phi_7348_ = type_15(1u, _e4539.member);
                                             } else {
-                                                phi_7287_ = _e4532;
-                                                phi_7330_ = type_17(0u, type_17().member_1);
+                                                phi_7305_ = _e4539;
+                                                phi_7348_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e4552 = phi_7287_;
-                                            let _e4554 = phi_7330_;
-                                            let _e4557 = (bitcast<i32>(_e4554.member) != 0i);
-                                            if _e4557 {
-                                                phi_7290_ = (0.5f * (_e4534 + (_e4524 / _e4534)));
+                                            let _e4559 = phi_7305_;
+                                            let _e4561 = phi_7348_;
+                                            let _e4564 = (bitcast<i32>(_e4561.member) != 0i);
+                                            if _e4564 {
+                                                phi_7308_ = (0.5f * (_e4541 + (_e4531 / _e4541)));
                                             } else {
-                                                phi_7290_ = f32();
+                                                phi_7308_ = f32();
                                             }
-                                            let _e4562 = phi_7290_;
+                                            let _e4569 = phi_7308_;
                                             continue;
                                             continuing {
-                                                phi_7286_ = _e4552;
-                                                phi_7289_ = _e4562;
-                                                break if !(_e4557);
+                                                phi_7304_ = _e4559;
+                                                phi_7307_ = _e4569;
+                                                break if !(_e4564);
                                             }
                                         }
-                                        let _e4567 = local_58;
-                                        phi_7343_ = (_e4567 * (1f + (8f * 0.000000059604645f)));
+                                        let _e4574 = local_58;
+                                        phi_7361_ = (_e4574 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e4573 = phi_7343_;
-                                    let _e4579 = local_5.member[0u];
-                                    let _e4585 = select(_e4579[0], -(_e4579[0]), (_e4579[0] < 0f));
-                                    let _e4588 = select(_e4579[1], -(_e4579[1]), (_e4579[1] < 0f));
-                                    let _e4590 = select(_e4588, _e4585, (_e4585 > _e4588));
-                                    let _e4593 = select(_e4579[2], -(_e4579[2]), (_e4579[2] < 0f));
-                                    let _e4595 = select(_e4593, _e4590, (_e4590 > _e4593));
-                                    let _e4598 = local_5.member[1u];
-                                    let _e4604 = select(_e4598[0], -(_e4598[0]), (_e4598[0] < 0f));
-                                    let _e4607 = select(_e4598[1], -(_e4598[1]), (_e4598[1] < 0f));
-                                    let _e4609 = select(_e4607, _e4604, (_e4604 > _e4607));
-                                    let _e4612 = select(_e4598[2], -(_e4598[2]), (_e4598[2] < 0f));
-                                    let _e4614 = select(_e4612, _e4609, (_e4609 > _e4612));
-                                    let _e4618 = local_5.member_3;
-                                    let _e4622 = local_5.member_1[0u];
-                                    let _e4628 = select(_e4622[0], -(_e4622[0]), (_e4622[0] < 0f));
-                                    let _e4631 = select(_e4622[1], -(_e4622[1]), (_e4622[1] < 0f));
-                                    let _e4633 = select(_e4631, _e4628, (_e4628 > _e4631));
-                                    let _e4636 = select(_e4622[2], -(_e4622[2]), (_e4622[2] < 0f));
-                                    let _e4638 = select(_e4636, _e4633, (_e4633 > _e4636));
-                                    let _e4641 = local_5.member_1[1u];
-                                    let _e4647 = select(_e4641[0], -(_e4641[0]), (_e4641[0] < 0f));
-                                    let _e4650 = select(_e4641[1], -(_e4641[1]), (_e4641[1] < 0f));
-                                    let _e4652 = select(_e4650, _e4647, (_e4647 > _e4650));
-                                    let _e4655 = select(_e4641[2], -(_e4641[2]), (_e4641[2] < 0f));
-                                    let _e4657 = select(_e4655, _e4652, (_e4652 > _e4655));
-                                    let _e4661 = local_5.member_3;
-                                    let _e4665 = local_5.member_2[0u];
-                                    let _e4671 = select(_e4665[0], -(_e4665[0]), (_e4665[0] < 0f));
-                                    let _e4674 = select(_e4665[1], -(_e4665[1]), (_e4665[1] < 0f));
-                                    let _e4676 = select(_e4674, _e4671, (_e4671 > _e4674));
-                                    let _e4679 = select(_e4665[2], -(_e4665[2]), (_e4665[2] < 0f));
-                                    let _e4681 = select(_e4679, _e4676, (_e4676 > _e4679));
-                                    let _e4684 = local_5.member_2[1u];
-                                    let _e4690 = select(_e4684[0], -(_e4684[0]), (_e4684[0] < 0f));
-                                    let _e4693 = select(_e4684[1], -(_e4684[1]), (_e4684[1] < 0f));
-                                    let _e4695 = select(_e4693, _e4690, (_e4690 > _e4693));
-                                    let _e4698 = select(_e4684[2], -(_e4684[2]), (_e4684[2] < 0f));
-                                    let _e4700 = select(_e4698, _e4695, (_e4695 > _e4698));
-                                    let _e4704 = local_5.member_3;
+                                    let _e4580 = phi_7361_;
+                                    let _e4586 = local_5.member[0u];
+                                    let _e4592 = select(_e4586[0], -(_e4586[0]), (_e4586[0] < 0f));
+                                    let _e4595 = select(_e4586[1], -(_e4586[1]), (_e4586[1] < 0f));
+                                    let _e4597 = select(_e4595, _e4592, (_e4592 > _e4595));
+                                    let _e4600 = select(_e4586[2], -(_e4586[2]), (_e4586[2] < 0f));
+                                    let _e4602 = select(_e4600, _e4597, (_e4597 > _e4600));
+                                    let _e4605 = local_5.member[1u];
+                                    let _e4611 = select(_e4605[0], -(_e4605[0]), (_e4605[0] < 0f));
+                                    let _e4614 = select(_e4605[1], -(_e4605[1]), (_e4605[1] < 0f));
+                                    let _e4616 = select(_e4614, _e4611, (_e4611 > _e4614));
+                                    let _e4619 = select(_e4605[2], -(_e4605[2]), (_e4605[2] < 0f));
+                                    let _e4621 = select(_e4619, _e4616, (_e4616 > _e4619));
+                                    let _e4625 = local_5.member_3;
+                                    let _e4629 = local_5.member_1[0u];
+                                    let _e4635 = select(_e4629[0], -(_e4629[0]), (_e4629[0] < 0f));
+                                    let _e4638 = select(_e4629[1], -(_e4629[1]), (_e4629[1] < 0f));
+                                    let _e4640 = select(_e4638, _e4635, (_e4635 > _e4638));
+                                    let _e4643 = select(_e4629[2], -(_e4629[2]), (_e4629[2] < 0f));
+                                    let _e4645 = select(_e4643, _e4640, (_e4640 > _e4643));
+                                    let _e4648 = local_5.member_1[1u];
+                                    let _e4654 = select(_e4648[0], -(_e4648[0]), (_e4648[0] < 0f));
+                                    let _e4657 = select(_e4648[1], -(_e4648[1]), (_e4648[1] < 0f));
+                                    let _e4659 = select(_e4657, _e4654, (_e4654 > _e4657));
+                                    let _e4662 = select(_e4648[2], -(_e4648[2]), (_e4648[2] < 0f));
+                                    let _e4664 = select(_e4662, _e4659, (_e4659 > _e4662));
+                                    let _e4668 = local_5.member_3;
+                                    let _e4672 = local_5.member_2[0u];
+                                    let _e4678 = select(_e4672[0], -(_e4672[0]), (_e4672[0] < 0f));
+                                    let _e4681 = select(_e4672[1], -(_e4672[1]), (_e4672[1] < 0f));
+                                    let _e4683 = select(_e4681, _e4678, (_e4678 > _e4681));
+                                    let _e4686 = select(_e4672[2], -(_e4672[2]), (_e4672[2] < 0f));
+                                    let _e4688 = select(_e4686, _e4683, (_e4683 > _e4686));
+                                    let _e4691 = local_5.member_2[1u];
+                                    let _e4697 = select(_e4691[0], -(_e4691[0]), (_e4691[0] < 0f));
+                                    let _e4700 = select(_e4691[1], -(_e4691[1]), (_e4691[1] < 0f));
+                                    let _e4702 = select(_e4700, _e4697, (_e4697 > _e4700));
+                                    let _e4705 = select(_e4691[2], -(_e4691[2]), (_e4691[2] < 0f));
+                                    let _e4707 = select(_e4705, _e4702, (_e4702 > _e4705));
                                     let _e4711 = local_5.member_3;
-                                    let _e4718 = (((_e4573 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e4614, _e4595, (_e4595 > _e4614)) + _e4618) + (select(_e4657, _e4638, (_e4638 > _e4657)) + _e4661)) + (select(_e4700, _e4681, (_e4681 > _e4700)) + _e4704)) * (0.000000059604645f * 16f)) + (_e4711 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e608.member_1);
-                                    phi_7614_ = select(true, false, _e4718);
-                                    phi_7615_ = _e4718;
+                                    let _e4718 = local_5.member_3;
+                                    let _e4725 = (((_e4580 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e4621, _e4602, (_e4602 > _e4621)) + _e4625) + (select(_e4664, _e4645, (_e4645 > _e4664)) + _e4668)) + (select(_e4707, _e4688, (_e4688 > _e4707)) + _e4711)) * (0.000000059604645f * 16f)) + (_e4718 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e615.member_1);
+                                    phi_7632_ = select(true, false, _e4725);
+                                    phi_7633_ = _e4725;
                                 } else {
-                                    phi_7614_ = false;
-                                    phi_7615_ = false;
+                                    phi_7632_ = false;
+                                    phi_7633_ = false;
                                 }
-                                let _e4721 = phi_7614_;
-                                let _e4723 = phi_7615_;
-                                local_59 = _e4723;
+                                let _e4728 = phi_7632_;
+                                let _e4730 = phi_7633_;
+                                local_59 = _e4730;
                                 continue;
                                 continuing {
-                                    phi_7111_ = type_9(select(_e4424.member, (_e4424.member + 1u), _e4427), select(_e4424.member_1, _e4424.member_1, _e4427));
-                                    break if !(_e4721);
+                                    phi_7129_ = type_9(select(_e4431.member, (_e4431.member + 1u), _e4434), select(_e4431.member_1, _e4431.member_1, _e4434));
+                                    break if !(_e4728);
                                 }
                             }
-                            let _e4726 = local_59;
-                            if _e4726 {
-                                phi_7627_ = type_34(type_33(1u, _e4410), select(_e4413, 1u, (_e4410 > _e379)));
-                                phi_7628_ = false;
+                            let _e4733 = local_59;
+                            if _e4733 {
+                                phi_7645_ = type_35(type_34(1u, _e4417), select(_e4420, 1u, (_e4417 > _e386)));
+                                phi_7646_ = false;
                             } else {
-                                phi_7627_ = type_34();
-                                phi_7628_ = true;
+                                phi_7645_ = type_35();
+                                phi_7646_ = true;
                             }
-                            let _e4732 = phi_7627_;
-                            let _e4734 = phi_7628_;
-                            if _e4734 {
-                                phi_7640_ = type_34(type_33(2u, _e4410), select(_e4413, 0u, (_e4410 > _e379)));
+                            let _e4739 = phi_7645_;
+                            let _e4741 = phi_7646_;
+                            if _e4741 {
+                                phi_7658_ = type_35(type_34(2u, _e4417), select(_e4420, 0u, (_e4417 > _e386)));
                             } else {
-                                phi_7640_ = _e4732;
+                                phi_7658_ = _e4739;
                             }
-                            let _e4740 = phi_7640_;
-                            phi_7641_ = _e4740;
-                            phi_7642_ = false;
-                            phi_7643_ = false;
+                            let _e4747 = phi_7658_;
+                            phi_7659_ = _e4747;
+                            phi_7660_ = false;
+                            phi_7661_ = false;
                         } else {
-                            phi_7641_ = type_34();
-                            phi_7642_ = select(select(_e4393, false, _e4387), false, _e4404);
-                            phi_7643_ = select(select(_e4348, false, _e4387), false, _e4404);
+                            phi_7659_ = type_35();
+                            phi_7660_ = select(select(_e4400, false, _e4394), false, _e4411);
+                            phi_7661_ = select(select(_e4355, false, _e4394), false, _e4411);
                         }
-                        let _e4742 = phi_7641_;
-                        let _e4744 = phi_7642_;
-                        let _e4746 = phi_7643_;
-                        if _e4744 {
-                            phi_7650_ = type_34(type_33(0u, f32()), 0u);
-                            phi_7651_ = true;
+                        let _e4749 = phi_7659_;
+                        let _e4751 = phi_7660_;
+                        let _e4753 = phi_7661_;
+                        if _e4751 {
+                            phi_7668_ = type_35(type_34(0u, f32()), 0u);
+                            phi_7669_ = true;
                         } else {
-                            phi_7650_ = _e4385;
-                            phi_7651_ = _e4746;
+                            phi_7668_ = _e4392;
+                            phi_7669_ = _e4753;
                         }
-                        let _e4750 = phi_7650_;
-                        let _e4752 = phi_7651_;
-                        phi_7655_ = _e4750;
-                        phi_7656_ = _e4742;
-                        phi_7657_ = _e4752;
+                        let _e4757 = phi_7668_;
+                        let _e4759 = phi_7669_;
+                        phi_7673_ = _e4757;
+                        phi_7674_ = _e4749;
+                        phi_7675_ = _e4759;
                     } else {
-                        phi_7655_ = _e1312;
-                        phi_7656_ = type_34();
-                        phi_7657_ = true;
+                        phi_7673_ = _e1319;
+                        phi_7674_ = type_35();
+                        phi_7675_ = true;
                     }
-                    let _e4754 = phi_7655_;
-                    let _e4756 = phi_7656_;
-                    let _e4758 = phi_7657_;
-                    if _e4758 {
-                        phi_7661_ = _e4754;
+                    let _e4761 = phi_7673_;
+                    let _e4763 = phi_7674_;
+                    let _e4765 = phi_7675_;
+                    if _e4765 {
+                        phi_7679_ = _e4761;
                     } else {
-                        phi_7661_ = _e4756;
+                        phi_7679_ = _e4763;
                     }
-                    let _e4760 = phi_7661_;
-                    switch bitcast<i32>(_e4760.member.member) {
+                    let _e4767 = phi_7679_;
+                    switch bitcast<i32>(_e4767.member.member) {
                         case 0: {
-                            phi_7679_ = type_31(0u, _e4760.member_1, array<u32, 2>(0u, 0u), false);
+                            phi_7697_ = type_32(0u, _e4767.member_1, array<u32, 2>(0u, 0u), false);
                             break;
                         }
                         case 1: {
-                            let _e4771 = function_(_e4760.member.member_1);
-                            phi_7679_ = type_31(0u, _e4760.member_1, _e4771, true);
+                            let _e4778 = function_(_e4767.member.member_1);
+                            phi_7697_ = type_32(0u, _e4767.member_1, _e4778, true);
                             break;
                         }
                         case 2: {
-                            let _e4767 = function_(_e4760.member.member_1);
-                            phi_7679_ = type_31(1u, _e4760.member_1, _e4767, true);
+                            let _e4774 = function_(_e4767.member.member_1);
+                            phi_7697_ = type_32(1u, _e4767.member_1, _e4774, true);
                             break;
                         }
                         default: {
-                            phi_7679_ = type_31();
+                            phi_7697_ = type_32();
                             break;
                         }
                     }
-                    let _e4775 = phi_7679_;
-                    let _e4779 = params.member.member.member_12;
-                    let _e4780 = bitcast<u32>(_e4779);
-                    if (_e4775.member_2[0] == select((_e4780 << bitcast<u32>(29i)), 0u, ((_e4780 & 2147483647u) < 8388608u))) {
-                        let _e4790 = params.member.member.member_12;
-                        let _e4791 = bitcast<u32>(_e4790);
-                        let _e4792 = (_e4791 & 2147483647u);
-                        phi_7719_ = (_e4775.member_2[1] == select(((_e4791 ^ _e4792) | ((_e4792 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e4792 < 8388608u)));
+                    let _e4782 = phi_7697_;
+                    let _e4786 = params.member.member.member_12;
+                    let _e4787 = bitcast<u32>(_e4786);
+                    if (_e4782.member_2[0] == select((_e4787 << bitcast<u32>(29i)), 0u, ((_e4787 & 2147483647u) < 8388608u))) {
+                        let _e4797 = params.member.member.member_12;
+                        let _e4798 = bitcast<u32>(_e4797);
+                        let _e4799 = (_e4798 & 2147483647u);
+                        phi_7737_ = (_e4782.member_2[1] == select(((_e4798 ^ _e4799) | ((_e4799 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e4799 < 8388608u)));
                     } else {
-                        phi_7719_ = false;
+                        phi_7737_ = false;
                     }
-                    let _e4802 = phi_7719_;
-                    let _e4804 = params.member.member.member_1;
-                    if ((_e4804 & 128u) != 0u) {
-                        phi_7735_ = true;
+                    let _e4809 = phi_7737_;
+                    let _e4811 = params.member.member.member_1;
+                    if ((_e4811 & 128u) != 0u) {
+                        phi_7753_ = true;
                     } else {
-                        let _e4808 = params.member.member.member_1;
-                        phi_7735_ = select(false, _e4802, ((_e4808 & 64u) != 0u));
+                        let _e4815 = params.member.member.member_1;
+                        phi_7753_ = select(false, _e4809, ((_e4815 & 64u) != 0u));
                     }
-                    let _e4813 = phi_7735_;
-                    phi_7754_ = type_31(select(1u, _e4775.member, select(true, select(true, false, _e4813), _e4775.member_3)), _e4775.member_1, _e4775.member_2, _e4775.member_3);
+                    let _e4820 = phi_7753_;
+                    phi_7772_ = type_32(select(1u, _e4782.member, select(true, select(true, false, _e4820), _e4782.member_3)), _e4782.member_1, _e4782.member_2, _e4782.member_3);
                 }
-                let _e4824 = phi_7754_;
-                phi_7755_ = _e4824;
-                phi_7756_ = type_9(_e190, _e189);
+                let _e4831 = phi_7772_;
+                phi_7773_ = _e4831;
+                phi_7774_ = type_9(_e190, _e189);
             } else {
-                phi_7755_ = type_31(0u, 0u, array<u32, 2>(0u, 0u), false);
-                phi_7756_ = type_9(0u, 0u);
+                phi_7773_ = type_32(0u, 0u, array<u32, 2>(0u, 0u), false);
+                phi_7774_ = type_9(0u, 0u);
             }
-            let _e4826 = phi_7755_;
-            let _e4828 = phi_7756_;
-            let _e4832 = (_e4826.member != 0u);
-            let _e4835 = select(false, !(_e4832), _e4826.member_3);
-            if _e4835 {
-                let _e4839 = (_e4826.member_2[1] >> bitcast<u32>(20i));
-                if (_e4839 <= 896u) {
-                    phi_7786_ = 0u;
+            let _e4833 = phi_7773_;
+            let _e4835 = phi_7774_;
+            let _e4839 = (_e4833.member != 0u);
+            let _e4842 = select(false, !(_e4839), _e4833.member_3);
+            if _e4842 {
+                let _e4846 = (_e4833.member_2[1] >> bitcast<u32>(20i));
+                if (_e4846 <= 896u) {
+                    phi_7804_ = 0u;
                 } else {
-                    phi_7786_ = ((((_e4839 - 896u) << bitcast<u32>(23i)) | ((_e4826.member_2[1] & 1048575u) << bitcast<u32>(3i))) | (_e4826.member_2[0] >> bitcast<u32>(29i)));
+                    phi_7804_ = ((((_e4846 - 896u) << bitcast<u32>(23i)) | ((_e4833.member_2[1] & 1048575u) << bitcast<u32>(3i))) | (_e4833.member_2[0] >> bitcast<u32>(29i)));
                 }
-                let _e4854 = phi_7786_;
-                let _e4856 = atomicMin((&earliest.member[0u]), _e4854);
+                let _e4861 = phi_7804_;
+                let _e4863 = atomicMin((&earliest.member[0u]), _e4861);
             }
-            let _e4859 = params.member.member.member_1;
-            if ((_e4859 & 16u) != 0u) {
+            let _e4866 = params.member.member.member_1;
+            if ((_e4866 & 16u) != 0u) {
                 if (_e103 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e4835 {
-                    let _e4865 = atomicAdd((&counters[0u]), 1u);
-                    phi_7808_ = _e4865;
+                if _e4842 {
+                    let _e4872 = atomicAdd((&counters[0u]), 1u);
+                    phi_7826_ = _e4872;
                 } else {
-                    phi_7808_ = 0u;
+                    phi_7826_ = 0u;
                 }
-                let _e4867 = phi_7808_;
+                let _e4874 = phi_7826_;
                 workgroupBarrier();
                 if (_e103 == 0u) {
-                    let _e4870 = atomicLoad((&counters[0u]));
-                    if (_e4870 > 0u) {
-                        let _e4873 = atomicAdd((&contacts.member[0u]), _e4870);
-                        atomicStore((&counters[1u]), _e4873);
+                    let _e4877 = atomicLoad((&counters[0u]));
+                    if (_e4877 > 0u) {
+                        let _e4880 = atomicAdd((&contacts.member[0u]), _e4877);
+                        atomicStore((&counters[1u]), _e4880);
                     }
                 }
                 workgroupBarrier();
-                let _e4876 = atomicLoad((&counters[1u]));
-                let _e4877 = (_e4876 + _e4867);
-                if _e4835 {
-                    let _e4880 = params.member.member_1.member_3;
-                    let _e4882 = params.member.member_2.member;
-                    if (_e4877 < _e4880) {
-                        let _e4884 = (7u * _e4877);
-                        atomicStore((&contacts.member[(4u + _e4884)]), _e4882);
-                        atomicStore((&contacts.member[(_e4884 + 5u)]), _e4826.member);
-                        atomicStore((&contacts.member[(_e4884 + 6u)]), _e4828.member);
-                        atomicStore((&contacts.member[(_e4884 + 7u)]), _e4828.member_1);
-                        atomicStore((&contacts.member[(_e4884 + 8u)]), _e4826.member_2[0]);
-                        atomicStore((&contacts.member[(_e4884 + 9u)]), _e4826.member_2[1]);
-                        atomicStore((&contacts.member[(_e4884 + 10u)]), _e4826.member_1);
+                let _e4883 = atomicLoad((&counters[1u]));
+                let _e4884 = (_e4883 + _e4874);
+                if _e4842 {
+                    let _e4887 = params.member.member_1.member_3;
+                    if (_e4884 < _e4887) {
+                        let _e4893 = (7u * _e4884);
+                        atomicStore((&contacts.member[(4u + _e4893)]), select(1u, 0u, ((_e4835.member_1 & 2147483648u) == 0u)));
+                        atomicStore((&contacts.member[(_e4893 + 5u)]), _e4833.member);
+                        atomicStore((&contacts.member[(_e4893 + 6u)]), _e4835.member);
+                        atomicStore((&contacts.member[(_e4893 + 7u)]), (_e4835.member_1 & 2147483647u));
+                        atomicStore((&contacts.member[(_e4893 + 8u)]), _e4833.member_2[0]);
+                        atomicStore((&contacts.member[(_e4893 + 9u)]), _e4833.member_2[1]);
+                        atomicStore((&contacts.member[(_e4893 + 10u)]), _e4833.member_1);
                     }
                 }
             }
@@ -2973,36 +2977,36 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e4832 {
-                let _e4908 = atomicAdd((&counters[0u]), 1u);
-                phi_7874_ = _e4908;
+            if _e4839 {
+                let _e4917 = atomicAdd((&counters[0u]), 1u);
+                phi_7903_ = _e4917;
             } else {
-                phi_7874_ = 0u;
+                phi_7903_ = 0u;
             }
-            let _e4910 = phi_7874_;
+            let _e4919 = phi_7903_;
             workgroupBarrier();
             if (_e103 == 0u) {
-                let _e4913 = atomicLoad((&counters[0u]));
-                if (_e4913 > 0u) {
-                    let _e4916 = atomicAdd((&undecided.member[0u]), _e4913);
-                    atomicStore((&counters[1u]), _e4916);
+                let _e4922 = atomicLoad((&counters[0u]));
+                if (_e4922 > 0u) {
+                    let _e4925 = atomicAdd((&undecided.member[0u]), _e4922);
+                    atomicStore((&counters[1u]), _e4925);
                 }
             }
             workgroupBarrier();
-            let _e4919 = atomicLoad((&counters[1u]));
-            let _e4920 = (_e4919 + _e4910);
-            if _e4832 {
-                let _e4922 = params.member.member_2.member_1;
-                if (_e4920 < _e4922) {
-                    let _e4924 = (2u * _e4920);
-                    atomicStore((&undecided.member[(4u + _e4924)]), _e4828.member);
-                    atomicStore((&undecided.member[(_e4924 + 5u)]), _e4828.member_1);
+            let _e4928 = atomicLoad((&counters[1u]));
+            let _e4929 = (_e4928 + _e4919);
+            if _e4839 {
+                let _e4931 = params.member.member_2.member;
+                if (_e4929 < _e4931) {
+                    let _e4933 = (2u * _e4929);
+                    atomicStore((&undecided.member[(4u + _e4933)]), _e4835.member);
+                    atomicStore((&undecided.member[(_e4933 + 5u)]), _e4835.member_1);
                 }
             }
         }
         continue;
         continuing {
-            phi_277_ = type_9(select(_e157.member, (_e157.member + 1u), _e160), select(_e157.member_1, _e157.member_1, _e160));
+            phi_280_ = type_9(select(_e157.member, (_e157.member + 1u), _e160), select(_e157.member_1, _e157.member_1, _e160));
             break if !(_e173);
         }
     }

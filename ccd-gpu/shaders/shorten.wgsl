@@ -58,15 +58,13 @@ var<storage> paths: type_14;
 @group(0) @binding(0) 
 var<storage> params: type_18;
 @group(0) @binding(2) 
-var<storage> of_vf: type_10;
+var<storage> earliest: type_10;
 @group(0) @binding(3) 
-var<storage> of_ee: type_10;
-@group(0) @binding(4) 
 var<storage, read_write> shortened: type_14;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_118_: f32;
-    var phi_154_: array<f32, 3>;
+    var phi_100_: f32;
+    var phi_136_: array<f32, 3>;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -74,33 +72,31 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e13 = id_2;
-    let _e14 = n_2;
-    let _e15 = lane_2;
-    let _e27 = ((((_e13.y * _e14.x) + _e13.x) * 256u) + _e15);
-    let _e31 = params.member.member.member[0u];
-    if (_e27 < _e31) {
-        let _e34 = of_vf.member[0u];
-        let _e36 = of_ee.member[0u];
-        let _e38 = select(_e34, _e36, (_e36 < _e34));
-        let _e41 = select(1f, bitcast<f32>(_e38), (_e38 < 1065353216u));
-        let _e44 = params.member.member.member_13;
-        if (_e41 < _e44) {
-            phi_118_ = _e41;
+    let _e12 = id_2;
+    let _e13 = n_2;
+    let _e14 = lane_2;
+    let _e25 = ((((_e12.y * _e13.x) + _e12.x) * 256u) + _e14);
+    let _e29 = params.member.member.member[0u];
+    if (_e25 < _e29) {
+        let _e32 = earliest.member[0u];
+        let _e35 = select(1f, bitcast<f32>(_e32), (_e32 < 1065353216u));
+        let _e38 = params.member.member.member_13;
+        if (_e35 < _e38) {
+            phi_100_ = _e35;
         } else {
-            let _e48 = params.member.member.member_13;
-            phi_118_ = _e48;
+            let _e42 = params.member.member.member_13;
+            phi_100_ = _e42;
         }
-        let _e50 = phi_118_;
-        let _e52 = paths.member[_e27];
-        let _e55 = params.member.member.member_12;
-        if (_e55 > 0f) {
-            phi_154_ = array<f32, 3>((_e52.member[0] + ((_e52.member_1[0] - _e52.member[0]) * _e55)), (_e52.member[1] + ((_e52.member_1[1] - _e52.member[1]) * _e55)), (_e52.member[2] + ((_e52.member_1[2] - _e52.member[2]) * _e55)));
+        let _e44 = phi_100_;
+        let _e46 = paths.member[_e25];
+        let _e49 = params.member.member.member_12;
+        if (_e49 > 0f) {
+            phi_136_ = array<f32, 3>((_e46.member[0] + ((_e46.member_1[0] - _e46.member[0]) * _e49)), (_e46.member[1] + ((_e46.member_1[1] - _e46.member[1]) * _e49)), (_e46.member[2] + ((_e46.member_1[2] - _e46.member[2]) * _e49)));
         } else {
-            phi_154_ = array<f32, 3>(_e52.member[0], _e52.member[1], _e52.member[2]);
+            phi_136_ = array<f32, 3>(_e46.member[0], _e46.member[1], _e46.member[2]);
         }
-        let _e77 = phi_154_;
-        shortened.member[_e27] = type_12(array<f32, 4>(_e77[0], _e77[1], _e77[2], 0f), array<f32, 4>((_e52.member[0] + ((_e52.member_1[0] - _e52.member[0]) * _e50)), (_e52.member[1] + ((_e52.member_1[1] - _e52.member[1]) * _e50)), (_e52.member[2] + ((_e52.member_1[2] - _e52.member[2]) * _e50)), 0f));
+        let _e71 = phi_136_;
+        shortened.member[_e25] = type_12(array<f32, 4>(_e71[0], _e71[1], _e71[2], 0f), array<f32, 4>((_e46.member[0] + ((_e46.member_1[0] - _e46.member[0]) * _e44)), (_e46.member[1] + ((_e46.member_1[1] - _e46.member[1]) * _e44)), (_e46.member[2] + ((_e46.member_1[2] - _e46.member[2]) * _e44)), 0f));
     }
     return;
 }

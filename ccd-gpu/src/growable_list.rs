@@ -4,7 +4,7 @@
 use crate::device::Device;
 use crate::error::Error;
 use crate::readback::word;
-use ccd_core::backend::layout::{Dispatch, LIST_HEADER, Pair};
+use ccd_core::backend::layout::{Dispatch, LIST_HEADER, Pair, elements};
 use wgpu::BufferUsages as U;
 
 /// Bytes of a header.
@@ -15,8 +15,8 @@ pub const HEADER_BYTES: u64 = 4 * LIST_HEADER as u64;
 pub struct Header {
     /// Entries wanted, which may exceed the capacity.
     pub wanted: u32,
-    /// Candidates looked at.
-    pub looked_at: u32,
+    /// Of candidates: those looked at; of pairs of both kinds: those of edges.
+    pub second: u32,
 }
 
 /// The header of a list that was read; a count that ran over is refused.
@@ -32,7 +32,7 @@ pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
             .into());
         }
     }
-    Ok(Header { wanted: word(bytes, 0), looked_at: word(bytes, 1) })
+    Ok(Header { wanted: word(bytes, 0), second: word(bytes, 1) })
 }
 
 /// The same of candidates that were listed a part at a time: the most that a part wanted, if that
@@ -46,6 +46,16 @@ pub fn read_header_of_parts(bytes: &[u8]) -> Result<Header, Error> {
 /// The pairs of a list that was read.
 pub fn read_pairs(bytes: &[u8]) -> Vec<Pair> {
     bytemuck::pod_collect_to_vec(&bytes[HEADER_BYTES as usize..])
+}
+
+/// The same of a list of pairs of both kinds, by kind.
+pub fn read_by_kind(bytes: &[u8]) -> [Vec<Pair>; 2] {
+    let mut by_kind = [Vec::new(), Vec::new()];
+    for pair in read_pairs(bytes) {
+        let (kind, pair) = elements::kind_of(pair);
+        by_kind[kind as usize].push(pair);
+    }
+    by_kind
 }
 
 /// Runs of one search, at most. A run that was not complete makes a list longer by a quarter at
@@ -251,7 +261,7 @@ mod tests {
     #[test]
     fn counts_that_ran_over_are_refused() {
         let header = |words: [u32; 4]| read_header(bytemuck::cast_slice(&words));
-        assert_eq!(header([7, u32::MAX, 0, 0]).unwrap(), Header { wanted: 7, looked_at: u32::MAX });
+        assert_eq!(header([7, u32::MAX, 0, 0]).unwrap(), Header { wanted: 7, second: u32::MAX });
         for (words, count) in [([5, 0, 1, 0], "4294967301"), ([5, 6, 0, 2], "8589934598")] {
             let error = header(words).unwrap_err().to_string();
             assert!(error.contains(count) && error.contains("4294967295"), "{error}");

@@ -1,7 +1,9 @@
 //! Point, normal and weights of contacts on a device: the kernels against the same bodies here, and
 //! sessions against `Contact::geometry`.
 
-use crate::support::{TINY, bytes, paths, read, read_back, rounds_like_a_cpu, run, same, zeros};
+use crate::support::{
+    TINY, bytes, elements_of, paths, read, read_back, rounds_like_a_cpu, run, same, zeros,
+};
 use ccd::gpu::bind::{Bind, ContactGeometry, ContactGeometryWide};
 use ccd::gpu::{Device, Error, Session};
 use ccd::{Contact, Coordinate, Mesh, Options};
@@ -79,32 +81,30 @@ fn check_kernels(device: &Device) {
         let part = |(first, n)| Dispatch { n, first, capacity_in: 700, capacity_out: 0 };
         let dispatch = [(0, 300), (300, 700)].map(part);
         let n = mesh.n_vertices() as u32;
-        let frame = Frame { count: [n, 0, 0], flags: Frame::FLAG_EXACT, ..Frame::default() };
-        let (edges, faces, touches) = (mesh.edges(), mesh.faces(), &touches[..capacity]);
+        let frame = Frame { count: [n, n_e, n_f], flags: Frame::FLAG_EXACT, ..Frame::default() };
+        let (elements, touches) = (elements_of(mesh), &touches[..capacity]);
         let args = Placing { origin: [0.5, -2.0, 0.0], unit: 0.25 };
         let p = dispatch.map(|dispatch| Params { frame, dispatch, args });
         let kernel = ContactGeometry {
             paths: bytes(&paths),
-            edges: bytes(edges),
-            faces: bytes(faces),
+            elements: bytes(&elements),
             contacts: contacts.clone(),
             geometry: zeros::<TouchGeometry>(capacity + 64),
         };
         check_kernel(device, kernel, p, touches, poison, |i| {
-            touch_geometry::narrow(i, &p[0], &paths, edges, faces, &list)
+            touch_geometry::narrow(i, &p[0], &paths, &elements, &list)
         });
         if device.info().wide {
             let p = dispatch.map(|dispatch| Params { frame, dispatch, args: Plain::default() });
             let kernel = ContactGeometryWide {
                 paths: bytes(&paths),
                 positions: bytes(&[[0.0f64; 3]]),
-                edges: bytes(edges),
-                faces: bytes(faces),
+                elements: bytes(&elements),
                 contacts,
                 geometry: zeros::<TouchGeometry>(capacity + 64),
             };
             check_kernel(device, kernel, p, touches, poison, |i| {
-                touch_geometry::wide(i, &p[0], &paths, &[], edges, faces, &list)
+                touch_geometry::wide(i, &p[0], &paths, &[], &elements, &list)
             });
         }
     }

@@ -1,12 +1,14 @@
 //! The kernels that make boxes and fit blocks, each by itself against a plain twin: generated
 //! scenes, and poison: NaN, denormals, huge numbers, thresholds.
 
-use crate::support::{bytes, check_boxes, not_run, paths, read, run, same, swept, twin, zeros};
+use crate::support::{
+    bytes, check_boxes, elements_of, not_run, paths, read, run, same, swept, twin, zeros,
+};
 use crate::twin::union;
 use ccd::Aabb;
 use ccd::gpu::bind::{
-    CurveKeys, FitEnds, FitLeaves, FitLevel, PlaceVertices, SceneBounds, Shorten, SweepEdges,
-    SweepFaces, SweepVertices,
+    CurveKeys, FitEnds, FitLeaves, FitLevel, PlaceVertices, SceneBounds, Shorten, SweepElements,
+    SweepVertices,
 };
 use ccd::gpu::{Device, harness};
 use ccd_core::backend::broad_phase::candidate;
@@ -150,10 +152,8 @@ fn check_sweep(device: &Device) {
         }
         want.extend(mesh.edges().iter().map(|e| union(e.iter().map(|&v| &vertices[v as usize]))));
         want.extend(mesh.faces().iter().map(|f| union(f.iter().map(|&v| &vertices[v as usize]))));
-        let kernel_of_edges = SweepEdges { edges: bytes(mesh.edges()), boxes: done.boxes };
-        let done = run(device, kernel_of_edges, &plain(frame), count[1].div_ceil(256));
-        let kernel_of_faces = SweepFaces { faces: bytes(mesh.faces()), boxes: done.boxes };
-        let done = run(device, kernel_of_faces, &plain(frame), count[2].div_ceil(256));
+        let of_elements = SweepElements { elements: bytes(&elements_of(mesh)), boxes: done.boxes };
+        let done = run(device, of_elements, &plain(frame), (count[1] + count[2]).div_ceil(256));
         check_boxes("box", &want, &read(&done.boxes));
         // Grown boxes hold the exact ones with the margin.
         let grown = Frame { margin: 0.125, ..frame };
@@ -183,10 +183,8 @@ fn check_shorten(device: &Device) {
         let window = Search { from, until: last, ..Search::whole(0.0) };
         let frame = Frame { count: [n, 0, 0], ..Frame::default() }.searching(&window);
         // The lesser of the times of both kinds counts.
-        let (time, never) = (bytes(&[key, 0, 0, 0]), bytes(&[decide::NEVER; 4]));
-        let (of_vf, of_ee) = if key == 0 { (never, time) } else { (time, never) };
-        let kernel =
-            Shorten { paths: bytes(&paths), of_vf, of_ee, shortened: zeros::<Path>(paths.len()) };
+        let (paths_in, earliest) = (bytes(&paths), bytes(&[key, 0, 0, 0]));
+        let kernel = Shorten { paths: paths_in, earliest, shortened: zeros::<Path>(paths.len()) };
         let done = run(device, kernel, &plain(frame), n.div_ceil(256));
         for (p, got) in paths.iter().zip(read::<Path>(&done.shortened)) {
             for k in 0..3 {
@@ -239,8 +237,7 @@ fn check_fit(device: &Device) {
     let kernel = FitLeaves {
         boxes: bytes(&twin.boxes),
         order: bytes(&twin.order),
-        edges: bytes(step.mesh.edges()),
-        faces: bytes(step.mesh.faces()),
+        elements: bytes(&elements_of(&step.mesh)),
         bodies: zeros::<u32>(1),
         nodes: bytes(&vec![Aabb::EMPTY; twin.nodes.len()]),
         leaves: zeros::<Leaf>(twin.leaves.len()),

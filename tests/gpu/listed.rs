@@ -7,7 +7,7 @@ use crate::twin::Twin;
 use ccd::Pair;
 use ccd::gpu::Device;
 use ccd::gpu::bind::ListListed;
-use ccd_core::backend::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params};
+use ccd_core::backend::layout::{Dispatch, Frame, LIST_HEADER, Listing, Params};
 use ccd_testkit::{brute, compare};
 
 pub const TESTS: crate::Tests = &[("listed_pairs", check_listed)];
@@ -30,11 +30,11 @@ fn looked_at(
     dispatch: Dispatch,
 ) -> Vec<u8> {
     let (boxes, bodies, keys) = (bytes(&twin.boxes), vec![0; 16], vec![0; 48]);
-    let elements = bytes(&twin.elements(kind));
+    let elements = bytes(&twin.elements());
     let (input, output) = (list(pairs), capacity(dispatch.capacity_out));
     let dispatch = Dispatch { capacity_in: pairs.len() as u32, ..dispatch };
     let frame = Frame { flags: twin.frame.flags | flags, ..twin.frame };
-    let p = Params { frame, dispatch, args: Decision { kind, capacity_open: 0 } };
+    let p = Params { frame, dispatch, args: Listing { kind } };
     let kernel = ListListed { boxes, elements, bodies, keys, input, output };
     run(device, kernel, &p, 3).output
 }

@@ -10,7 +10,8 @@ use ccd::gpu::{BroadPhase, Device};
 use ccd::method::BroadPhaseMethod;
 use ccd::{Aabb, Pair, Verdict};
 use ccd_core::backend::broad_phase::block_bvh::{self, marked, sets, slot};
-use ccd_core::backend::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params, Path};
+use ccd_core::backend::layout::elements::kind_of;
+use ccd_core::backend::layout::{Dispatch, Filtering, Frame, LIST_HEADER, Params, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Step, uniform_boxes};
 
@@ -160,6 +161,7 @@ fn check_filters(device: &Device) {
     }
     // By boxes at both ends what an axis keeps apart is not even listed.
     let at_ends = twin.clone().with_ends(&paths);
+    let (mut both, mut left_of_both) = ([Vec::new(), Vec::new()], Vec::new());
     for kind in [0, 1] {
         let blocks = twin.node_pairs(1, kind);
         let left = |twin: &Twin| filtered(device, twin, &paths, kind, &blocks, 9);
@@ -192,14 +194,29 @@ fn check_filters(device: &Device) {
         assert_eq!(read::<u32>(&long)[..4], [all[0], all[0], 0, 0]);
         // Filtered in two parts, into a list that is too short.
         let mut n_left = 0;
-        for (first, n) in [(0, 1000), (1000, u32::MAX - 1000)] {
+        for (first, n) in [(0, 2), (2, u32::MAX - 2)] {
             let dispatch = Dispatch { n, first, capacity_in: 100_000, capacity_out: 20 };
-            let output = survivors(device, &twin, &paths, kind, long.clone(), dispatch, 3);
+            let lists = of_kind(kind, long.clone());
+            let output = survivors(device, &twin, &paths, lists, dispatch, 3);
             assert!(output[LIST_HEADER + 40..].iter().all(|&w| w == 0), "beyond the capacity");
             n_left += output[0] as usize;
         }
         assert_eq!(n_left, want.1.len());
+        both[kind as usize] = long;
+        left_of_both.push(want.1);
     }
+    // Both kinds together, in parts that end within the one and within the other.
+    let mut found = [Vec::new(), Vec::new()];
+    for (first, n) in [(0, 3), (3, 8), (11, u32::MAX - 11)] {
+        let dispatch = Dispatch { n, first, capacity_in: 100_000, capacity_out: 100_000 };
+        let output = survivors(device, &twin, &paths, both.clone(), dispatch, 3);
+        assert_eq!(output[1] as usize, survivors_of(&output, 1).count());
+        for (kind, found) in (0..).zip(&mut found) {
+            found.extend(survivors_of(&output, kind));
+        }
+    }
+    found.iter_mut().for_each(|found| found.sort_unstable());
+    assert!(found[..] == left_of_both[..], "both kinds together");
 }
 
 /// The candidates of pairs of blocks that are counted, and those that the filters leave, sorted.
@@ -216,26 +233,38 @@ pub fn filtered(
     let counted = read::<u32>(&listed)[1];
     let n = 100_000;
     let dispatch = Dispatch { n, first: 0, capacity_in: n, capacity_out: n };
-    let words = survivors(device, twin, paths, kind, listed, dispatch, groups);
-    let mut left = entries(&bytes(&words));
+    let words = survivors(device, twin, paths, of_kind(kind, listed), dispatch, groups);
+    let mut left: Vec<Pair> = survivors_of(&words, kind).collect();
     left.sort_unstable();
+    assert_eq!(words[..4], [left.len() as u32, kind * left.len() as u32, 0, 0]);
     (counted, left)
 }
 
-/// The list that the filters make of one of candidates.
+/// Lists of both kinds, one of which is empty.
+fn of_kind(kind: u32, list: Vec<u8>) -> [Vec<u8>; 2] {
+    if kind == 0 { [list, capacity(0)] } else { [capacity(0), list] }
+}
+
+/// The list that the filters make of candidates of both kinds.
 fn survivors(
     device: &Device,
     twin: &Twin,
     paths: &[Path],
-    kind: u32,
-    input: Vec<u8>,
+    [vf, ee]: [Vec<u8>; 2],
     dispatch: Dispatch,
     groups: u32,
 ) -> Vec<u32> {
-    let (elements, paths) = (bytes(&twin.elements(kind)), bytes(paths));
-    let kernel = FilterPairs { elements, paths, input, output: capacity(dispatch.capacity_out) };
-    let args = Decision { kind, capacity_open: 0 };
+    let (elements, paths) = (bytes(&twin.elements()), bytes(paths));
+    let output = capacity(dispatch.capacity_out);
+    let kernel = FilterPairs { elements, paths, vf, ee, output };
+    let args = Filtering { capacity_ee: dispatch.capacity_in };
     read(&run(device, kernel, &Params { frame: twin.frame, dispatch, args }, groups).output)
+}
+
+/// The pairs of a kind of such a list.
+fn survivors_of(words: &[u32], kind: u32) -> impl Iterator<Item = Pair> {
+    let pairs = entries(&bytes(words)).into_iter().map(kind_of);
+    pairs.filter(move |(of, _)| *of == kind).map(|(_, pair)| pair)
 }
 
 fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {

@@ -6,9 +6,10 @@ use ccd::gpu::Device;
 use ccd::gpu::bind::{Decide, DecideIntegers, DecideNear, DecideNearWide, DecideWide};
 use ccd::io::{Queries, Query, read_queries};
 use ccd::{EdgeEdge, Pair, Verdict, VertexFace};
+use ccd_core::backend::layout::elements::with_kind;
 use ccd_core::backend::layout::{
-    Decision, Dispatch, Frame, IntegerDecision, LIST_HEADER, Params, Path as Paths, TOUCH_WORDS,
-    Touch, join, split,
+    Decision, Dispatch, EDGE_EDGE, Frame, IntegerDecision, LIST_HEADER, Params, Path as Paths,
+    TOUCH_WORDS, Touch, join, split,
 };
 use ccd_core::backend::quantization::{Scan, Table};
 use ccd_core::narrow_phase::integer_search::Window;
@@ -135,7 +136,8 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends], min_distance: f64) ->
         (faces.collect(), (0..count).map(|i| Pair { a: 4 * i, b: i }).collect())
     } else {
         let edges = (0..2 * count).flat_map(|i| [2 * i, 2 * i + 1]);
-        (edges.collect(), (0..count).map(|i| Pair { a: 2 * i, b: 2 * i + 1 }).collect())
+        let pair = |i| with_kind(EDGE_EDGE, Pair { a: 2 * i, b: 2 * i + 1 });
+        (edges.collect(), (0..count).map(pair).collect())
     };
     let exact = if table == Table::AS_GIVEN { Frame::FLAG_EXACT } else { 0 };
     let frame = Frame {
@@ -152,7 +154,7 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends], min_distance: f64) ->
     let (paths, elements, input) = (bytes(&paths), bytes(&elements), list(&pairs));
     let (contacts, earliest) = (vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n)], vec![0xff; 16]);
     let of_pair = |a: u32| if is_vf { a / 4 } else { a / 2 } as usize;
-    let args = Decision { kind: !is_vf as u32, capacity_open: count };
+    let args = Decision { capacity_open: count };
     let positions = bytes(&[x0, x1].concat());
     let (near, p) = (min_distance > 0.0, Params { frame, dispatch, args });
     if device.info().wide {

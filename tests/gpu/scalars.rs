@@ -208,17 +208,17 @@ pub fn check_decorations() {
         let Some(record) = kernel.params else { continue };
         let args: &[u32] = match record {
             "Blocks" => &[0, 128, 132, 136, 140],
-            "SortPass" | "Queries" | "Decision" => &[0, 4],
+            "SortPass" | "Queries" => &[0, 4],
             "Intervals" => &[0, 4, 8, 12],
             "Expansion" => &[0, 4, 8, 12, 20],
             "NodeDescent" => {
                 &[0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72]
             }
             "BlockDescent" => &[0, 76],
-            "IntegerDecision" => &[0, 8, 12, 16],
+            "IntegerDecision" => &[0, 4, 8, 12],
             "Placing" => &[0, 12],
             "Building" => &[0, 4, 8, 12, 16],
-            "Plain" | "Worlds" => &[0],
+            "Plain" | "Worlds" | "Listing" | "Filtering" | "Decision" => &[0],
             other => panic!("{}: where are the members of {other}?", kernel.name),
         };
         let found = offsets(kernel.name);

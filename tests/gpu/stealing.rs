@@ -10,7 +10,7 @@ use crate::search_trees::SearchTrees;
 use crate::support::{bytes, not_run, run, zeros};
 use crate::workers::check_workers;
 use ccd::Aabb;
-use ccd::gpu::bind::{StealPairs, SweepEdges};
+use ccd::gpu::bind::{StealPairs, SweepElements};
 use ccd::gpu::{Device, Error, harness};
 use ccd_core::backend::broad_phase::pair_workers::{LEFT, STACK};
 use ccd_core::backend::layout::{Frame, Node, NodeDescent, Params};
@@ -93,9 +93,9 @@ fn check_indices(device: &Device) {
     // An edge of two vertices, the second of which is not there.
     for (vertex, fails) in [(1, false), (1000, true)] {
         let frame = Frame { count: [2, 1, 0], start: [0, 2, 3, 3], ..Frame::default() };
-        let kernel = SweepEdges { edges: bytes(&[[0u32, vertex]]), boxes: zeros::<Aabb>(3) };
+        let kernel = SweepElements { elements: bytes(&[0u32, vertex]), boxes: zeros::<Aabb>(3) };
         run(device, kernel, &Params { frame, ..Params::default() }, 1);
-        check("sweep_edges", fails);
+        check("sweep_elements", fails);
     }
     // One worker with more pairs than its stack has room for, if a record says that it has.
     let crowd = vec![Aabb { min: [0.0; 3], max: [1.0; 3] }; 400];

@@ -6,7 +6,7 @@ use ccd::gpu::wgpu::{
     Buffer, BufferDescriptor, BufferUsages, CommandEncoder, DeviceType, MapMode, PollType,
 };
 use ccd::gpu::{self, Device, harness};
-use ccd::{Aabb, Pair};
+use ccd::{Aabb, Mesh, Pair};
 use ccd_core::backend::kernel::TABLE;
 use ccd_core::backend::layout::{LIST_HEADER, Params, Path};
 use ccd_testkit::brute;
@@ -21,6 +21,12 @@ pub fn bytes<T: bytemuck::Pod>(x: &[T]) -> Vec<u8> {
 
 pub fn read<T: bytemuck::Pod>(bytes: &[u8]) -> Vec<T> {
     bytemuck::pod_collect_to_vec(bytes)
+}
+
+/// Vertices of edges, then of faces, as kernels have them.
+pub fn elements_of(mesh: &Mesh) -> Vec<u32> {
+    let (edges, faces) = (mesh.edges().as_flattened(), mesh.faces().as_flattened());
+    [edges, faces].concat()
 }
 
 thread_local! {

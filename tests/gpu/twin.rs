@@ -142,15 +142,17 @@ impl Twin {
         self
     }
 
-    /// Vertices of the faces, or of the edges, as kernels have them for a kind of pairs.
-    pub fn elements(&self, kind: u32) -> Vec<u32> {
-        let (set, n) = if kind == 0 { (2, 3) } else { (1, 2) };
-        let mut out = vec![0; n * self.frame.count[set] as usize];
-        let first = self.tree.slots[0][set] as usize;
-        for leaf in &self.leaves[first..][..self.frame.count[set] as usize] {
-            out[n * leaf.id as usize..][..n].copy_from_slice(&leaf.vertices[..n]);
-        }
-        out
+    /// Vertices of the edges, then of the faces, as kernels have them.
+    pub fn elements(&self) -> Vec<u32> {
+        let of = |(set, n): (usize, usize)| {
+            let mut out = vec![0; n * self.frame.count[set] as usize];
+            let first = self.tree.slots[0][set] as usize;
+            for leaf in &self.leaves[first..][..self.frame.count[set] as usize] {
+                out[n * leaf.id as usize..][..n].copy_from_slice(&leaf.vertices[..n]);
+            }
+            out
+        };
+        [(1, 2), (2, 3)].map(of).concat()
     }
 
     /// Boxes of all nodes, in the order that there is.

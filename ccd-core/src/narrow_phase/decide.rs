@@ -4,7 +4,7 @@ use super::cascade::ends;
 use crate::broad_phase::placement::given;
 use crate::kernel::memory::{Stored, at};
 use crate::layout::VERTEX_FACE;
-use crate::layout::{Frame, IntegerDecision, Pair, Path, join, split};
+use crate::layout::{Frame, IntegerDecision, Pair, Path, elements, join, split};
 use crate::math::q62::Q62;
 use crate::math::real::Real;
 use crate::narrow_phase::approach::Approach;
@@ -153,10 +153,11 @@ pub fn narrow_verdicts(answer: Answer<f32>, frame: &Frame) -> Verdicts {
     Verdicts { undecided, ..v }
 }
 
-/// Decides a pair of a kind by integers. `elements`: see [`words_of_pair`]. `positions`: words of
-/// positions as given, if paths are not exact.
+/// Decides a pair of a kind by integers. `elements`: see [`layout::elements`](elements).
+/// `positions`: words of positions as given, if paths are not exact.
 #[inline(always)]
 pub fn by_integers<P: Stored<Path>>(
+    kind: u32,
     pair: Pair,
     frame: &Frame,
     args: &IntegerDecision,
@@ -164,7 +165,7 @@ pub fn by_integers<P: Stored<Path>>(
     positions: &[u32],
     elements: &[u32],
 ) -> Found {
-    let (patch, ids) = words_of_pair(args.of_pairs.kind, pair, elements);
+    let (patch, ids) = words_of_pair(kind, pair, frame, elements);
     let (x0, x1) = ends(ids, paths);
     let unit = integer_search::unit(&Motion::new(patch, &x0, &x1, frame.path_error));
     if unit == NO_UNIT {
@@ -217,8 +218,7 @@ pub fn found_verdicts(found: Found, from: u32) -> Verdicts {
     }
 }
 
-/// Decides a pair of a kind in `f32`. `elements`: see [`words_of_pair`]. `NEAR`: by a minimum
-/// distance.
+/// Decides a pair of a kind in `f32`. `NEAR`: by a minimum distance.
 #[inline(always)]
 pub fn narrow<const NEAR: bool, P: Stored<Path>>(
     kind: u32,
@@ -227,7 +227,7 @@ pub fn narrow<const NEAR: bool, P: Stored<Path>>(
     paths: &[P],
     elements: &[u32],
 ) -> Verdicts {
-    let (patch, ids) = words_of_pair(kind, pair, elements);
+    let (patch, ids) = words_of_pair(kind, pair, frame, elements);
     let (x0, x1) = ends(ids, paths);
     let motion = Motion::new(patch, &x0, &x1, frame.path_error);
     narrow_verdicts(answer::<NEAR, _>(&motion, patch, &search_of(frame)), frame)
@@ -256,8 +256,8 @@ fn time_of(units: u32) -> [u32; 2] {
     [fraction << 20, ((1023 - zeros) << 20) | (fraction >> 12)]
 }
 
-/// Decides a pair of a kind in `f64`. `elements`: see [`words_of_pair`]. `NEAR`: by a minimum
-/// distance; a kernel for either takes half as long to compile as one for both.
+/// Decides a pair of a kind in `f64`. `NEAR`: by a minimum distance; a kernel for either takes half
+/// as long to compile as one for both.
 #[inline(always)]
 pub fn wide<const NEAR: bool, P: Stored<Path>>(
     kind: u32,
@@ -267,7 +267,7 @@ pub fn wide<const NEAR: bool, P: Stored<Path>>(
     positions: &[[f64; 3]],
     elements: &[u32],
 ) -> Verdicts {
-    let (patch, ids) = words_of_pair(kind, pair, elements);
+    let (patch, ids) = words_of_pair(kind, pair, frame, elements);
     let (x0, x1) = wide_ends(ids, frame, paths, positions);
     let motion = Motion::new(patch, &x0, &x1, 0.0);
     verdicts(answer::<NEAR, _>(&motion, patch, &wide_search_of(frame)), split)
@@ -308,17 +308,15 @@ fn all_widened(x: [[f32; 3]; 4]) -> [[f64; 3]; 4] {
 }
 
 /// What a pair of a kind is: over which patch, and its vertex ids, `v f0 f1 f2` or
-/// `ea0 ea1 eb0 eb1`. `elements`: the words of all faces where the kind is 0, else of all edges.
+/// `ea0 ea1 eb0 eb1`.
 #[inline(always)]
-pub fn words_of_pair(kind: u32, pair: Pair, elements: &[u32]) -> (Patch, [u32; 4]) {
+pub fn words_of_pair(kind: u32, pair: Pair, frame: &Frame, elements: &[u32]) -> (Patch, [u32; 4]) {
     if kind == VERTEX_FACE {
-        let b = 3 * pair.b as usize;
-        let face = [at(elements, b), at(elements, b + 1), at(elements, b + 2)];
+        let face = elements::face(pair.b, frame.count[1], elements);
         (Patch::Triangle, [pair.a, face[0], face[1], face[2]])
     } else {
-        let (a, b) = (2 * pair.a as usize, 2 * pair.b as usize);
-        let (first, second) = (at(elements, a), at(elements, b));
-        (Patch::Parallelogram, [first, at(elements, a + 1), second, at(elements, b + 1)])
+        let (a, b) = (elements::edge(pair.a, elements), elements::edge(pair.b, elements));
+        (Patch::Parallelogram, [a[0], a[1], b[0], b[1]])
     }
 }
 

@@ -2,12 +2,10 @@
 
 use super::cascade::ends;
 use super::contact_geometry::{ContactGeometry, contact_geometry};
-use super::decide::{earliest_key, until, wide_ends};
-use super::pair_verdict::{edge_edge_ids, vertex_face_ids};
+use super::decide::{earliest_key, until, wide_ends, words_of_pair};
 use crate::kernel::memory::at;
-use crate::layout::VERTEX_FACE;
 use crate::layout::{
-    LIST_HEADER, Pair, Params, Path, Placing, TOUCH_WORDS, Touch, TouchGeometry, join,
+    Frame, LIST_HEADER, Pair, Params, Path, Placing, TOUCH_WORDS, Touch, TouchGeometry, join,
 };
 use crate::math::vec3::{add, scale};
 use crate::narrow_phase::relative_motion::Patch;
@@ -18,12 +16,11 @@ pub fn narrow(
     i: u32,
     params: &Params<Placing>,
     paths: &[Path],
-    edges: &[[u32; 2]],
-    faces: &[[u32; 3]],
+    elements: &[u32],
     contacts: &[u32],
 ) -> TouchGeometry {
     let touch = entry(i, contacts);
-    let (patch, ids) = features(&touch, edges, faces);
+    let (patch, ids) = features(&touch, &params.frame, elements);
     let (x0, x1) = ends(ids, paths);
     let toi = until(earliest_key(touch.toi));
     let g = contact_geometry(patch, &x0, &x1, toi, params.frame.path_error);
@@ -45,12 +42,11 @@ pub fn wide(
     params: &Params,
     paths: &[Path],
     positions: &[[f64; 3]],
-    edges: &[[u32; 2]],
-    faces: &[[u32; 3]],
+    elements: &[u32],
     contacts: &[u32],
 ) -> TouchGeometry {
     let touch = entry(i, contacts);
-    let (patch, ids) = features(&touch, edges, faces);
+    let (patch, ids) = features(&touch, &params.frame, elements);
     let (x0, x1) = wide_ends(ids, &params.frame, paths, positions);
     let g = contact_geometry(patch, &x0, &x1, join(touch.toi), 0.0);
     rounded(&g, touch.state, ids)
@@ -85,11 +81,6 @@ fn entry(i: u32, contacts: &[u32]) -> Touch {
 }
 
 #[inline(always)]
-fn features(touch: &Touch, edges: &[[u32; 2]], faces: &[[u32; 3]]) -> (Patch, [u32; 4]) {
-    let pair = Pair { a: touch.a, b: touch.b };
-    if touch.kind == VERTEX_FACE {
-        (Patch::Triangle, vertex_face_ids(pair, faces))
-    } else {
-        (Patch::Parallelogram, edge_edge_ids(pair, edges))
-    }
+fn features(touch: &Touch, frame: &Frame, elements: &[u32]) -> (Patch, [u32; 4]) {
+    words_of_pair(touch.kind, Pair { a: touch.a, b: touch.b }, frame, elements)
 }

@@ -43,15 +43,14 @@ const BLOCK_PAIRS_A_GROUP: u32 = 96;
 /// Buffers that say which vertices and which body a leaf has.
 #[derive(Clone, Copy)]
 pub struct Features<'a> {
-    pub edges: &'a wgpu::Buffer,
-    pub faces: &'a wgpu::Buffer,
+    pub elements: &'a wgpu::Buffer,
     pub bodies: &'a wgpu::Buffer,
 }
 
 impl<'a> Features<'a> {
     /// Of boxes alone: no topology and no bodies, so that any buffer does for them.
     pub fn none(any: &'a wgpu::Buffer) -> Self {
-        Self { edges: any, faces: any, bodies: any }
+        Self { elements: any, bodies: any }
     }
 }
 
@@ -259,13 +258,13 @@ impl Tree {
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
-        Features { edges, faces, bodies }: Features,
+        Features { elements, bodies }: Features,
     ) {
         let Self { boxes, nodes, leaves, .. } = self;
         let [_, order] = self.sorted();
         let mut p = Params { frame: *frame, dispatch: Dispatch::default(), args: self.record() };
         recorder.each(
-            &FitLeaves { boxes, order, edges, faces, bodies, nodes, leaves },
+            &FitLeaves { boxes, order, elements, bodies, nodes, leaves },
             &p,
             self.levels.padded(0),
         );

@@ -38,16 +38,17 @@ use ccd_core::model::session;
 pub struct OnDevice<'a> {
     /// Contacts: entries are [`Touch`](ccd_core::records::Touch).
     pub contacts: &'a List,
-    /// Pairs of vertices and faces, and of edges, that a device without `f64` could not decide, to
-    /// be treated as contacts. Where `f64` is used they are among the contacts, with state 1.
-    pub undecided: [&'a List; 2],
+    /// Pairs that a device without `f64` could not decide, to be treated as contacts: entries are
+    /// [`Pair`](ccd_core::Pair), of edges where the highest bit of `b` is set. Where `f64` is used
+    /// they are among the contacts, with state 1.
+    pub undecided: &'a List,
     /// Every list of the frame, also those between stages: if the first word of any of them exceeds
     /// its capacity, or the third is not 0, results are incomplete.
     pub lists: Vec<&'a List>,
-    /// By kind, one word: the bits of the earliest time of impact as `f32`, rounded down; greater
-    /// than those of 1 if there is none. Without the undecided pairs, in these lists or, unless
-    /// there is a minimum distance, among the contacts: who steps by it looks for those as well.
-    pub earliest: [&'a wgpu::Buffer; 2],
+    /// One word: the bits of the earliest time of impact as `f32`, rounded down; greater than those
+    /// of 1 if there is none. Without the undecided pairs, in their list or, unless there is a
+    /// minimum distance, among the contacts: who steps by it looks for those as well.
+    pub earliest: &'a wgpu::Buffer,
 }
 
 /// The contacts of a step with their geometry where a device has them. Valid until the session's
@@ -129,9 +130,9 @@ impl Engine {
             self.frames.record(&self.device, (&self.state.mesh, &self.state.options), encoder)?;
         Ok(OnDevice {
             contacts: &b.contacts,
-            undecided: [&b.undecided[0], &b.undecided[1]],
+            undecided: &b.undecided,
             lists: b.lists().into_vec(),
-            earliest: b.earliest.each_ref(),
+            earliest: &b.earliest,
         })
     }
 

@@ -28,19 +28,19 @@ pub struct Buffers {
     pub positions: Positions,
     /// Paths up to the earliest time of impact so far.
     pub shortened: wgpu::Buffer,
-    pub edges: wgpu::Buffer,
-    pub faces: wgpu::Buffer,
+    /// Vertices of edges, then of faces.
+    pub elements: wgpu::Buffer,
     /// A word a vertex, then the table of rules.
     pub bodies: wgpu::Buffer,
     /// Flags of the frame that say what kernels read of bodies.
     body_flags: u32,
     pub rules: Option<Rules>,
-    /// Pairs that the filters leave, by kind.
-    pub survivors: [List; 2],
-    /// Pairs that integers leave to `f32`, by kind.
-    pub left: [List; 2],
-    /// Pairs that the device leaves open, by kind.
-    pub undecided: [List; 2],
+    /// Pairs that the filters leave, of both kinds, as in the two lists that follow.
+    pub survivors: List,
+    /// Pairs that integers leave to `f32`.
+    pub left: List,
+    /// Pairs that the device leaves open.
+    pub undecided: List,
     pub contacts: List,
     /// Candidates, by kind: of a part of a step, or all that were asked for.
     pub candidates: [List; 2],
@@ -52,9 +52,8 @@ pub struct Buffers {
     pub to_order: u32,
     /// Whether the next frame keeps the order of boxes.
     pub keeps_order: bool,
-    /// The keys of the earliest times of impact, by kind: a buffer each, so that no kind waits for
-    /// the other.
-    pub earliest: [wgpu::Buffer; 2],
+    /// The key of the earliest time of impact.
+    pub earliest: wgpu::Buffer,
     /// Of the sample by which the earliest time is bounded: candidates by kind, then pairs of nodes
     /// from which it was taken.
     pub sample: wgpu::Buffer,
@@ -82,6 +81,7 @@ impl Buffers {
             List::reusing(device, old.map(field), what, words, capacity.max(1024))
         };
         let features = count[0] + count[1] + count[2];
+        let pairs = features.saturating_add(features / 2);
         let old_positions = old.map(|old| &old.positions);
         let new = Self {
             count,
@@ -93,22 +93,16 @@ impl Buffers {
                 count[0] as u64 * size_of::<Path>() as u64,
                 U::STORAGE,
             )?,
-            edges: capacity(|old| &old.edges, "edges", size_of_val(mesh.edges()))?,
-            faces: capacity(|old| &old.faces, "faces", size_of_val(mesh.faces()))?,
+            elements: capacity(
+                |old| &old.elements,
+                "edges and faces",
+                size_of_val(mesh.edges()) + size_of_val(mesh.faces()),
+            )?,
             bodies,
             body_flags,
-            survivors: [
-                list(|old| &old.survivors[0], "filtered vertex-face pairs", 2, features / 2)?,
-                list(|old| &old.survivors[1], "filtered edge-edge pairs", 2, features)?,
-            ],
-            left: [
-                list(|old| &old.left[0], "vertex-face pairs left by integers", 2, features / 2)?,
-                list(|old| &old.left[1], "edge-edge pairs left by integers", 2, features)?,
-            ],
-            undecided: [
-                list(|old| &old.undecided[0], "undecided vertex-face pairs", 2, features / 2)?,
-                list(|old| &old.undecided[1], "undecided edge-edge pairs", 2, features)?,
-            ],
+            survivors: list(|old| &old.survivors, "filtered pairs", 2, pairs)?,
+            left: list(|old| &old.left, "pairs left by integers", 2, pairs)?,
+            undecided: list(|old| &old.undecided, "undecided pairs", 2, pairs)?,
             contacts: list(|old| &old.contacts, "contacts", TOUCH_WORDS, features / 2)?,
             candidates: [
                 list(|old| &old.candidates[0], "vertex-face candidates", 2, of_part(8, count[2]))?,
@@ -118,10 +112,7 @@ impl Buffers {
             order: old.and_then(|old| old.order.clone()),
             to_order: 0,
             keeps_order: false,
-            earliest: [
-                capacity(|old| &old.earliest[0], "time of impact", 4)?,
-                capacity(|old| &old.earliest[1], "time of impact", 4)?,
-            ],
+            earliest: capacity(|old| &old.earliest, "time of impact", 4)?,
             sample: capacity(|old| &old.sample, "numbers of a sample", 16)?,
             never: capacity(|old| &old.never, "no time of impact", 16)?,
             source: {
@@ -139,8 +130,10 @@ impl Buffers {
     /// Sends edges and faces. If that fails, those of another mesh in the same buffers must be sent
     /// again.
     pub fn write_mesh(&self, device: &Device, mesh: &Mesh) -> Result<(), Error> {
-        device.write("edges", &self.edges, 0, bytemuck::cast_slice(mesh.edges()))?;
-        device.write("faces", &self.faces, 0, bytemuck::cast_slice(mesh.faces()))
+        let (edges, faces) = (mesh.edges(), mesh.faces());
+        device.write("edges", &self.elements, 0, bytemuck::cast_slice(edges))?;
+        let behind = size_of_val(edges) as u64;
+        device.write("faces", &self.elements, behind, bytemuck::cast_slice(faces))
     }
 
     /// Takes the bodies of these options; if that fails, all is as before.
@@ -166,9 +159,9 @@ impl Buffers {
     pub fn lists(&self) -> Lists<&List> {
         Lists {
             candidates: self.candidates.each_ref(),
-            survivors: self.survivors.each_ref(),
-            left: self.left.each_ref(),
-            undecided: self.undecided.each_ref(),
+            survivors: &self.survivors,
+            left: &self.left,
+            undecided: &self.undecided,
             contacts: &self.contacts,
             source: self.source.lists(),
         }
@@ -178,9 +171,9 @@ impl Buffers {
     pub fn lists_mut(&mut self) -> Lists<&mut List> {
         Lists {
             candidates: self.candidates.each_mut(),
-            survivors: self.survivors.each_mut(),
-            left: self.left.each_mut(),
-            undecided: self.undecided.each_mut(),
+            survivors: &mut self.survivors,
+            left: &mut self.left,
+            undecided: &mut self.undecided,
             contacts: &mut self.contacts,
             source: self.source.lists_mut(),
         }
@@ -193,9 +186,9 @@ impl Buffers {
         let filters = goal != Goal::Candidates;
         Lists {
             candidates: [true; 2],
-            survivors: [filters; 2],
-            left: [filters && !wide; 2],
-            undecided: [filters && !wide || goal.is_earliest(); 2],
+            survivors: filters,
+            left: filters && !wide,
+            undecided: filters && !wide || goal.is_earliest(),
             contacts: goal == Goal::Contacts,
             source: vec![true; self.source.lists().len()],
         }

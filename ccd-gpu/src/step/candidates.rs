@@ -11,16 +11,15 @@ use crate::bind::{FilterPairs, ListCandidates, ListListed};
 use crate::broad_phase::block_bvh::{ALL, Pass};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{Header, List, parts};
+use crate::growable_list::{Header, parts};
 use crate::recorder::Recorder;
 use ccd_core::backend::kernel::Id;
-use ccd_core::backend::layout::{Decision, Frame, Params};
+use ccd_core::backend::layout::{Dispatch, Filtering, Frame, Params};
 use ccd_core::narrow_phase::cascade::PAIRS_A_THREAD;
 use std::ops::Range;
 
 /// Stages by kind.
 const LIST: [&str; 2] = ["list vertex-face", "list edge-edge"];
-const FILTER: [&str; 2] = ["filter vertex-face", "filter edge-edge"];
 
 /// Candidates that one dispatch filters at most: some hundredths of a second of a small device, so
 /// that no driver thinks that it hangs, and one dispatch a part.
@@ -41,20 +40,18 @@ impl Buffers {
         let limits = [0, 1].map(|kind| self.part_limits.of(kind, self.n_pairs(kind)));
         let n_parts = [0, 1].map(|kind| self.n_pairs(kind).div_ceil(step).div_ceil(limits[kind]));
         for part in 0..n_parts[0].max(n_parts[1]) {
-            let kinds = || [0, 1].into_iter().filter(|&kind| part < n_parts[kind]);
-            for kind in kinds() {
+            if part > 0 {
+                // Also that of which no part is left.
+                self.candidates.iter().for_each(|list| recorder.clear(list.buffer(), 4));
+            }
+            for kind in [0, 1].into_iter().filter(|&kind| part < n_parts[kind]) {
                 recorder.stage(LIST[kind]);
-                if part > 0 {
-                    recorder.clear(self.candidates[kind].buffer(), 4);
-                }
                 let first = part * limits[kind];
                 let range = first..first.saturating_add(limits[kind]);
                 self.list_part(recorder, frame, (kind, step), range);
             }
-            for kind in kinds() {
-                recorder.stage(FILTER[kind]);
-                self.filter_part(recorder, frame, paths, kind);
-            }
+            recorder.stage("filter");
+            self.filter_part(recorder, frame, paths);
         }
     }
 
@@ -91,7 +88,7 @@ impl Buffers {
                 };
                 grown = grown.and_then(|any| Ok(any | longer?));
                 header.wanted = 0;
-            } else if goal != Goal::Earliest && header.looked_at <= list.capacity() {
+            } else if goal != Goal::Earliest && header.second <= list.capacity() {
                 // All of them fit into the list; of paths that were cut there are fewer.
                 part_limits.reset(kind);
             }
@@ -131,7 +128,7 @@ impl Buffers {
             }
             Source::Features(_, listed) | Source::Triangles(_, listed) => {
                 let (boxes, input) = (self.source.finder().boxes(), listed.pairs[kind].buffer());
-                let elements = self.elements(kind);
+                let elements = &self.elements;
                 let kernel = ListListed { boxes, elements, bodies, keys, input, output };
                 listed.each_part(frame, kind, range, list, |p, groups| {
                     recorder.dispatch(&kernel, p, groups);
@@ -140,22 +137,22 @@ impl Buffers {
         }
     }
 
-    /// Filters the candidates that were listed of a kind.
-    fn filter_part(
-        &self,
-        recorder: &mut Recorder,
-        frame: &Frame,
-        paths: &wgpu::Buffer,
-        kind: usize,
-    ) {
-        let (input, output): (&List, &List) = (&self.candidates[kind], &self.survivors[kind]);
-        let elements = self.elements(kind);
-        let args = Decision { kind: kind as u32, capacity_open: 0 };
-        for dispatch in parts(input.capacity(), DISPATCH_LIMIT, output.capacity()) {
-            let groups =
-                dispatch.n.div_ceil(PAIRS_A_THREAD * Id::FilterPairs.threads()).min(self.groups);
-            let (input, output) = (input.buffer(), output.buffer());
-            let kernel = FilterPairs { elements, paths, input, output };
+    /// Filters the candidates that were listed.
+    fn filter_part(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer) {
+        let ([vf, ee], output) = (&self.candidates, &self.survivors);
+        let pool = PAIRS_A_THREAD * Id::FilterPairs.threads();
+        let n_pools = [vf, ee].map(|list| list.capacity().div_ceil(pool)).into_iter().sum();
+        let args = Filtering { capacity_ee: ee.capacity() };
+        for dispatch in parts(n_pools, DISPATCH_LIMIT / pool, output.capacity()) {
+            let groups = dispatch.n.min(self.groups);
+            let dispatch = Dispatch { capacity_in: vf.capacity(), ..dispatch };
+            let kernel = FilterPairs {
+                elements: &self.elements,
+                paths,
+                vf: vf.buffer(),
+                ee: ee.buffer(),
+                output: output.buffer(),
+            };
             recorder.dispatch(&kernel, &Params { frame: *frame, dispatch, args }, groups);
         }
     }

@@ -85,16 +85,16 @@ fn dispatch(
 ) {
     let frame = Frame { path_error: buffers.positions.path_error(), ..*frame };
     let (paths, positions) = (buffers.positions.paths(), &buffers.positions.wide);
-    let (edges, faces, contacts) = (&buffers.edges, &buffers.faces, buffers.contacts.buffer());
+    let (elements, contacts) = (&buffers.elements, buffers.contacts.buffer());
     for dispatch in parts(buffers.contacts.capacity(), DISPATCH_LIMIT, 0) {
         let groups = buffers.groups.min(dispatch.n.div_ceil(Id::ContactGeometry.threads()));
         if wide {
             let p = Params { frame, dispatch, args: Plain::default() };
-            let kernel = ContactGeometryWide { paths, positions, edges, faces, contacts, geometry };
+            let kernel = ContactGeometryWide { paths, positions, elements, contacts, geometry };
             recorder.dispatch(&kernel, &p, groups);
         } else {
             let p = Params { frame, dispatch, args: buffers.positions.placing() };
-            let kernel = ContactGeometry { paths, edges, faces, contacts, geometry };
+            let kernel = ContactGeometry { paths, elements, contacts, geometry };
             recorder.dispatch(&kernel, &p, groups);
         }
     }

@@ -2,17 +2,17 @@
 
 use std::convert::Infallible;
 
-/// One `T` for each list; pairs of them are by kind.
+/// One `T` for each list; those of candidates are by kind.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Lists<T> {
     /// Candidates.
     pub candidates: [T; 2],
     /// Pairs that the filters leave.
-    pub survivors: [T; 2],
+    pub survivors: T,
     /// Pairs that integers leave to `f32`.
-    pub left: [T; 2],
+    pub left: T,
     /// Pairs that the device leaves open.
-    pub undecided: [T; 2],
+    pub undecided: T,
     /// Contacts.
     pub contacts: T,
     /// Those of the source of pairs.
@@ -22,10 +22,9 @@ pub struct Lists<T> {
 impl<T> Lists<T> {
     /// Something else for each list, or the first error.
     pub fn try_map<U, E>(self, mut f: impl FnMut(T) -> Result<U, E>) -> Result<Lists<U>, E> {
-        let mut two = |[a, b]: [T; 2]| Ok([f(a)?, f(b)?]);
-        let (candidates, survivors) = (two(self.candidates)?, two(self.survivors)?);
-        let (left, undecided) = (two(self.left)?, two(self.undecided)?);
-        let contacts = f(self.contacts)?;
+        let [vf, ee] = self.candidates;
+        let (candidates, survivors) = ([f(vf)?, f(ee)?], f(self.survivors)?);
+        let (left, undecided, contacts) = (f(self.left)?, f(self.undecided)?, f(self.contacts)?);
         let source = self.source.into_iter().map(&mut f).collect::<Result<Vec<U>, E>>()?;
         Ok(Lists { candidates, survivors, left, undecided, contacts, source })
     }
@@ -38,12 +37,12 @@ impl<T> Lists<T> {
 
     /// Both for each list. Both have as many of the source.
     pub fn zip<U>(self, other: Lists<U>) -> Lists<(T, U)> {
-        let two = |[a, b]: [T; 2], [c, d]: [U; 2]| [(a, c), (b, d)];
+        let ([a, b], [c, d]) = (self.candidates, other.candidates);
         Lists {
-            candidates: two(self.candidates, other.candidates),
-            survivors: two(self.survivors, other.survivors),
-            left: two(self.left, other.left),
-            undecided: two(self.undecided, other.undecided),
+            candidates: [(a, c), (b, d)],
+            survivors: (self.survivors, other.survivors),
+            left: (self.left, other.left),
+            undecided: (self.undecided, other.undecided),
             contacts: (self.contacts, other.contacts),
             source: self.source.into_iter().zip(other.source).collect(),
         }
@@ -62,16 +61,16 @@ mod tests {
     use super::*;
 
     fn lists() -> Lists<u32> {
-        let (candidates, survivors, left, undecided) = ([1, 2], [3, 4], [5, 6], [7, 8]);
-        Lists { candidates, survivors, left, undecided, contacts: 9, source: vec![10, 11, 12] }
+        let (candidates, source) = ([1, 2], vec![7, 8, 9]);
+        Lists { candidates, survivors: 3, left: 4, undecided: 5, contacts: 6, source }
     }
 
     #[test]
     fn each_list_keeps_its_name() {
         assert_eq!(lists().map(|i| i), lists());
-        assert_eq!(lists().into_vec(), (1..=12).collect::<Vec<_>>());
+        assert_eq!(lists().into_vec(), (1..=9).collect::<Vec<_>>());
         let both = lists().zip(lists().map(|i| 10 * i)).into_vec();
-        assert!(both.iter().all(|(a, b)| 10 * a == *b) && both.len() == 12);
-        assert_eq!(lists().try_map(|i| if i < 7 { Ok(i) } else { Err(i) }), Err(7));
+        assert!(both.iter().all(|(a, b)| 10 * a == *b) && both.len() == 9);
+        assert_eq!(lists().try_map(|i| if i < 5 { Ok(i) } else { Err(i) }), Err(5));
     }
 }

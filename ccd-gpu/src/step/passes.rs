@@ -5,7 +5,7 @@ use super::upload::{Boxes, Positions};
 use super::{Goal, SAMPLE};
 use crate::bind::{
     Decide, DecideIntegers, DecideNear, DecideNearWide, DecideWide, PlaceVertices, Shorten,
-    SweepEdges, SweepFaces, SweepVertices,
+    SweepElements, SweepVertices,
 };
 use crate::broad_phase::block_bvh::Features;
 use crate::growable_list::{HEADER_BYTES, List, parts};
@@ -16,16 +16,11 @@ use ccd_core::backend::layout::{Decision, Frame, IntegerDecision, Params};
 use ccd_core::narrow_phase::decide;
 use ccd_core::narrow_phase::integer_search::Window;
 
-/// Stages by kind.
-const DECIDE: [&str; 2] = ["decide vertex-face", "decide edge-edge"];
-
 impl Buffers {
     /// Everything from positions to results.
     pub fn record(&self, recorder: &mut Recorder, frame: &Frame, goal: Goal, wide: bool) {
         self.clear(recorder, goal, wide);
-        for earliest in &self.earliest {
-            recorder.copy(&self.never, 0, earliest, 0, 4);
-        }
+        recorder.copy(&self.never, 0, &self.earliest, 0, 4);
         self.source.clear(recorder, self.keeps_order);
         let contact_order = self.order.as_ref().filter(|_| self.to_order > 0);
         contact_order.inspect(|order| order.clear(recorder, frame));
@@ -72,9 +67,8 @@ impl Buffers {
             ..*frame
         };
         recorder.stage("shorten");
-        let [of_vf, of_ee] = &self.earliest;
-        let shortened = &self.shortened;
-        recorder.each(&Shorten { paths, of_vf, of_ee, shortened }, &plain(&cut), cut.count[0]);
+        let Self { earliest, shortened, .. } = self;
+        recorder.each(&Shorten { paths, earliest, shortened }, &plain(&cut), cut.count[0]);
         self.sweep(recorder, &cut, shortened, Boxes::OfPaths);
         cut
     }
@@ -110,7 +104,7 @@ impl Buffers {
     ) {
         let ([v, e, f], p) = (frame.count, plain(frame));
         let Positions { wide, keys, .. } = &self.positions;
-        let (edges, faces, boxes) = (&self.edges, &self.faces, self.source.finder().boxes());
+        let (elements, boxes) = (&self.elements, self.source.finder().boxes());
         match of_vertices {
             Boxes::OfPaths => recorder.each(&SweepVertices { paths, boxes }, &p, v),
             Boxes::OfPositions => {
@@ -118,8 +112,7 @@ impl Buffers {
             }
             Boxes::Sent => {}
         }
-        recorder.each(&SweepEdges { edges, boxes }, &p, e);
-        recorder.each(&SweepFaces { faces, boxes }, &p, f);
+        recorder.each(&SweepElements { elements, boxes }, &p, e + f);
     }
 
     /// Filters candidates of every `step`-th block pair and decides what is left.
@@ -136,43 +129,41 @@ impl Buffers {
             if step == 1 { self.source.fit_ends(recorder, frame, paths) } else { *frame };
         self.source.find(recorder, frame, self.keeps_order);
         self.filter(recorder, &with_ends, paths, step);
-        [0, 1].into_iter().for_each(|kind| self.decide(recorder, frame, kind, wide));
+        self.decide(recorder, frame, wide);
     }
 
-    fn decide(&self, recorder: &mut Recorder, frame: &Frame, kind: usize, wide: bool) {
-        recorder.stage(DECIDE[kind]);
-        let (survivors, open) = (&self.survivors[kind], &self.undecided[kind]);
+    fn decide(&self, recorder: &mut Recorder, frame: &Frame, wide: bool) {
+        recorder.stage("decide");
         let frame = Frame { path_error: self.positions.path_error(), ..*frame };
         let is_near = decide::is_near(&frame);
-        // Where contacts are not kept, a list that the other kind does not have, so that a device
-        // works on both at once: of pairs in `f64`, else one that stays as it is.
-        let kept = if wide { open } else { &self.candidates[kind] };
+        // Where contacts are not kept, pairs are that `f64` leaves open.
         let keep = frame.has(Frame::FLAG_KEEP);
-        let contacts = if keep { &self.contacts } else { kept }.buffer();
+        let contacts = if wide && !keep { &self.undecided } else { &self.contacts }.buffer();
         let paths = self.positions.paths();
         let Positions { wide: positions, .. } = &self.positions;
-        let (elements, args) =
-            (self.elements(kind), Decision { kind: kind as u32, capacity_open: open.capacity() });
-        let (undecided, earliest) = (open.buffer(), &self.earliest[kind]);
+        let Self { elements, earliest, .. } = self;
+        let undecided = self.undecided.buffer();
         let threads = Id::Decide.threads();
         let limit = DISPATCH_LIMIT.min(self.groups * threads * PAIRS_A_THREAD);
         let parts_of = |list: &List| {
             parts(list.capacity(), limit, self.contacts.capacity())
                 .map(|dispatch| (dispatch, self.groups.min(dispatch.n.div_ceil(threads))))
         };
-        let mut decided = survivors;
+        let mut decided = &self.survivors;
         if let (false, Some(window)) = (wide, self.integer_window(&frame)) {
-            let (input, list) = (survivors.buffer(), &self.left[kind]);
-            let args = Decision { capacity_open: list.capacity(), ..args };
-            let (left, args) = (list.buffer(), IntegerDecision::new(args, window));
-            for (dispatch, groups) in parts_of(survivors) {
+            let (input, list) = (decided.buffer(), &self.left);
+            let left = list.buffer();
+            let args = Decision { capacity_open: list.capacity() };
+            let args = IntegerDecision::new(args, window);
+            for (dispatch, groups) in parts_of(decided) {
                 let kernel =
                     DecideIntegers { paths, positions, elements, input, contacts, left, earliest };
                 recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
             }
             decided = list;
         }
-        let input = decided.buffer();
+        let (input, args) =
+            (decided.buffer(), Decision { capacity_open: self.undecided.capacity() });
         for (dispatch, groups) in parts_of(decided) {
             // One of four, so that a first step waits for no more than it needs.
             let params = Params { frame, dispatch, args };
@@ -207,12 +198,7 @@ impl Buffers {
     }
 
     fn features(&self) -> Features<'_> {
-        Features { edges: &self.edges, faces: &self.faces, bodies: &self.bodies }
-    }
-
-    /// Faces, or edges, as pairs of a kind have them.
-    pub(super) fn elements(&self, kind: usize) -> &wgpu::Buffer {
-        if kind == 0 { &self.faces } else { &self.edges }
+        Features { elements: &self.elements, bodies: &self.bodies }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
 use ccd_core::backend::kernel::Id;
-use ccd_core::backend::layout::{Decision, Dispatch, Frame, Params};
+use ccd_core::backend::layout::{Dispatch, Frame, Listing, Params};
 use ccd_core::backend::rules::Rules;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
@@ -235,7 +235,7 @@ impl Listed {
         kind: usize,
         range: Range<u32>,
         output: &List,
-        mut run: impl FnMut(&Params<Decision>, u32),
+        mut run: impl FnMut(&Params<Listing>, u32),
     ) {
         let (capacity_in, capacity_out) = (self.pairs[kind].capacity(), output.capacity());
         let end = range.end.min(capacity_in);
@@ -243,7 +243,7 @@ impl Listed {
             let n = DISPATCH_LIMIT.min(end - first);
             let groups = n.div_ceil(Id::ListListed.threads()).min(self.groups);
             let dispatch = Dispatch { n, first, capacity_in, capacity_out };
-            let args = Decision { kind: kind as u32, capacity_open: 0 };
+            let args = Listing { kind: kind as u32 };
             run(&Params { frame: *frame, dispatch, args }, groups);
         }
     }

@@ -6,7 +6,7 @@ use crate::workgroup::{barrier, get, set};
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{marked, set_of, slot, united};
 use ccd_core::backend::kernel::memory::{at, put};
-use ccd_core::backend::layout::{Frame, Leaf};
+use ccd_core::backend::layout::{Frame, Leaf, elements};
 use ccd_core::narrow_phase::cascade;
 use spirv_std::glam::{UVec4, Vec4};
 
@@ -33,8 +33,7 @@ kernel! {
     /// Leaves in sorted order, and the nodes above them. Thread `i` owns leaf `i` of all sets; the
     /// first thread of 32 their node.
     fit_leaves[256](t; params: Blocks; shared: [Aabb; 256]; boxes: [BoxWords], order: [u32],
-        edges: [[u32; 2]], faces: [[u32; 3]], bodies: [u32], mut nodes: [BoxWords],
-        mut leaves: [UVec4]) {
+        elements: [u32], bodies: [u32], mut nodes: [BoxWords], mut leaves: [UVec4]) {
         let i = t.group * 256 + t.lane;
         let set = set_of(&params.args.slots[0], i);
         let k = i - params.args.slots[0][set];
@@ -47,13 +46,10 @@ kernel! {
             let feature = at_box - params.frame.start[set];
             leaf.id = feature;
             leaf.vertices = [feature; 3];
-            if params.frame.has(Frame::FLAG_TOPOLOGY) {
-                if set == 1 {
-                    let e = at(edges, feature as usize);
-                    leaf.vertices = [e[0], e[1], e[1]];
-                } else if set == 2 {
-                    leaf.vertices = at(faces, feature as usize);
-                }
+            if params.frame.has(Frame::FLAG_TOPOLOGY) && set > 0 {
+                let n_edges = params.frame.count[1];
+                let element = at_box - params.frame.start[1];
+                leaf.vertices = elements::vertices(element, n_edges, elements);
             }
         }
         let marks = params.frame.has(Frame::FLAG_STILL);

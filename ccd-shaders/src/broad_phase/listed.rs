@@ -21,9 +21,8 @@ const KEPT: u32 = 0;
 const BASE: u32 = 1;
 
 kernel! {
-    /// Thread `i` looks at the `i`-th pair: is it a candidate? `elements`: of faces, or of edges,
-    /// as the kind has them.
-    list_listed[128](t; params: Decision; counters: [u32; 2]; boxes: [Aabb], elements: [u32],
+    /// Thread `i` looks at the `i`-th pair: is it a candidate?
+    list_listed[128](t; params: Listing; counters: [u32; 2]; boxes: [Aabb], elements: [u32],
         bodies: [u32], keys: [[[u32; 2]; 6]], input: [u32], mut output: [u32]) {
         let (frame, dispatch, kind) = (&params.frame, &params.dispatch, params.args.kind);
         let len = part(input, dispatch);
@@ -37,7 +36,7 @@ kernel! {
             let (mut keeps, mut to) = (false, 0);
             if i < len {
                 pair = read_pair(input, dispatch.first + i);
-                let (_, ids) = decide::words_of_pair(kind, pair, elements);
+                let (_, ids) = decide::words_of_pair(kind, pair, frame, elements);
                 let [a, b] = leaves(kind, pair, ids);
                 let [p, q] = places(kind, frame, pair);
                 let both = [&at(boxes, p as usize), &at(boxes, q as usize)];

@@ -12,14 +12,14 @@ const THREADS: u32 = Id::ContactGeometry.threads();
 
 kernel! {
     /// Thread `i` writes the geometry of contact `dispatch.first + i`, from paths.
-    contact_geometry[64](t; params: Placing;; paths: [Path], edges: [[u32; 2]], faces: [[u32; 3]],
+    contact_geometry[64](t; params: Placing;; paths: [Path], elements: [u32],
         contacts: [u32], mut geometry: [TouchGeometry]) {
         let len = part(contacts, &params.dispatch);
         for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
             if i < len {
                 let i = params.dispatch.first + i;
-                let record = touch_geometry::narrow(i, params, paths, edges, faces, contacts);
+                let record = touch_geometry::narrow(i, params, paths, elements, contacts);
                 put(geometry, i as usize, record);
             }
         }
@@ -30,14 +30,14 @@ kernel! {
     /// Thread `i` writes the geometry of contact `dispatch.first + i`, from positions as they were
     /// given.
     contact_geometry_wide[64](t; params: Plain;; paths: [Path], positions: [[f64; 3]],
-        edges: [[u32; 2]], faces: [[u32; 3]], contacts: [u32], mut geometry: [TouchGeometry]) {
+        elements: [u32], contacts: [u32], mut geometry: [TouchGeometry]) {
         let len = part(contacts, &params.dispatch);
         for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
             let i = (t.group + round * t.groups) * THREADS + t.lane;
             if i < len {
                 let i = params.dispatch.first + i;
                 let record =
-                    touch_geometry::wide(i, params, paths, positions, edges, faces, contacts);
+                    touch_geometry::wide(i, params, paths, positions, elements, contacts);
                 put(geometry, i as usize, record);
             }
         }

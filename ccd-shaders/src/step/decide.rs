@@ -6,6 +6,7 @@ use crate::records::PathWords;
 use crate::workgroup::{add, add_shared, barrier, get, lower, part, read_pair, set, write_pair};
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::put;
+use ccd_core::backend::layout::elements::kind_of;
 use ccd_core::backend::layout::{Decision, Frame, LIST_HEADER, Pair, Params, TOUCH_WORDS};
 use ccd_core::narrow_phase::decide::{self, Verdicts};
 
@@ -35,8 +36,9 @@ fn place(lane: u32, has: bool, counters: &mut [u32; 4], list: &mut [u32]) -> u32
 }
 
 #[inline(always)]
-fn write_touch(list: &mut [u32], capacity: u32, i: u32, kind: u32, pair: Pair, v: &Verdicts) {
+fn write_touch(list: &mut [u32], capacity: u32, i: u32, listed: Pair, v: &Verdicts) {
     if i < capacity {
+        let (kind, pair) = kind_of(listed);
         let to = LIST_HEADER + TOUCH_WORDS * i as usize;
         put(list, to, kind);
         put(list, to + 1, v.undecided);
@@ -48,7 +50,8 @@ fn write_touch(list: &mut [u32], capacity: u32, i: u32, kind: u32, pair: Pair, v
     }
 }
 
-/// Lists a verdict of this thread, if it is one of contact, as a contact or as a pair.
+/// Lists a verdict of this thread, if it is one of contact, as a contact or as a pair. `pair`: with
+/// its kind.
 /// `is_decided_again`: what is open is decided by the host, and may be none, so that its time
 /// bounds nothing.
 #[inline(always)]
@@ -70,7 +73,7 @@ fn list_wide(
     }
     let to = place(lane, listed, counters, contacts);
     if listed && keep {
-        write_touch(contacts, params.dispatch.capacity_out, to, params.args.kind, pair, verdict);
+        write_touch(contacts, params.dispatch.capacity_out, to, pair, verdict);
     } else if listed {
         write_pair(contacts, params.args.capacity_open, to, pair);
     }
@@ -98,7 +101,7 @@ fn list_narrow<A>(
     if params.frame.has(Frame::FLAG_KEEP) {
         let to = place(lane, certain, counters, contacts);
         if certain {
-            write_touch(contacts, params.dispatch.capacity_out, to, args.kind, pair, verdict);
+            write_touch(contacts, params.dispatch.capacity_out, to, pair, verdict);
         }
     }
     barrier();
@@ -117,14 +120,15 @@ macro_rules! wide {
             $name[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords],
                 positions: [[f64; 3]], elements: [u32], input: [u32], mut contacts: [u32],
                 mut earliest: [u32]) {
-                let (len, kind) = (part(input, &params.dispatch), params.args.kind);
+                let len = part(input, &params.dispatch);
                 for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
                     let i = (t.group + round * t.groups) * THREADS + t.lane;
                     let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
                     if i < len {
                         pair = read_pair(input, params.dispatch.first + i);
+                        let (kind, alone) = kind_of(pair);
                         verdict = decide::wide::<$near, _>(
-                            kind, pair, &params.frame, paths, positions, elements,
+                            kind, alone, &params.frame, paths, positions, elements,
                         );
                     }
                     list_wide(t.lane, params, pair, &verdict, !$near, counters, contacts, earliest);
@@ -135,9 +139,8 @@ macro_rules! wide {
 }
 
 wide! {
-    /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f64`. `elements`: of faces,
-    /// or of edges, as the kind has them. Without `FLAG_KEEP` the list of contacts is one of
-    /// pairs, those that the host decides again.
+    /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f64`. Without `FLAG_KEEP`
+    /// the list of contacts is one of pairs, those that the host decides again.
     decide_wide, false
 }
 wide! {
@@ -147,8 +150,8 @@ wide! {
 
 kernel! {
     /// Thread `i` decides the `i`-th pair from `dispatch.first` on by integers; what these leave
-    /// open goes to `left`, ties with a mark. `elements`: of faces, or of edges, as the kind has
-    /// them. `positions`: words of positions as given, if paths are not exact.
+    /// open goes to `left`, ties with a mark. `positions`: words of positions as given, if paths
+    /// are not exact.
     decide_integers[64](t; params: IntegerDecision; counters: [u32; 4]; paths: [PathWords],
         positions: [u32], elements: [u32], input: [u32], mut contacts: [u32], mut left: [u32],
         mut earliest: [u32]) {
@@ -159,7 +162,9 @@ kernel! {
             if i < len {
                 pair = read_pair(input, params.dispatch.first + i);
                 let (frame, args) = (&params.frame, &params.args);
-                let found = decide::by_integers(pair, frame, args, paths, positions, elements);
+                let (kind, alone) = kind_of(pair);
+                let found =
+                    decide::by_integers(kind, alone, frame, args, paths, positions, elements);
                 verdict = decide::found_verdicts(found, args.from);
                 pair = decide::left_pair(pair, found);
             }
@@ -186,8 +191,9 @@ macro_rules! narrow {
                         pair = listed;
                         verdict = Verdicts::OPEN;
                         if !is_tie {
+                            let (kind, alone) = kind_of(pair);
                             verdict = decide::narrow::<$near, _>(
-                                args.kind, pair, &params.frame, paths, elements,
+                                kind, alone, &params.frame, paths, elements,
                             );
                         }
                     }
@@ -203,7 +209,7 @@ macro_rules! narrow {
 
 narrow! {
     /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f32`; what that leaves open
-    /// goes to `undecided`. `elements`: of faces, or of edges, as the kind has them.
+    /// goes to `undecided`.
     decide, false
 }
 narrow! {

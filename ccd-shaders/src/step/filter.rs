@@ -1,13 +1,14 @@
-//! Candidates to those that may touch, one a thread.
+//! Candidates of both kinds to those that may touch, one a thread.
 //!
 //! What the cheap filters leave is gathered before the costly one, so that no thread waits for a
 //! neighbour with more to do.
 
 use crate::entry::kernel;
 use crate::records::PathWords;
-use crate::workgroup::{add_shared, barrier, count, get, part, read_pair, set, write_pair};
+use crate::workgroup::{add_shared, barrier, count, get, length, read_pair, set, write_pair};
 use ccd_core::backend::kernel::Id;
-use ccd_core::backend::layout::{Frame, Pair};
+use ccd_core::backend::layout::elements::with_kind;
+use ccd_core::backend::layout::{EDGE_EDGE, Frame, Pair, VERTEX_FACE};
 use ccd_core::narrow_phase::cascade::{self, PAIRS_A_THREAD};
 use ccd_core::narrow_phase::decide;
 
@@ -21,17 +22,26 @@ const KEPT: u32 = 1;
 const BASE: u32 = 2;
 
 kernel! {
-    /// Thread `i` filters the `i`-th candidate from `dispatch.first` on. `elements`: of faces, or
-    /// of edges, as the kind has them. With `FLAG_ENDS` no axis keeps a candidate apart.
-    filter_pairs[128](t; params: Decision; counters: [u32; 3], left: [Pair; 512],
-        kept: [Pair; 512]; elements: [u32], paths: [PathWords], input: [u32],
+    /// A workgroup filters a pool of candidates after the other, of one kind each, from pool
+    /// `dispatch.first` on: first those of vertices and faces. With `FLAG_ENDS` no axis keeps a
+    /// candidate apart. The second word of `output` counts pairs of edges.
+    filter_pairs[128](t; params: Filtering; counters: [u32; 3], left: [Pair; 512],
+        kept: [Pair; 512]; elements: [u32], paths: [PathWords], vf: [u32], ee: [u32],
         mut output: [u32]) {
-        let (frame, kind) = (&{ params.frame }, params.args.kind);
+        let (frame, dispatch) = (&{ params.frame }, &params.dispatch);
         let (error, min_distance) = (frame.path_error, frame.min_distance);
         let ends = frame.has(Frame::FLAG_ENDS);
-        let len = part(input, &params.dispatch);
-        for round in 0..decide::rounds(len, t.group, t.groups, POOL) {
-            let first = (t.group + round * t.groups) * POOL;
+        let n_vf = length(vf, dispatch.capacity_in);
+        let n_ee = length(ee, params.args.capacity_ee);
+        let pools_vf = n_vf.div_ceil(POOL);
+        let n_pools = pools_vf + n_ee.div_ceil(POOL);
+        let n_pools = if n_pools > dispatch.first { n_pools - dispatch.first } else { 0 };
+        for round in 0..decide::rounds(n_pools.min(dispatch.n), t.group, t.groups, 1) {
+            let pool = dispatch.first + t.group + round * t.groups;
+            let of_edges = pool >= pools_vf;
+            let kind = if of_edges { EDGE_EDGE } else { VERTEX_FACE };
+            let len = if of_edges { n_ee } else { n_vf };
+            let first = POOL * if of_edges { pool - pools_vf } else { pool };
             if t.lane <= KEPT {
                 set(counters, t.lane, 0);
             }
@@ -41,8 +51,8 @@ kernel! {
                 if i >= len {
                     break;
                 }
-                let pair = read_pair(input, params.dispatch.first + i);
-                let (patch, ids) = decide::words_of_pair(kind, pair, elements);
+                let pair = if of_edges { read_pair(ee, i) } else { read_pair(vf, i) };
+                let (patch, ids) = decide::words_of_pair(kind, pair, frame, elements);
                 if ends || cascade::near_on_axes(patch, ids, paths, error, min_distance) {
                     let motion = cascade::motion(patch, ids, paths, error);
                     if !cascade::apart_throughout(&motion, patch, min_distance) {
@@ -58,7 +68,7 @@ kernel! {
                     break;
                 }
                 let pair = get(left, h);
-                let (patch, ids) = decide::words_of_pair(kind, pair, elements);
+                let (patch, ids) = decide::words_of_pair(kind, pair, frame, elements);
                 let motion = cascade::motion(patch, ids, paths, error);
                 if !cascade::apart_in_halves(&motion, patch, min_distance) {
                     set(kept, add_shared(counters, KEPT, 1), pair);
@@ -68,6 +78,9 @@ kernel! {
             let n = get(counters, KEPT);
             if t.lane == 0 && n > 0 {
                 set(counters, BASE, count(output, 0, n));
+                if of_edges {
+                    count(output, 1, n);
+                }
             }
             barrier();
             let base = get(counters, BASE);
@@ -76,7 +89,8 @@ kernel! {
                 if h >= n {
                     break;
                 }
-                write_pair(output, params.dispatch.capacity_out, base + h, get(kept, h));
+                let pair = with_kind(kind, get(kept, h));
+                write_pair(output, dispatch.capacity_out, base + h, pair);
             }
             barrier();
         }

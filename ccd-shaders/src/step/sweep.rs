@@ -4,7 +4,7 @@ use crate::entry::kernel;
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::{placement, swept_box};
 use ccd_core::backend::kernel::memory::{at, put};
-use ccd_core::backend::layout::Path;
+use ccd_core::backend::layout::{Path, elements};
 use ccd_core::narrow_phase::decide;
 
 kernel! {
@@ -33,36 +33,23 @@ kernel! {
 }
 
 kernel! {
-    /// Thread `i` unites the boxes of the vertices of edge `i`.
-    sweep_edges[256](t; params: Plain;; edges: [[u32; 2]], mut boxes: [Aabb]) {
-        let i = t.i;
-        if i < params.frame.count[1] {
-            let swept = swept_box::edge(i as usize, edges, boxes);
-            put(boxes, (params.frame.start[1] + i) as usize, swept);
-        }
-    }
-}
-
-kernel! {
-    /// Thread `i` unites the boxes of the vertices of face `i`.
-    sweep_faces[256](t; params: Plain;; faces: [[u32; 3]], mut boxes: [Aabb]) {
-        let i = t.i;
-        if i < params.frame.count[2] {
-            let swept = swept_box::face(i as usize, faces, boxes);
-            put(boxes, (params.frame.start[2] + i) as usize, swept);
+    /// Thread `i` unites the boxes of the vertices of element `i`: of edges, then of faces.
+    sweep_elements[256](t; params: Plain;; elements: [u32], mut boxes: [Aabb]) {
+        let (i, [_, n_edges, n_faces]) = (t.i, params.frame.count);
+        if i < n_edges + n_faces {
+            let vertices = elements::vertices(i, n_edges, elements);
+            put(boxes, (params.frame.start[1] + i) as usize, swept_box::triangle(vertices, boxes));
         }
     }
 }
 
 kernel! {
     /// Thread `i` cuts path `i` to the times that matter, which end at the earliest time of impact
-    /// so far; `of_vf` and `of_ee` hold the bits of those of each kind, or a greater number if
-    /// there is none.
-    shorten[256](t; params: Plain;; paths: [Path], of_vf: [u32], of_ee: [u32],
-        mut shortened: [Path]) {
+    /// so far: `earliest` holds its bits, or a greater number if there is none.
+    shorten[256](t; params: Plain;; paths: [Path], earliest: [u32], mut shortened: [Path]) {
         let i = t.i;
         if i < params.frame.count[0] {
-            let until = decide::until(at(of_vf, 0).min(at(of_ee, 0)));
+            let until = decide::until(at(earliest, 0));
             let until = if until < params.frame.until { until } else { params.frame.until };
             let path = swept_box::shorten(&at(paths, i as usize), params.frame.from, until);
             put(shortened, i as usize, path);

@@ -17,15 +17,12 @@ macro_rules! kernels {
             /// Boxes of vertices.
             SweepVertices = sweep_vertices(256 threads, 0 barriers, f32, Params<Plain>)
                 { paths: Read, boxes: Write }
-            /// Boxes of edges.
-            SweepEdges = sweep_edges(256 threads, 0 barriers, f32, Params<Plain>)
-                { edges: Read, boxes: Write }
-            /// Boxes of faces.
-            SweepFaces = sweep_faces(256 threads, 0 barriers, f32, Params<Plain>)
-                { faces: Read, boxes: Write }
-            /// Paths up to the earliest time of impact so far, which each kind has.
+            /// Boxes of edges and faces.
+            SweepElements = sweep_elements(256 threads, 0 barriers, f32, Params<Plain>)
+                { elements: Read, boxes: Write }
+            /// Paths up to the earliest time of impact so far.
             Shorten = shorten(256 threads, 0 barriers, f32, Params<Plain>)
-                { paths: Read, of_vf: Read, of_ee: Read, shortened: Write }
+                { paths: Read, earliest: Read, shortened: Write }
             /// Bounds of all boxes, in six words.
             SceneBounds = scene_bounds(256 threads, 1 barriers, f32, Params<Plain>)
                 { boxes: Read, bounds: Write }
@@ -43,7 +40,7 @@ macro_rules! kernels {
                 { table: Read, keys: Read, values: Read, keys_out: Write, values_out: Write }
             /// Leaves in order and the nodes above.
             FitLeaves = fit_leaves(256 threads, 1 barriers, f32, Params<Blocks>)
-                { boxes: Read, order: Read, edges: Read, faces: Read, bodies: Read,
+                { boxes: Read, order: Read, elements: Read, bodies: Read,
                   nodes: Write, leaves: Write }
             /// Boxes of leaves at both ends of the step.
             FitEnds = fit_ends(256 threads, 0 barriers, f32, Params<Blocks>)
@@ -84,8 +81,8 @@ macro_rules! kernels {
                 { nodes: Read, leaves: Read, ends: Read, bodies: Read, keys: Read, input: Read,
                   output: Write }
             /// Candidates to those that may touch.
-            FilterPairs = filter_pairs(128 threads, 5 barriers, f32, Params<Decision>)
-                { elements: Read, paths: Read, input: Read, output: Write }
+            FilterPairs = filter_pairs(128 threads, 5 barriers, f32, Params<Filtering>)
+                { elements: Read, paths: Read, vf: Read, ee: Read, output: Write }
             /// Boxes of triangles.
             SweepTriangles = sweep_triangles(256 threads, 0 barriers, f32, Params<Plain>)
                 { triangles: Read, boxes: Read, swept: Write }
@@ -98,26 +95,26 @@ macro_rules! kernels {
                 { tests: Read, regions: Read, swept: Read, boxes: Read,
                   vf: Write, ee: Write, counts: Write }
             /// Listed pairs of a kind to candidates.
-            ListListed = list_listed(128 threads, 3 barriers, f32, Params<Decision>)
+            ListListed = list_listed(128 threads, 3 barriers, f32, Params<Listing>)
                 { boxes: Read, elements: Read, bodies: Read, keys: Read, input: Read,
                   output: Write }
-            /// Verdicts of pairs of a kind by integers of 32 bits.
+            /// Verdicts of pairs by integers of 32 bits.
             DecideIntegers = decide_integers(64 threads, 7 barriers, f32, Params<IntegerDecision>)
                 { paths: Read, positions: Read, elements: Read, input: Read,
                   contacts: Write, left: Write, earliest: Write }
-            /// Verdicts of pairs of a kind in `f32`.
+            /// Verdicts of pairs in `f32`.
             Decide = decide(64 threads, 7 barriers, f32, Params<Decision>)
                 { paths: Read, elements: Read, input: Read,
                   contacts: Write, undecided: Write, earliest: Write }
-            /// Verdicts of pairs of a kind in `f64`.
+            /// Verdicts of pairs in `f64`.
             DecideWide = decide_wide(64 threads, 3 barriers, f64, Params<Decision>)
                 { paths: Read, positions: Read, elements: Read, input: Read,
                   contacts: Write, earliest: Write }
-            /// Verdicts of pairs of a kind by a minimum distance, without `f64`.
+            /// Verdicts of pairs by a minimum distance, without `f64`.
             DecideNear = decide_near(64 threads, 7 barriers, f32, Params<Decision>)
                 { paths: Read, elements: Read, input: Read,
                   contacts: Write, undecided: Write, earliest: Write }
-            /// Verdicts of pairs of a kind by a minimum distance, in `f64`.
+            /// Verdicts of pairs by a minimum distance, in `f64`.
             DecideNearWide = decide_near_wide(64 threads, 3 barriers, f64, Params<Decision>)
                 { paths: Read, positions: Read, elements: Read, input: Read,
                   contacts: Write, earliest: Write }
@@ -132,10 +129,10 @@ macro_rules! kernels {
                 { contacts: Read, slots: Read, ordered: Write, table: Write }
             /// Point, normal and weights of contacts, in `f32`.
             ContactGeometry = contact_geometry(64 threads, 0 barriers, f32, Params<Placing>)
-                { paths: Read, edges: Read, faces: Read, contacts: Read, geometry: Write }
+                { paths: Read, elements: Read, contacts: Read, geometry: Write }
             /// Point, normal and weights of contacts, in `f64`.
             ContactGeometryWide = contact_geometry_wide(64 threads, 0 barriers, f64, Params<Plain>)
-                { paths: Read, positions: Read, edges: Read, faces: Read, contacts: Read,
+                { paths: Read, positions: Read, elements: Read, contacts: Read,
                   geometry: Write }
             /// For what a device flushes, and tests: scalar operations.
             ProbeScalars = probe_scalars(64 threads, 0 barriers, f32)

@@ -1,14 +1,28 @@
-//! Parameters of kernels that decide listed pairs.
+//! Parameters of kernels that look at one listed pair a thread.
 
 use crate::narrow_phase::integer_search::Window;
 use bytemuck::{Pod, Zeroable};
 
-/// Parameters of the kernels that look at one listed pair a thread.
+/// Parameters of the kernel that tells candidates among listed pairs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Listing {
+    /// 0: vertices against faces, 1: edges against edges.
+    pub kind: u32,
+}
+
+/// Parameters of the kernel that filters candidates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Filtering {
+    /// Capacity of the list of pairs of edges; the other is that of the list that is read.
+    pub capacity_ee: u32,
+}
+
+/// Parameters of the kernels that decide listed pairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Decision {
-    /// 0: vertices against faces, 1: edges against edges.
-    pub kind: u32,
     /// Capacity of the list of pairs that are left open.
     pub capacity_open: u32,
 }
@@ -36,4 +50,5 @@ impl IntegerDecision {
     }
 }
 
-const _: () = assert!(size_of::<Decision>() == 8 && size_of::<IntegerDecision>() == 20);
+const _: () = assert!(size_of::<Listing>() == 4 && size_of::<Filtering>() == 4);
+const _: () = assert!(size_of::<Decision>() == 4 && size_of::<IntegerDecision>() == 16);

@@ -2,11 +2,12 @@
 //! here.
 
 mod decision;
+pub mod elements;
 mod params;
 mod touch;
 
 pub use crate::math::f64_bits::{join, split};
-pub use decision::{Decision, IntegerDecision};
+pub use decision::{Decision, Filtering, IntegerDecision, Listing};
 pub use params::{
     BlockDescent, Blocks, Building, Dispatch, Expansion, Frame, Intervals, NodeDescent, Params,
     Placing, Plain, Queries, SortPass, Worlds,

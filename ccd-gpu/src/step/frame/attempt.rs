@@ -29,7 +29,7 @@ pub struct Attempt {
 
 /// Where results are in the reading of a frame.
 pub struct Parts {
-    pub earliest: [Part; 2],
+    pub earliest: Part,
     pub sample: Part,
     pub lists: Lists<Part>,
     pub contacts: Part,
@@ -84,7 +84,7 @@ impl Frames {
         let mut plan = Plan::default();
         let wide = device.info().wide;
         let asked = |is: bool, bytes: u64| if is { bytes } else { 0 };
-        let of_earliest = [(); 2].map(|()| plan.part(asked(goal.is_earliest(), 4)));
+        let of_earliest = plan.part(asked(goal.is_earliest(), 4));
         let of_sample = plan.part(asked(goal == Goal::Earliest, 16));
         let of_lists = buffers.used(goal, wide).map(|used| plan.part(asked(used, HEADER_BYTES)));
         let is_ordered = buffers.to_order > 0;
@@ -99,9 +99,7 @@ impl Frames {
         let stages = submit(device, bench, |recorder| {
             buffers.record(recorder, &frame, goal, wide);
             recorder.end_of_work();
-            for (part, earliest) in of_earliest.iter().zip(&buffers.earliest) {
-                recorder.read(&reading, *part, earliest, 0);
-            }
+            recorder.read(&reading, of_earliest, &buffers.earliest, 0);
             recorder.read(&reading, of_sample, &buffers.sample, 0);
             let lists = buffers.lists().zip(of_lists.clone());
             lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));

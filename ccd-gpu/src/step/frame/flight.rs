@@ -6,7 +6,7 @@ use super::{Found, Frames};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{
-    HEADER_BYTES, Header, List, Runs, read_header, read_header_of_parts, read_pairs,
+    HEADER_BYTES, Header, List, Runs, read_by_kind, read_header, read_header_of_parts,
 };
 use crate::readback::{Mapping, Part, Plan, word};
 use crate::recorder::submit;
@@ -44,7 +44,7 @@ struct Rest {
     mapping: Mapping,
     n_contacts: u32,
     contacts: Part,
-    open: [Part; 2],
+    open: Part,
 }
 
 /// What became of a frame.
@@ -155,8 +155,7 @@ impl Frames {
         let mut sampled_of = 0;
         let (mut headers, counted) = mapping.read(|bytes| {
             if goal.is_earliest() {
-                let [vf, ee] = parts.earliest.map(|part| word(part.of(bytes), 0));
-                found.earliest = vf.min(ee);
+                found.earliest = word(parts.earliest.of(bytes), 0);
             }
             if goal == Goal::Earliest {
                 let at = |i| word(parts.sample.of(bytes), i) as u64;
@@ -216,21 +215,21 @@ impl Frames {
             if goal == Goal::Earliest { of_lists.and(Some(sampled_of)) } else { of_lists },
         );
         self.order = order;
-        let [vf, ee] = &headers.survivors;
-        found.filtered = PerKind::new(vf.wanted as u64, ee.wanted as u64);
+        let (all, of_edges) = (headers.survivors.wanted, headers.survivors.second);
+        found.filtered = PerKind::new((all - of_edges) as u64, of_edges as u64);
         let [vf, ee] = &headers.candidates;
-        found.candidates = PerKind::new(vf.looked_at as u64, ee.looked_at as u64);
+        found.candidates = PerKind::new(vf.second as u64, ee.second as u64);
         if goal == Goal::Earliest && found.candidates.total() > found.sampled * SAMPLE as u64 / 4 {
             self.at_once = AT_ONCE;
         }
         let n_contacts = headers.contacts.wanted;
-        let n_open = headers.undecided.map(|header| header.wanted);
+        let n_open = headers.undecided.wanted;
         let beyond = n_contacts > guess;
         if goal == Goal::Contacts {
             self.expected = n_contacts;
         }
         found.in_order &= !beyond;
-        if beyond || n_open != [0, 0] {
+        if beyond || n_open > 0 {
             let n_contacts = if beyond { n_contacts } else { 0 };
             let rest = self.begin_rest(device, n_contacts, n_open, std::mem::take(contacts))?;
             return Ok(End::Rest(found, rest));
@@ -244,22 +243,22 @@ impl Frames {
         &mut self,
         device: &Device,
         n_contacts: u32,
-        n_open: [u32; 2],
+        n_open: u32,
         listed: Vec<Contact>,
     ) -> Result<Rest, Error> {
         let Self { buffers, bench, readback, .. } = self;
-        let Buffers { contacts: list, undecided: [vf, ee], .. } = buffers;
+        let Buffers { contacts: list, undecided, .. } = buffers;
         let mut plan = Plan::default();
         let of_contacts = plan.part(list.bytes(n_contacts));
-        let (of_vf, of_ee) = (plan.part(vf.bytes(n_open[0])), plan.part(ee.bytes(n_open[1])));
+        let open = plan.part(undecided.bytes(n_open));
         let reading = readback.prepare(device, plan)?;
         submit(device, bench, |recorder| {
-            for (part, list) in [(of_contacts, &*list), (of_vf, vf), (of_ee, ee)] {
+            for (part, list) in [(of_contacts, &*list), (open, undecided)] {
                 recorder.read(&reading, part, list.buffer(), 0);
             }
         })?;
         let mapping = reading.begin(device)?;
-        Ok(Rest { listed, mapping, n_contacts, contacts: of_contacts, open: [of_vf, of_ee] })
+        Ok(Rest { listed, mapping, n_contacts, contacts: of_contacts, open })
     }
 }
 
@@ -279,7 +278,7 @@ impl Rest {
                 let n = n_contacts as usize;
                 (*contacts, *summary) = take_touches(touches, n, identity, spare);
             }
-            open.map(|part| read_pairs(part.of(bytes)))
+            read_by_kind(open.of(bytes))
         })
     }
 }
