@@ -62,37 +62,31 @@ var<storage> params: type_19;
 @group(0) @binding(1) 
 var<storage> contacts: type_11;
 @group(0) @binding(2) 
-var<storage> slots: type_11;
+var<storage> slots: type_16;
 @group(0) @binding(3) 
 var<storage, read_write> ordered: type_16;
 @group(0) @binding(4) 
 var<storage, read_write> table: type_22;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_170_: type_9;
-    var phi_173_: u32;
-    var phi_175_: u32;
-    var phi_268_: u32;
-    var phi_269_: u32;
-    var phi_270_: bool;
-    var phi_271_: u32;
-    var phi_272_: u32;
-    var phi_273_: bool;
-    var phi_174_: u32;
-    var phi_176_: u32;
-    var phi_274_: bool;
-    var phi_281_: type_9;
-    var phi_284_: u32;
-    var phi_286_: u32;
-    var phi_380_: u32;
-    var phi_381_: u32;
-    var phi_382_: bool;
-    var phi_383_: u32;
-    var phi_384_: u32;
-    var phi_385_: bool;
-    var phi_285_: u32;
-    var phi_287_: u32;
-    var phi_386_: bool;
+    var phi_123_: type_9;
+    var phi_126_: u32;
+    var phi_128_: u32;
+    var phi_187_: u32;
+    var phi_188_: u32;
+    var phi_189_: bool;
+    var phi_127_: u32;
+    var phi_129_: u32;
+    var phi_190_: bool;
+    var phi_197_: type_9;
+    var phi_200_: u32;
+    var phi_202_: u32;
+    var phi_262_: u32;
+    var phi_263_: u32;
+    var phi_264_: bool;
+    var phi_201_: u32;
+    var phi_203_: u32;
+    var phi_265_: bool;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
@@ -105,168 +99,123 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e27 = id_2;
-    let _e28 = n_2;
-    let _e29 = lane_2;
-    let _e41 = ((((_e27.y * _e28.x) + _e27.x) * 256u) + _e29);
-    let _e44 = params.member.member_1.member;
-    let _e47 = params.member.member_1.member_2;
-    let _e49 = contacts.member[0u];
-    let _e51 = select(_e49, _e47, (_e47 < _e49));
-    let _e53 = select(_e44, _e51, (_e51 < _e44));
-    if (_e41 < _e53) {
-        let _e57 = slots.member[_e41];
-        let _e58 = (7u * _e57);
-        let _e61 = contacts.member[(4u + _e58)];
-        let _e64 = params.member.member.member[0u];
-        let _e68 = contacts.member[(_e58 + 6u)];
-        let _e69 = ((_e61 * _e64) + _e68);
-        let _e73 = contacts.member[((7u * _e57) + 7u)];
-        phi_170_ = type_9(0u, 4097u);
-        phi_173_ = 0u;
-        phi_175_ = _e41;
+    let _e18 = id_2;
+    let _e19 = n_2;
+    let _e20 = lane_2;
+    let _e32 = ((((_e18.y * _e19.x) + _e18.x) * 256u) + _e20);
+    let _e35 = params.member.member_1.member;
+    let _e38 = params.member.member_1.member_2;
+    let _e40 = contacts.member[0u];
+    let _e42 = select(_e40, _e38, (_e38 < _e40));
+    let _e44 = select(_e35, _e42, (_e42 < _e35));
+    if (_e32 < _e44) {
+        let _e47 = slots.member[_e32];
+        let _e50 = (_e47.y & 2147483647u);
+        phi_123_ = type_9(0u, 4097u);
+        phi_126_ = 0u;
+        phi_128_ = _e32;
         loop {
-            let _e75 = phi_170_;
-            let _e77 = phi_173_;
-            let _e79 = phi_175_;
-            local_4 = _e77;
-            local_1 = _e79;
-            local_2 = _e79;
-            let _e82 = (_e75.member < _e75.member_1);
-            if (bitcast<i32>(select(0u, 1u, _e82)) != 0i) {
-                if (_e79 == 0u) {
-                    phi_271_ = u32();
-                    phi_272_ = u32();
-                    phi_273_ = false;
+            let _e52 = phi_123_;
+            let _e54 = phi_126_;
+            let _e56 = phi_128_;
+            local_4 = _e54;
+            local_1 = _e56;
+            local_2 = _e56;
+            let _e59 = (_e52.member < _e52.member_1);
+            if (bitcast<i32>(select(0u, 1u, _e59)) != 0i) {
+                if (_e56 == 0u) {
+                    phi_187_ = u32();
+                    phi_188_ = u32();
+                    phi_189_ = false;
                 } else {
-                    let _e97 = slots.member[(_e79 - 1u)];
-                    let _e98 = (7u * _e97);
-                    let _e101 = contacts.member[(4u + _e98)];
-                    let _e104 = params.member.member.member[0u];
-                    let _e108 = contacts.member[(_e98 + 6u)];
-                    if (((_e101 * _e104) + _e108) != _e69) {
-                        phi_268_ = u32();
-                        phi_269_ = u32();
-                        phi_270_ = false;
-                    } else {
-                        let _e115 = contacts.member[((7u * _e97) + 7u)];
-                        phi_268_ = (_e77 + select(0u, 1u, (_e115 <= _e73)));
-                        phi_269_ = (_e79 - 1u);
-                        phi_270_ = true;
-                    }
-                    let _e120 = phi_268_;
-                    let _e122 = phi_269_;
-                    let _e124 = phi_270_;
-                    phi_271_ = _e120;
-                    phi_272_ = _e122;
-                    phi_273_ = _e124;
+                    let _e74 = slots.member[(_e56 - 1u)];
+                    let _e78 = (_e74.x != _e47.x);
+                    phi_187_ = select((_e54 + select(0u, 1u, ((_e74.y & 2147483647u) <= _e50))), u32(), _e78);
+                    phi_188_ = select((_e56 - 1u), u32(), _e78);
+                    phi_189_ = select(true, false, _e78);
                 }
-                let _e126 = phi_271_;
-                let _e128 = phi_272_;
-                let _e130 = phi_273_;
-                phi_174_ = _e126;
-                phi_176_ = _e128;
-                phi_274_ = _e130;
+                let _e87 = phi_187_;
+                let _e89 = phi_188_;
+                let _e91 = phi_189_;
+                phi_127_ = _e87;
+                phi_129_ = _e89;
+                phi_190_ = _e91;
             } else {
-                phi_174_ = u32();
-                phi_176_ = u32();
-                phi_274_ = false;
+                phi_127_ = u32();
+                phi_129_ = u32();
+                phi_190_ = false;
             }
-            let _e132 = phi_174_;
-            let _e134 = phi_176_;
-            let _e136 = phi_274_;
+            let _e93 = phi_127_;
+            let _e95 = phi_129_;
+            let _e97 = phi_190_;
             continue;
             continuing {
-                phi_170_ = type_9(select(_e75.member, (_e75.member + 1u), _e82), select(_e75.member_1, _e75.member_1, _e82));
-                phi_173_ = _e132;
-                phi_175_ = _e134;
-                break if !(_e136);
+                phi_123_ = type_9(select(_e52.member, (_e52.member + 1u), _e59), select(_e52.member_1, _e52.member_1, _e59));
+                phi_126_ = _e93;
+                phi_128_ = _e95;
+                break if !(_e97);
             }
         }
-        phi_281_ = type_9(0u, 4097u);
-        phi_284_ = _e41;
-        let _e285 = local_4;
-        phi_286_ = _e285;
+        phi_197_ = type_9(0u, 4097u);
+        phi_200_ = _e32;
+        let _e194 = local_4;
+        phi_202_ = _e194;
         loop {
-            let _e139 = phi_281_;
-            let _e141 = phi_284_;
-            let _e143 = phi_286_;
-            local = _e141;
-            local_3 = _e143;
-            let _e146 = (_e139.member < _e139.member_1);
-            if (bitcast<i32>(select(0u, 1u, _e146)) != 0i) {
-                if ((_e141 + 1u) >= _e53) {
-                    phi_383_ = u32();
-                    phi_384_ = u32();
-                    phi_385_ = false;
+            let _e100 = phi_197_;
+            let _e102 = phi_200_;
+            let _e104 = phi_202_;
+            local = _e102;
+            local_3 = _e104;
+            let _e107 = (_e100.member < _e100.member_1);
+            if (bitcast<i32>(select(0u, 1u, _e107)) != 0i) {
+                if ((_e102 + 1u) >= _e44) {
+                    phi_262_ = u32();
+                    phi_263_ = u32();
+                    phi_264_ = false;
                 } else {
-                    let _e162 = slots.member[(_e141 + 1u)];
-                    let _e163 = (7u * _e162);
-                    let _e166 = contacts.member[(4u + _e163)];
-                    let _e169 = params.member.member.member[0u];
-                    let _e173 = contacts.member[(_e163 + 6u)];
-                    if (((_e166 * _e169) + _e173) != _e69) {
-                        phi_380_ = u32();
-                        phi_381_ = u32();
-                        phi_382_ = false;
-                    } else {
-                        let _e180 = contacts.member[((7u * _e162) + 7u)];
-                        phi_380_ = (_e141 + 1u);
-                        phi_381_ = (_e143 + select(0u, 1u, (_e180 < _e73)));
-                        phi_382_ = true;
-                    }
-                    let _e185 = phi_380_;
-                    let _e187 = phi_381_;
-                    let _e189 = phi_382_;
-                    phi_383_ = _e185;
-                    phi_384_ = _e187;
-                    phi_385_ = _e189;
+                    let _e123 = slots.member[(_e102 + 1u)];
+                    let _e127 = (_e123.x != _e47.x);
+                    phi_262_ = select((_e102 + 1u), u32(), _e127);
+                    phi_263_ = select((_e104 + select(0u, 1u, ((_e123.y & 2147483647u) < _e50))), u32(), _e127);
+                    phi_264_ = select(true, false, _e127);
                 }
-                let _e191 = phi_383_;
-                let _e193 = phi_384_;
-                let _e195 = phi_385_;
-                phi_285_ = _e191;
-                phi_287_ = _e193;
-                phi_386_ = _e195;
+                let _e136 = phi_262_;
+                let _e138 = phi_263_;
+                let _e140 = phi_264_;
+                phi_201_ = _e136;
+                phi_203_ = _e138;
+                phi_265_ = _e140;
             } else {
-                phi_285_ = u32();
-                phi_287_ = u32();
-                phi_386_ = false;
+                phi_201_ = u32();
+                phi_203_ = u32();
+                phi_265_ = false;
             }
-            let _e197 = phi_285_;
-            let _e199 = phi_287_;
-            let _e201 = phi_386_;
+            let _e142 = phi_201_;
+            let _e144 = phi_203_;
+            let _e146 = phi_265_;
             continue;
             continuing {
-                phi_281_ = type_9(select(_e139.member, (_e139.member + 1u), _e146), select(_e139.member_1, _e139.member_1, _e146));
-                phi_284_ = _e197;
-                phi_286_ = _e199;
-                break if !(_e201);
+                phi_197_ = type_9(select(_e100.member, (_e100.member + 1u), _e107), select(_e100.member_1, _e100.member_1, _e107));
+                phi_200_ = _e142;
+                phi_202_ = _e144;
+                break if !(_e146);
             }
         }
-        let _e204 = local;
-        let _e206 = local_1;
-        let _e208 = ((_e204 - _e206) > 4096u);
-        let _e210 = local_2;
-        let _e212 = local_3;
-        if select(true, false, _e208) {
+        let _e149 = local;
+        let _e151 = local_1;
+        let _e153 = ((_e149 - _e151) > 4096u);
+        let _e155 = local_2;
+        let _e157 = local_3;
+        if select(true, false, _e153) {
         } else {
-            let _e219 = params.member.member.member[0u];
-            let _e222 = params.member.member.member[1u];
-            let _e223 = (_e219 + _e222);
-            let _e224 = (_e223 / 256u);
-            let _e232 = atomicOr((&table.member[((256u * select(_e224, (_e224 + 1u), ((_e223 % 256u) > 0u))) + 256u)]), 1u);
+            let _e164 = params.member.member.member[0u];
+            let _e167 = params.member.member.member[1u];
+            let _e168 = (_e164 + _e167);
+            let _e169 = (_e168 / 256u);
+            let _e177 = atomicOr((&table.member[((256u * select(_e169, (_e169 + 1u), ((_e168 % 256u) > 0u))) + 256u)]), 1u);
         }
-        let _e234 = slots.member[_e41];
-        let _e235 = (7u * _e234);
-        let _e238 = contacts.member[(4u + _e235)];
-        let _e241 = contacts.member[(_e235 + 5u)];
-        let _e244 = contacts.member[(_e235 + 6u)];
-        let _e247 = contacts.member[(_e235 + 7u)];
-        let _e250 = contacts.member[(_e235 + 8u)];
-        let _e253 = contacts.member[(_e235 + 9u)];
-        let _e256 = contacts.member[(_e235 + 10u)];
-        ordered.member[select((_e210 + _e212), _e41, _e208)] = vec4<u32>((_e244 | (_e238 << bitcast<u32>(31i))), (_e247 | (_e241 << bitcast<u32>(31i))), _e250, ((_e253 & 1073741823u) | (_e256 << bitcast<u32>(30i))));
+        let _e179 = slots.member[_e32];
+        ordered.member[select((_e155 + _e157), _e32, _e153)] = _e179;
     }
     return;
 }

@@ -114,7 +114,7 @@ fn check_order(device: &Device) {
         let of_scan = Params { frame, dispatch, args: SortPass { shift: 0, n_tiles: row(&frame) } };
         let SortScan { table } = run(device, SortScan { table: counted.table }, &of_scan, ROWS);
         let (contacts, ranks) = (list.clone(), counted.ranks);
-        let slots = zeros::<u32>(capacity as usize);
+        let slots = zeros::<PackedTouch>(capacity as usize);
         let placed = PlaceContacts { contacts, table: table.clone(), ranks, slots };
         let PlaceContacts { slots, .. } = run(device, placed, &p, groups);
         let ordered = zeros::<PackedTouch>(capacity as usize);

@@ -38,7 +38,7 @@ impl ContactOrder {
             Ok((
                 words("counts of contacts", unordered(frame) as u64 + 1, read)?,
                 words("ranks of contacts", n, U::empty())?,
-                words("slots of contacts", n, U::empty())?,
+                words("slots of contacts", n * size_of::<PackedTouch>() as u64 / 4, U::empty())?,
                 words("ordered contacts", n * size_of::<PackedTouch>() as u64 / 4, U::COPY_SRC)?,
             ))
         };

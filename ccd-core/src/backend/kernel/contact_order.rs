@@ -2,12 +2,12 @@
 //! have few contacts, which rank each other by `b`.
 //!
 //! `count_contacts` counts each bucket, which gives a contact its rank there in no order,
-//! `sort_scan` turns counts into places, `place_contacts` puts the buckets one behind the other,
-//! `order_contacts` ranks what is in each. Counts are [`ROWS`] rows, as `sort_scan` reads them.
+//! `sort_scan` turns counts into places, `place_contacts` packs contacts into the buckets, one behind
+//! the other, `order_contacts` ranks what is in each. Counts are [`ROWS`] rows, as `sort_scan` reads them.
 
 use super::sort::DIGITS;
 use crate::kernel::memory::at;
-use crate::layout::{Frame, LIST_HEADER, TOUCH_WORDS};
+use crate::layout::{Frame, LIST_HEADER, PackedTouch, TOUCH_WORDS};
 
 /// Rows of the table of counts. Behind them are their sums, and [`unordered`].
 pub const ROWS: u32 = DIGITS;
@@ -36,41 +36,39 @@ pub fn bucket(i: u32, contacts: &[u32], frame: &Frame) -> u32 {
 }
 
 /// The place of the contact in slot `slot` of `n`, and whether its bucket is in order. Otherwise
-/// all of its bucket keep their slots.
+/// all of its bucket keep their slots. `ids`: the first two words of the packed contact in a slot.
 #[inline(always)]
-pub fn place(slot: u32, n: u32, slots: &[u32], contacts: &[u32], frame: &Frame) -> (u32, bool) {
-    let contact = at(slots, slot as usize);
-    let (own, own_b) = (bucket(contact, contacts, frame), b(contact, contacts));
+pub fn place(slot: u32, n: u32, ids: impl Fn(u32) -> [u32; 2]) -> (u32, bool) {
+    // Kind and `a` in one word are the bucket.
+    let pair = |slot: u32| {
+        let [a, b] = ids(slot);
+        [a, b & PackedTouch::ID]
+    };
+    let [own, own_b] = pair(slot);
     let (mut first, mut less) = (slot, 0);
     // One more than may be looked at, so that all of a bucket see that it is too long.
     for _ in 0..LONGEST + 1 {
         if first == 0 {
             break;
         }
-        let other = at(slots, (first - 1) as usize);
-        if bucket(other, contacts, frame) != own {
+        let [other, b] = pair(first - 1);
+        if other != own {
             break;
         }
         first -= 1;
-        less += (b(other, contacts) <= own_b) as u32;
+        less += (b <= own_b) as u32;
     }
     let mut last = slot;
     for _ in 0..LONGEST + 1 {
         if last + 1 >= n {
             break;
         }
-        let other = at(slots, (last + 1) as usize);
-        if bucket(other, contacts, frame) != own {
+        let [other, b] = pair(last + 1);
+        if other != own {
             break;
         }
         last += 1;
-        less += (b(other, contacts) < own_b) as u32;
+        less += (b < own_b) as u32;
     }
     if last - first > LONGEST { (slot, false) } else { (first + less, true) }
-}
-
-/// The face or the greater edge of contact `i`.
-#[inline(always)]
-fn b(i: u32, contacts: &[u32]) -> u32 {
-    at(contacts, LIST_HEADER + TOUCH_WORDS * i as usize + 3)
 }

@@ -121,7 +121,7 @@ macro_rules! kernels {
             /// Contacts of each kind and `a`, and the rank of each among them.
             CountContacts = count_contacts(256 threads, 0 barriers, f32, Params<Plain>)
                 { contacts: Read, table: Write, ranks: Write }
-            /// Contacts by kind and `a`.
+            /// Contacts by kind and `a`, packed.
             PlaceContacts = place_contacts(256 threads, 3 barriers, f32, Params<Plain>)
                 { contacts: Read, table: Read, ranks: Read, slots: Write }
             /// Contacts in order.

@@ -57,6 +57,9 @@ pub struct PackedTouch {
 const TIME: u32 = u32::MAX >> 2;
 
 impl PackedTouch {
+    /// What an id has of a word.
+    pub const ID: u32 = u32::MAX >> 1;
+
     /// Of the contact of these words.
     #[inline(always)]
     pub fn new([kind, state, a, b, low, high, approach]: [u32; TOUCH_WORDS]) -> Self {
@@ -68,13 +71,12 @@ impl PackedTouch {
     /// The contact.
     #[inline(always)]
     pub fn touch(&self) -> Touch {
-        const ID: u32 = u32::MAX >> 1;
         let [a, b, low, high] = self.words;
         Touch {
             kind: a >> 31,
             state: b >> 31,
-            a: a & ID,
-            b: b & ID,
+            a: a & Self::ID,
+            b: b & Self::ID,
             toi: [low, high & TIME],
             approach: high >> 30,
         }
