@@ -123,10 +123,10 @@ struct type_40 {
 var<storage> paths: type_21;
 @group(0) @binding(0) 
 var<storage> params: type_25;
-@group(0) @binding(3) 
-var<storage> elements: type_11;
 @group(0) @binding(2) 
 var<storage> positions: type_36;
+@group(0) @binding(3) 
+var<storage> elements: type_11;
 @group(0) @binding(4) 
 var<storage> contacts: type_11;
 @group(0) @binding(5) 

@@ -138,10 +138,10 @@ var<storage> input: type_11;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(0) 
 var<storage> params: type_22;
-@group(0) @binding(3) 
-var<storage> elements: type_11;
 @group(0) @binding(2) 
 var<storage> positions: type_30;
+@group(0) @binding(3) 
+var<storage> elements: type_11;
 @group(0) @binding(1) 
 var<storage> paths: type_26;
 @group(0) @binding(6) 

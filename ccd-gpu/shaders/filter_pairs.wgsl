@@ -83,10 +83,10 @@ struct type_29 {
 var<storage, read_write> output: type_29;
 @group(0) @binding(0) 
 var<storage> params: type_18;
-@group(0) @binding(2) 
-var<storage> paths: type_22;
 @group(0) @binding(1) 
 var<storage> elements: type_11;
+@group(0) @binding(2) 
+var<storage> paths: type_22;
 @group(0) @binding(3) 
 var<storage> vf: type_11;
 @group(0) @binding(4) 

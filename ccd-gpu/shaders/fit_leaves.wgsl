@@ -58,11 +58,6 @@ struct type_18 {
     member: type_17,
 }
 
-struct type_19 {
-    member: array<u32, 3>,
-    member_1: u32,
-}
-
 struct type_22 {
     member: array<vec4<u32>>,
 }
@@ -82,45 +77,87 @@ struct type_28 {
     member_1: array<f32, 3>,
 }
 
+struct type_31 {
+    member: array<vec4<f32>>,
+}
+
+struct type_33 {
+    member: vec4<f32>,
+    member_1: vec4<f32>,
+}
+
+struct type_35 {
+    member: array<type_33>,
+}
+
 @group(0) @binding(0) 
 var<storage> params: type_18;
-@group(0) @binding(2) 
-var<storage> order: type_10;
 @group(0) @binding(1) 
 var<storage> boxes: type_26;
+@group(0) @binding(2) 
+var<storage> leaves: type_22;
 @group(0) @binding(4) 
 var<storage> bodies: type_10;
 var<workgroup> shared_: array<type_28, 256>;
 @group(0) @binding(3) 
-var<storage> elements: type_10;
+var<storage> paths: type_35;
 @group(0) @binding(5) 
 var<storage, read_write> nodes: type_26;
 @group(0) @binding(6) 
-var<storage, read_write> leaves: type_22;
+var<storage, read_write> ends: type_31;
 
-fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_130_: u32;
-    var phi_292_: array<u32, 3>;
-    var phi_294_: type_19;
-    var phi_295_: type_19;
-    var phi_296_: type_19;
-    var phi_297_: type_28;
-    var phi_298_: type_19;
-    var phi_299_: type_28;
-    var phi_375_: type_28;
-    var phi_376_: type_28;
-    var phi_377_: type_28;
-    var phi_392_: type_13;
-    var phi_395_: type_28;
-    var phi_397_: u32;
-    var phi_393_: type_13;
-    var phi_438_: type_14;
-    var phi_590_: type_28;
-    var phi_591_: type_28;
-    var phi_637_: type_28;
-    var phi_650_: type_28;
-    var phi_396_: type_28;
-    var phi_398_: u32;
+fn function_(param: f32, param_1: f32) -> f32 {
+    return select(param, param_1, select((param_1 >= param), true, (param != param)));
+}
+
+fn function_1(param_2: f32, param_3: f32) -> f32 {
+    return select(param_2, param_3, select((param_3 <= param_2), true, (param_2 != param_2)));
+}
+
+fn function_2(param_4: array<f32, 4>, param_5: array<f32, 4>, param_6: array<f32, 4>) -> type_28 {
+    let _e9 = function_1(param_4[0], param_5[0]);
+    let _e10 = function_1(param_4[1], param_5[1]);
+    let _e11 = function_1(param_4[2], param_5[2]);
+    let _e12 = function_(param_4[0], param_5[0]);
+    let _e13 = function_(param_4[1], param_5[1]);
+    let _e14 = function_(param_4[2], param_5[2]);
+    let _e18 = function_1(_e9, param_6[0]);
+    let _e19 = function_1(_e10, param_6[1]);
+    let _e20 = function_1(_e11, param_6[2]);
+    let _e22 = function_(_e9, param_6[0]);
+    let _e23 = function_(_e10, param_6[1]);
+    let _e24 = function_(_e11, param_6[2]);
+    let _e28 = function_1(_e12, param_6[0]);
+    let _e29 = function_1(_e13, param_6[1]);
+    let _e30 = function_1(_e14, param_6[2]);
+    let _e31 = function_(_e12, param_6[0]);
+    let _e32 = function_(_e13, param_6[1]);
+    let _e33 = function_(_e14, param_6[2]);
+    return type_28(array<f32, 3>(_e18, _e19, _e20), array<f32, 3>(_e31, _e32, _e33));
+}
+
+fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var phi_152_: u32;
+    var phi_171_: u32;
+    var phi_172_: array<u32, 3>;
+    var phi_193_: u32;
+    var phi_319_: type_28;
+    var phi_320_: type_28;
+    var phi_437_: type_28;
+    var phi_513_: type_28;
+    var phi_514_: type_28;
+    var phi_515_: type_28;
+    var phi_530_: type_13;
+    var phi_533_: type_28;
+    var phi_535_: u32;
+    var phi_531_: type_13;
+    var phi_576_: type_14;
+    var phi_728_: type_28;
+    var phi_729_: type_28;
+    var phi_775_: type_28;
+    var phi_788_: type_28;
+    var phi_534_: type_28;
+    var phi_536_: u32;
     var local: type_28;
     var local_1: type_28;
     var local_2: type_28;
@@ -134,191 +171,193 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e32 = id_2;
-    let _e33 = n_2;
-    let _e34 = lane_2;
-    let _e48 = ((((_e32.y * _e33.x) + _e32.x) * 256u) + _e34);
-    let _e53 = params.member.member_2.member[0u][2u];
-    if (_e48 >= _e53) {
-        phi_130_ = 2u;
+    let _e34 = id_2;
+    let _e35 = n_2;
+    let _e36 = lane_2;
+    let _e50 = ((((_e34.y * _e35.x) + _e34.x) * 256u) + _e36);
+    let _e55 = params.member.member_2.member[0u][3u];
+    let _e56 = (_e50 < _e55);
+    let _e61 = params.member.member_2.member[0u][2u];
+    if (_e50 >= _e61) {
+        phi_152_ = 2u;
     } else {
-        let _e56 = params.member.member_2.member[0u][1u];
-        phi_130_ = select(0u, 1u, (_e48 >= _e56));
+        let _e64 = params.member.member_2.member[0u][1u];
+        phi_152_ = select(0u, 1u, (_e50 >= _e64));
     }
-    let _e60 = phi_130_;
-    let _e65 = params.member.member_2.member[0u][_e60];
-    let _e66 = (_e48 - _e65);
-    let _e71 = params.member.member_2.member[0u][3u];
-    let _e72 = (_e48 < _e71);
-    if _e72 {
-        let _e76 = params.member.member.member[_e60];
-        if (_e66 < _e76) {
-            let _e81 = params.member.member.member_2[_e60];
-            let _e84 = order.member[(_e81 + _e66)];
-            let _e86 = boxes.member[_e84];
-            let _e105 = params.member.member.member_2[_e60];
-            let _e106 = (_e84 - _e105);
-            let _e110 = type_19(array<u32, 3>(_e106, _e106, _e106), type_19(array<u32, 3>(0u, 0u, 0u), _e106).member_1);
-            let _e113 = params.member.member.member_1;
-            if ((_e113 & 1u) != 0u) {
-                if (_e60 > 0u) {
-                    let _e120 = params.member.member.member[1u];
-                    let _e124 = params.member.member.member_2[1u];
-                    let _e125 = (_e84 - _e124);
-                    if (_e125 < _e120) {
-                        let _e140 = (2u * _e125);
-                        let _e142 = elements.member[_e140];
-                        let _e145 = elements.member[(_e140 + 1u)];
-                        phi_292_ = array<u32, 3>(_e142, _e145, _e145);
-                    } else {
-                        let _e130 = ((2u * _e120) + (3u * (_e125 - _e120)));
-                        let _e132 = elements.member[_e130];
-                        let _e135 = elements.member[(_e130 + 1u)];
-                        let _e138 = elements.member[(_e130 + 2u)];
-                        phi_292_ = array<u32, 3>(_e132, _e135, _e138);
-                    }
-                    let _e148 = phi_292_;
-                    phi_294_ = type_19(_e148, _e110.member_1);
-                } else {
-                    phi_294_ = _e110;
-                }
-                let _e152 = phi_294_;
-                phi_295_ = _e152;
-            } else {
-                phi_295_ = _e110;
-            }
-            let _e154 = phi_295_;
-            phi_296_ = _e154;
-            phi_297_ = type_28(array<f32, 3>(_e86.member.x, _e86.member.y, _e86.member_1.x), array<f32, 3>(_e86.member_1.y, _e86.member_2.x, _e86.member_2.y));
+    let _e68 = phi_152_;
+    if _e56 {
+        let _e70 = leaves.member[_e50];
+        phi_171_ = _e70.w;
+        phi_172_ = array<u32, 3>(_e70.x, _e70.y, _e70.z);
+    } else {
+        phi_171_ = 4294967295u;
+        phi_172_ = array<u32, 3>(0u, 0u, 0u);
+    }
+    let _e77 = phi_171_;
+    let _e79 = phi_172_;
+    if (_e77 != 4294967295u) {
+        let _e83 = params.member.member.member_1;
+        let _e85 = ((_e83 & 1u) != 0u);
+        if _e85 {
+            phi_193_ = 0u;
         } else {
-            phi_296_ = type_19(array<u32, 3>(0u, 0u, 0u), 4294967295u);
-            phi_297_ = type_28(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e89 = params.member.member.member_2[_e68];
+            phi_193_ = _e89;
         }
-        let _e156 = phi_296_;
-        let _e158 = phi_297_;
-        phi_298_ = _e156;
-        phi_299_ = _e158;
-    } else {
-        phi_298_ = type_19(array<u32, 3>(0u, 0u, 0u), 4294967295u);
-        phi_299_ = type_28(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-    }
-    let _e160 = phi_298_;
-    let _e162 = phi_299_;
-    let _e165 = params.member.member.member_1;
-    let _e167 = ((_e165 & 256u) != 0u);
-    if _e167 {
-        let _e171 = bodies.member[_e160.member[0]];
-        if (_e162.member[0] <= _e162.member_1[0]) {
-            if (((bitcast<u32>(_e162.member_1[0]) & 1u) == 1u) != ((_e171 & 1u) == 1u)) {
-                let _e187 = bitcast<u32>(_e162.member_1[0]);
-                let _e190 = ((_e187 >> bitcast<u32>(31i)) == 1u);
-                let _e191 = (_e187 & 2147483647u);
-                let _e192 = (_e191 < 8388608u);
-                let _e195 = select(true, select(true, false, (_e191 == 8388608u)), _e190);
-                phi_375_ = type_28(_e162.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e187 + 1u), (_e187 - 1u), _e190), _e195), u32(), _e192), (8388608u | ((_e187 & 1u) ^ 1u)), select(select(true, false, _e195), true, _e192))), _e162.member_1[1], _e162.member_1[2]));
+        let _e91 = phi_193_;
+        let _e95 = boxes.member[(_e91 + _e79[0])];
+        let _e110 = type_28(array<f32, 3>(_e95.member.x, _e95.member.y, _e95.member_1.x), array<f32, 3>(_e95.member_1.y, _e95.member_2.x, _e95.member_2.y));
+        if _e85 {
+            if (_e68 > 0u) {
+                let _e115 = boxes.member[_e79[1]];
+                let _e129 = select(_e115.member.x, _e95.member.x, (_e95.member.x < _e115.member.x));
+                let _e131 = select(_e115.member.y, _e95.member.y, (_e95.member.y < _e115.member.y));
+                let _e133 = select(_e115.member_1.x, _e95.member_1.x, (_e95.member_1.x < _e115.member_1.x));
+                let _e135 = select(_e115.member_1.y, _e95.member_1.y, (_e95.member_1.y > _e115.member_1.y));
+                let _e137 = select(_e115.member_2.x, _e95.member_2.x, (_e95.member_2.x > _e115.member_2.x));
+                let _e139 = select(_e115.member_2.y, _e95.member_2.y, (_e95.member_2.y > _e115.member_2.y));
+                let _e141 = boxes.member[_e79[2]];
+                phi_319_ = type_28(array<f32, 3>(select(_e141.member.x, _e129, (_e129 < _e141.member.x)), select(_e141.member.y, _e131, (_e131 < _e141.member.y)), select(_e141.member_1.x, _e133, (_e133 < _e141.member_1.x))), array<f32, 3>(select(_e141.member_1.y, _e135, (_e135 > _e141.member_1.y)), select(_e141.member_2.x, _e137, (_e137 > _e141.member_2.x)), select(_e141.member_2.y, _e139, (_e139 > _e141.member_2.y))));
             } else {
-                phi_375_ = _e162;
+                phi_319_ = _e110;
             }
-            let _e215 = phi_375_;
-            phi_376_ = _e215;
+            let _e170 = phi_319_;
+            phi_320_ = _e170;
         } else {
-            phi_376_ = _e162;
+            phi_320_ = _e110;
         }
-        let _e217 = phi_376_;
-        phi_377_ = _e217;
+        let _e172 = phi_320_;
+        let _e175 = params.member.member.member_1;
+        if ((_e175 & 512u) != 0u) {
+            let _e180 = paths.member[_e79[0]];
+            let _e201 = paths.member[_e79[1]];
+            let _e222 = paths.member[_e79[2]];
+            let _e241 = function_2(array<f32, 4>(_e180.member.x, _e180.member.y, _e180.member.z, _e180.member.w), array<f32, 4>(_e201.member.x, _e201.member.y, _e201.member.z, _e201.member.w), array<f32, 4>(_e222.member.x, _e222.member.y, _e222.member.z, _e222.member.w));
+            let _e242 = function_2(array<f32, 4>(_e180.member_1.x, _e180.member_1.y, _e180.member_1.z, _e180.member_1.w), array<f32, 4>(_e201.member_1.x, _e201.member_1.y, _e201.member_1.z, _e201.member_1.w), array<f32, 4>(_e222.member_1.x, _e222.member_1.y, _e222.member_1.z, _e222.member_1.w));
+            ends.member[(((_e50 / 32u) * 96u) + (_e50 % 32u))] = vec4<f32>(_e241.member[0], _e241.member[1], _e241.member[2], _e241.member_1[0]);
+            ends.member[(((((_e50 / 32u) * 3u) + 1u) * 32u) + (_e50 % 32u))] = vec4<f32>(_e241.member_1[1], _e241.member_1[2], _e242.member[0], _e242.member[1]);
+            ends.member[(((((_e50 / 32u) * 3u) + 2u) * 32u) + (_e50 % 32u))] = vec4<f32>(_e242.member[2], _e242.member_1[0], _e242.member_1[1], _e242.member_1[2]);
+        }
+        phi_437_ = _e172;
     } else {
-        phi_377_ = _e162;
+        phi_437_ = type_28(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e219 = phi_377_;
-    shared_[_e34] = type_28(array<f32, 3>(_e219.member[0], _e219.member[1], _e219.member[2]), array<f32, 3>(_e219.member_1[0], _e219.member_1[1], _e219.member_1[2]));
-    phi_392_ = type_13(0i, 5i);
-    phi_395_ = _e219;
-    phi_397_ = 16u;
+    let _e282 = phi_437_;
+    let _e285 = params.member.member.member_1;
+    let _e287 = ((_e285 & 256u) != 0u);
+    if _e287 {
+        let _e290 = bodies.member[_e79[0]];
+        if (_e282.member[0] <= _e282.member_1[0]) {
+            if (((bitcast<u32>(_e282.member_1[0]) & 1u) == 1u) != ((_e290 & 1u) == 1u)) {
+                let _e306 = bitcast<u32>(_e282.member_1[0]);
+                let _e309 = ((_e306 >> bitcast<u32>(31i)) == 1u);
+                let _e310 = (_e306 & 2147483647u);
+                let _e311 = (_e310 < 8388608u);
+                let _e314 = select(true, select(true, false, (_e310 == 8388608u)), _e309);
+                phi_513_ = type_28(_e282.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e306 + 1u), (_e306 - 1u), _e309), _e314), u32(), _e311), (8388608u | ((_e306 & 1u) ^ 1u)), select(select(true, false, _e314), true, _e311))), _e282.member_1[1], _e282.member_1[2]));
+            } else {
+                phi_513_ = _e282;
+            }
+            let _e334 = phi_513_;
+            phi_514_ = _e334;
+        } else {
+            phi_514_ = _e282;
+        }
+        let _e336 = phi_514_;
+        phi_515_ = _e336;
+    } else {
+        phi_515_ = _e282;
+    }
+    let _e338 = phi_515_;
+    shared_[_e36] = type_28(array<f32, 3>(_e338.member[0], _e338.member[1], _e338.member[2]), array<f32, 3>(_e338.member_1[0], _e338.member_1[1], _e338.member_1[2]));
+    phi_530_ = type_13(0i, 5i);
+    phi_533_ = _e338;
+    phi_535_ = 16u;
     loop {
-        let _e233 = phi_392_;
-        let _e235 = phi_395_;
-        let _e237 = phi_397_;
-        local = _e235;
-        local_1 = _e235;
-        local_2 = _e235;
-        local_3 = _e235;
-        local_4 = _e235;
-        local_5 = _e235;
-        if (_e233.member < _e233.member_1) {
-            let _e244 = (_e233.member + 1i);
-            phi_393_ = type_13(select(_e244, type_14().member_1, select(false, true, ((false == (_e244 > _e233.member)) != false))), _e233.member_1);
-            phi_438_ = type_14(1u, _e233.member);
+        let _e352 = phi_530_;
+        let _e354 = phi_533_;
+        let _e356 = phi_535_;
+        local = _e354;
+        local_1 = _e354;
+        local_2 = _e354;
+        local_3 = _e354;
+        local_4 = _e354;
+        local_5 = _e354;
+        if (_e352.member < _e352.member_1) {
+            let _e363 = (_e352.member + 1i);
+            phi_531_ = type_13(select(_e363, type_14().member_1, select(false, true, ((false == (_e363 > _e352.member)) != false))), _e352.member_1);
+            phi_576_ = type_14(1u, _e352.member);
         } else {
-            phi_393_ = _e233;
-            phi_438_ = type_14(0u, type_14().member_1);
+            phi_531_ = _e352;
+            phi_576_ = type_14(0u, type_14().member_1);
         }
-        let _e255 = phi_393_;
-        let _e257 = phi_438_;
-        let _e260 = (bitcast<i32>(_e257.member) != 0i);
-        if _e260 {
+        let _e374 = phi_531_;
+        let _e376 = phi_576_;
+        let _e379 = (bitcast<i32>(_e376.member) != 0i);
+        if _e379 {
             workgroupBarrier();
-            if ((_e34 % 32u) < _e237) {
-                let _e265 = shared_[(_e34 + _e237)];
-                if _e167 {
-                    let _e304 = select(_e265.member[0], _e235.member[0], (_e235.member[0] < _e265.member[0]));
-                    let _e317 = select(_e265.member_1[0], _e235.member_1[0], (_e235.member_1[0] > _e265.member_1[0]));
-                    let _e327 = type_28(array<f32, 3>(_e304, select(_e265.member[1], _e235.member[1], (_e235.member[1] < _e265.member[1])), select(_e265.member[2], _e235.member[2], (_e235.member[2] < _e265.member[2]))), array<f32, 3>(_e317, select(_e265.member_1[1], _e235.member_1[1], (_e235.member_1[1] > _e265.member_1[1])), select(_e265.member_1[2], _e235.member_1[2], (_e235.member_1[2] > _e265.member_1[2]))));
-                    if (_e304 <= _e317) {
-                        if (((bitcast<u32>(_e317) & 1u) == 1u) != select(false, select(!((_e265.member[0] <= _e265.member_1[0])), true, ((bitcast<u32>(_e265.member_1[0]) & 1u) == 1u)), select(!((_e235.member[0] <= _e235.member_1[0])), true, ((bitcast<u32>(_e235.member_1[0]) & 1u) == 1u)))) {
-                            let _e352 = bitcast<u32>(_e317);
-                            let _e355 = ((_e352 >> bitcast<u32>(31i)) == 1u);
-                            let _e356 = (_e352 & 2147483647u);
-                            let _e357 = (_e356 < 8388608u);
-                            let _e360 = select(true, select(true, false, (_e356 == 8388608u)), _e355);
-                            phi_590_ = type_28(_e327.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e352 + 1u), (_e352 - 1u), _e355), _e360), u32(), _e357), (8388608u | ((_e352 & 1u) ^ 1u)), select(select(true, false, _e360), true, _e357))), _e327.member_1[1], _e327.member_1[2]));
+            if ((_e36 % 32u) < _e356) {
+                let _e384 = shared_[(_e36 + _e356)];
+                if _e287 {
+                    let _e423 = select(_e384.member[0], _e354.member[0], (_e354.member[0] < _e384.member[0]));
+                    let _e436 = select(_e384.member_1[0], _e354.member_1[0], (_e354.member_1[0] > _e384.member_1[0]));
+                    let _e446 = type_28(array<f32, 3>(_e423, select(_e384.member[1], _e354.member[1], (_e354.member[1] < _e384.member[1])), select(_e384.member[2], _e354.member[2], (_e354.member[2] < _e384.member[2]))), array<f32, 3>(_e436, select(_e384.member_1[1], _e354.member_1[1], (_e354.member_1[1] > _e384.member_1[1])), select(_e384.member_1[2], _e354.member_1[2], (_e354.member_1[2] > _e384.member_1[2]))));
+                    if (_e423 <= _e436) {
+                        if (((bitcast<u32>(_e436) & 1u) == 1u) != select(false, select(!((_e384.member[0] <= _e384.member_1[0])), true, ((bitcast<u32>(_e384.member_1[0]) & 1u) == 1u)), select(!((_e354.member[0] <= _e354.member_1[0])), true, ((bitcast<u32>(_e354.member_1[0]) & 1u) == 1u)))) {
+                            let _e471 = bitcast<u32>(_e436);
+                            let _e474 = ((_e471 >> bitcast<u32>(31i)) == 1u);
+                            let _e475 = (_e471 & 2147483647u);
+                            let _e476 = (_e475 < 8388608u);
+                            let _e479 = select(true, select(true, false, (_e475 == 8388608u)), _e474);
+                            phi_728_ = type_28(_e446.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e471 + 1u), (_e471 - 1u), _e474), _e479), u32(), _e476), (8388608u | ((_e471 & 1u) ^ 1u)), select(select(true, false, _e479), true, _e476))), _e446.member_1[1], _e446.member_1[2]));
                         } else {
-                            phi_590_ = _e327;
+                            phi_728_ = _e446;
                         }
-                        let _e380 = phi_590_;
-                        phi_591_ = _e380;
+                        let _e499 = phi_728_;
+                        phi_729_ = _e499;
                     } else {
-                        phi_591_ = _e327;
+                        phi_729_ = _e446;
                     }
-                    let _e382 = phi_591_;
-                    phi_637_ = _e382;
+                    let _e501 = phi_729_;
+                    phi_775_ = _e501;
                 } else {
-                    phi_637_ = type_28(array<f32, 3>(select(_e265.member[0], _e235.member[0], (_e235.member[0] < _e265.member[0])), select(_e265.member[1], _e235.member[1], (_e235.member[1] < _e265.member[1])), select(_e265.member[2], _e235.member[2], (_e235.member[2] < _e265.member[2]))), array<f32, 3>(select(_e265.member_1[0], _e235.member_1[0], (_e235.member_1[0] > _e265.member_1[0])), select(_e265.member_1[1], _e235.member_1[1], (_e235.member_1[1] > _e265.member_1[1])), select(_e265.member_1[2], _e235.member_1[2], (_e235.member_1[2] > _e265.member_1[2]))));
+                    phi_775_ = type_28(array<f32, 3>(select(_e384.member[0], _e354.member[0], (_e354.member[0] < _e384.member[0])), select(_e384.member[1], _e354.member[1], (_e354.member[1] < _e384.member[1])), select(_e384.member[2], _e354.member[2], (_e354.member[2] < _e384.member[2]))), array<f32, 3>(select(_e384.member_1[0], _e354.member_1[0], (_e354.member_1[0] > _e384.member_1[0])), select(_e384.member_1[1], _e354.member_1[1], (_e354.member_1[1] > _e384.member_1[1])), select(_e384.member_1[2], _e354.member_1[2], (_e354.member_1[2] > _e384.member_1[2]))));
                 }
-                let _e384 = phi_637_;
-                shared_[_e34] = type_28(array<f32, 3>(_e384.member[0], _e384.member[1], _e384.member[2]), array<f32, 3>(_e384.member_1[0], _e384.member_1[1], _e384.member_1[2]));
-                phi_650_ = _e384;
+                let _e503 = phi_775_;
+                shared_[_e36] = type_28(array<f32, 3>(_e503.member[0], _e503.member[1], _e503.member[2]), array<f32, 3>(_e503.member_1[0], _e503.member_1[1], _e503.member_1[2]));
+                phi_788_ = _e503;
             } else {
-                phi_650_ = _e235;
+                phi_788_ = _e354;
             }
-            let _e398 = phi_650_;
-            phi_396_ = _e398;
-            phi_398_ = (_e237 / 2u);
+            let _e517 = phi_788_;
+            phi_534_ = _e517;
+            phi_536_ = (_e356 / 2u);
         } else {
-            phi_396_ = type_28();
-            phi_398_ = u32();
+            phi_534_ = type_28();
+            phi_536_ = u32();
         }
-        let _e401 = phi_396_;
-        let _e403 = phi_398_;
+        let _e520 = phi_534_;
+        let _e522 = phi_536_;
         continue;
         continuing {
-            phi_392_ = _e255;
-            phi_395_ = _e401;
-            phi_397_ = _e403;
-            break if !(_e260);
+            phi_530_ = _e374;
+            phi_533_ = _e520;
+            phi_535_ = _e522;
+            break if !(_e379);
         }
     }
-    if _e72 {
-        nodes.member[_e48] = type_24(vec2<f32>(_e162.member[0], _e162.member[1]), vec2<f32>(_e162.member[2], _e162.member_1[0]), vec2<f32>(_e162.member_1[1], _e162.member_1[2]));
-        leaves.member[_e48] = vec4<u32>(_e160.member[0], _e160.member[1], _e160.member[2], _e160.member_1);
-        if ((_e34 % 32u) == 0u) {
-            let _e438 = params.member.member_2.member[1u][_e60];
-            let _e441 = local;
-            let _e445 = local_1;
-            let _e449 = local_2;
-            let _e453 = local_3;
-            let _e457 = local_4;
-            let _e461 = local_5;
-            nodes.member[(_e438 + (_e66 / 32u))] = type_24(vec2<f32>(_e441.member[0], _e445.member[1]), vec2<f32>(_e449.member[2], _e453.member_1[0]), vec2<f32>(_e457.member_1[1], _e461.member_1[2]));
+    if _e56 {
+        nodes.member[_e50] = type_24(vec2<f32>(_e282.member[0], _e282.member[1]), vec2<f32>(_e282.member[2], _e282.member_1[0]), vec2<f32>(_e282.member_1[1], _e282.member_1[2]));
+        if ((_e36 % 32u) == 0u) {
+            let _e547 = params.member.member_2.member[0u][_e68];
+            let _e554 = params.member.member_2.member[1u][_e68];
+            let _e557 = local;
+            let _e561 = local_1;
+            let _e565 = local_2;
+            let _e569 = local_3;
+            let _e573 = local_4;
+            let _e577 = local_5;
+            nodes.member[(_e554 + ((_e50 - _e547) / 32u))] = type_24(vec2<f32>(_e557.member[0], _e561.member[1]), vec2<f32>(_e565.member[2], _e569.member_1[0]), vec2<f32>(_e573.member_1[1], _e577.member_1[2]));
         }
     }
     return;
@@ -326,5 +365,5 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(256, 1, 1) 
 fn fit_leaves(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_(id, n, lane);
+    function_3(id, n, lane);
 }

@@ -7,8 +7,8 @@ use crate::support::{
 use crate::twin::union;
 use ccd::Aabb;
 use ccd::gpu::bind::{
-    CurveKeys, FitEnds, FitLeaves, FitLevel, PlaceVertices, SceneBounds, Shorten, SweepElements,
-    SweepVertices,
+    CurveKeys, FitLeaves, FitLevel, PlaceLeaves, PlaceVertices, SceneBounds, Shorten,
+    SweepElements, SweepVertices,
 };
 use ccd::gpu::{Device, harness};
 use ccd_core::backend::broad_phase::candidate;
@@ -234,29 +234,39 @@ fn check_fit(device: &Device) {
     let (twin, step) = twin(40, 2);
     let p = Params { frame: twin.frame, dispatch: Dispatch::default(), args: twin.tree };
     let slots = twin.tree.slots;
-    let kernel = FitLeaves {
-        boxes: bytes(&twin.boxes),
+    let n = slots[0][3].div_ceil(256);
+    let place = PlaceLeaves {
         order: bytes(&twin.order),
         elements: bytes(&elements_of(&step.mesh)),
-        bodies: zeros::<u32>(1),
-        nodes: bytes(&vec![Aabb::EMPTY; twin.nodes.len()]),
         leaves: zeros::<Leaf>(twin.leaves.len()),
     };
-    let done = run(device, kernel, &p, slots[0][3].div_ceil(256));
+    let placed = run(device, place, &p, n);
+    assert!(read::<Leaf>(&placed.leaves) == twin.leaves);
+    let paths = paths(&step, false);
+    let fit = |flags: u32, ends: Vec<u8>| {
+        let kernel = FitLeaves {
+            boxes: bytes(&twin.boxes),
+            leaves: placed.leaves.clone(),
+            paths: bytes(&paths),
+            bodies: zeros::<u32>(1),
+            nodes: bytes(&vec![Aabb::EMPTY; twin.nodes.len()]),
+            ends,
+        };
+        let frame = Frame { flags: twin.frame.flags | flags, ..twin.frame };
+        run(device, kernel, &Params { frame, ..p }, n)
+    };
+    let with_ends = twin.clone().with_ends(&paths);
+    let none = zeros::<[f32; 4]>(with_ends.ends.len());
+    let done = fit(Frame::FLAG_ENDS, none.clone());
+    assert!(read::<[f32; 4]>(&done.ends) == with_ends.ends, "boxes of leaves at both ends");
+    assert!(fit(0, none.clone()).ends == none, "ends where there are none");
     let second = slots[2][0] as usize;
     check_boxes("node", &twin.nodes[..second], &read::<Aabb>(&done.nodes)[..second]);
-    assert!(read::<Leaf>(&done.leaves) == twin.leaves);
     let p = Params { args: Blocks { level: 1, ..twin.tree }, ..p };
     let done =
         run(device, FitLevel { nodes: done.nodes }, &p, (slots[1][3] - slots[1][0]).div_ceil(256));
     let third = slots[3][0] as usize;
     check_boxes("node", &twin.nodes[..third], &read::<Aabb>(&done.nodes)[..third]);
-    let paths = paths(&step, false);
-    let twin = twin.with_ends(&paths);
-    let (leaves, paths) = (bytes(&twin.leaves), bytes(&paths));
-    let kernel = FitEnds { leaves, paths, ends: zeros::<[f32; 4]>(twin.ends.len()) };
-    let done = run(device, kernel, &p, slots[0][3].div_ceil(256));
-    assert!(read::<[f32; 4]>(&done.ends) == twin.ends, "boxes of leaves at both ends");
 }
 
 /// A grid that is folded into rows gives what one row gives, also where the last row is not full.

@@ -7,7 +7,7 @@ use super::scheduled::Scheduled;
 use super::scheduler;
 use super::worlds::Worlds;
 use crate::bind::{
-    CurveKeys, FitEnds, FitLeaves, FitLevel, NodePairs, NodePairsOfWorlds, SceneBounds,
+    CurveKeys, FitLeaves, FitLevel, NodePairs, NodePairsOfWorlds, PlaceLeaves, SceneBounds,
 };
 use crate::device::Device;
 use crate::error::Error;
@@ -40,17 +40,18 @@ const PAIRS_A_GROUP: u32 = 512;
 /// with rounds of their own.
 const BLOCK_PAIRS_A_GROUP: u32 = 96;
 
-/// Buffers that say which vertices and which body a leaf has.
+/// What nodes are fitted to besides boxes.
 #[derive(Clone, Copy)]
 pub struct Features<'a> {
-    pub elements: &'a wgpu::Buffer,
     pub bodies: &'a wgpu::Buffer,
+    /// Of vertices, where leaves have boxes at both ends.
+    pub paths: Option<&'a wgpu::Buffer>,
 }
 
 impl<'a> Features<'a> {
-    /// Of boxes alone: no topology and no bodies, so that any buffer does for them.
+    /// Of boxes alone: no bodies, so that any buffer does for them.
     pub fn none(any: &'a wgpu::Buffer) -> Self {
-        Self { elements: any, bodies: any }
+        Self { bodies: any, paths: None }
     }
 }
 
@@ -96,8 +97,7 @@ pub struct Tree {
 
 impl Tree {
     /// For these numbers of boxes, with the buffers of another tree as far as they are large
-    /// enough. That one may be used again, if this fails. `of_paths`: boxes are those of paths, and
-    /// [`Tree::fit_ends`] is called.
+    /// enough. That one may be used again, if this fails. `of_paths`: boxes are those of paths.
     pub fn new(
         device: &Device,
         scheduling: Scheduling,
@@ -253,38 +253,33 @@ impl Tree {
         &self.bounds
     }
 
-    /// Boxes of all nodes, in the order of the last sort, or of a builder after it.
-    pub fn fit(
-        &self,
-        recorder: &mut Recorder,
-        frame: &Frame,
-        Features { elements, bodies }: Features,
-    ) {
+    /// Leaves in the order of the last sort, or of a builder after it.
+    pub fn place(&self, recorder: &mut Recorder, frame: &Frame, elements: &wgpu::Buffer) {
+        let ([_, order], leaves) = (self.sorted(), &self.leaves);
+        let p = Params { frame: *frame, dispatch: Dispatch::default(), args: self.record() };
+        recorder.each(&PlaceLeaves { order, elements, leaves }, &p, self.levels.padded(0));
+    }
+
+    /// Boxes of all nodes over leaves that were placed, and of leaves at both ends of the step if
+    /// there are paths. Returns what a frame then says.
+    ///
+    /// No ends where a level stands still, of which few leaves are read at all.
+    pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, features: Features) -> Frame {
         let Self { boxes, nodes, leaves, .. } = self;
-        let [_, order] = self.sorted();
-        let mut p = Params { frame: *frame, dispatch: Dispatch::default(), args: self.record() };
-        recorder.each(
-            &FitLeaves { boxes, order, elements, bodies, nodes, leaves },
-            &p,
-            self.levels.padded(0),
-        );
+        let Features { bodies, paths } = features;
+        let of_ends = paths.zip(self.ends.as_ref()).filter(|_| !frame.has(Frame::FLAG_STILL));
+        let flag = of_ends.map_or(0, |_| Frame::FLAG_ENDS);
+        let (paths, ends) = of_ends.unwrap_or((boxes, &self.bounds));
+        let with_ends = Frame { flags: frame.flags | flag, ..*frame };
+        let dispatch = Dispatch::default();
+        let mut p = Params { frame: with_ends, dispatch, args: self.record() };
+        let kernel = FitLeaves { boxes, leaves, paths, bodies, nodes, ends };
+        recorder.each(&kernel, &p, self.levels.padded(0));
         for level in 1..self.levels.top() {
             p.args.level = level;
             recorder.each(&FitLevel { nodes }, &p, self.levels.padded(level));
         }
-    }
-
-    /// Boxes of leaves at both ends of a step, after [`Tree::fit`]. Returns what a frame then says.
-    ///
-    /// Not where a level stands still, of which few leaves are read at all.
-    pub fn fit_ends(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer) -> Frame {
-        let Some(ends) = self.ends.as_ref().filter(|_| !frame.has(Frame::FLAG_STILL)) else {
-            return *frame;
-        };
-        let leaves = &self.leaves;
-        let p = Params { frame: *frame, dispatch: Dispatch::default(), args: self.record() };
-        recorder.each(&FitEnds { leaves, paths, ends }, &p, self.levels.padded(0));
-        Frame { flags: frame.flags | Frame::FLAG_ENDS, ..*frame }
+        with_ends
     }
 
     /// Boxes of leaves at both ends; where a frame has none, any buffer.

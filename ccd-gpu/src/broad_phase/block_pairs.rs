@@ -26,7 +26,10 @@ impl PairSource for Tree {
             self.sort(recorder, frame, search.n_bounding);
         }
         recorder.stage("build");
-        self.fit(recorder, frame, Features::none(none));
+        if !search.keeps_order {
+            self.place(recorder, frame, none);
+        }
+        self.fit(recorder, frame, Features::none(&self.boxes));
         recorder.stage("block pairs");
         self.descend(recorder, frame, search.kinds, search.keeps_order);
         recorder.stage("pairs");

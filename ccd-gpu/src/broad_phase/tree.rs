@@ -146,7 +146,10 @@ impl PairSource for TreeSource {
             trees.iter().flatten().for_each(|tree| tree.branch(recorder, frame, blocks));
         }
         recorder.stage("build");
-        blocks.fit(recorder, frame, Features::none(blocks.bounds()));
+        if !search.keeps_order {
+            blocks.place(recorder, frame, blocks.bounds());
+        }
+        blocks.fit(recorder, frame, Features::none(&blocks.boxes));
         recorder.stage("nodes");
         trees.iter().flatten().for_each(|tree| tree.fit(recorder, frame, blocks));
         if let Some(oriented) = &self.oriented {

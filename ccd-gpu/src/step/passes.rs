@@ -26,17 +26,20 @@ impl Buffers {
         contact_order.inspect(|order| order.clear(recorder, frame));
         recorder.stage("boxes");
         let mut paths = self.positions.paths();
-        self.sweep(recorder, frame, paths, self.positions.boxes);
+        let reads_elements = !self.keeps_order || self.source.reads_elements();
+        self.sweep(recorder, frame, paths, (self.positions.boxes, reads_elements));
         let whole = frame.from <= 0.0 && frame.until >= 1.0;
-        let window = if whole { *frame } else { self.shorten(recorder, frame) };
+        let window = if whole { *frame } else { self.shorten(recorder, frame, reads_elements) };
         let frame = &window;
         if !whole {
             paths = &self.shortened;
         }
         if !self.keeps_order {
-            self.source.order(recorder, frame);
+            self.source.order(recorder, frame, &self.elements);
         }
-        self.source.fit(recorder, frame, self.features());
+        // The candidates of a sample are few, so that boxes at both ends do not pay.
+        let of_ends = matches!(goal, Goal::Contacts | Goal::EarliestAtOnce).then_some(paths);
+        let frame = &self.source.fit(recorder, frame, self.features(of_ends));
         match goal {
             Goal::Candidates => {
                 self.source.find(recorder, frame, self.keeps_order);
@@ -57,7 +60,7 @@ impl Buffers {
 
     /// Cuts paths to the times that matter, up to the earliest time found, and sweeps them. Returns
     /// what a frame then says.
-    fn shorten(&self, recorder: &mut Recorder, frame: &Frame) -> Frame {
+    fn shorten(&self, recorder: &mut Recorder, frame: &Frame, reads_elements: bool) -> Frame {
         let paths = self.positions.paths();
         let error = self.positions.path_error() + swept_box::end_error(self.positions.reach);
         let cut = Frame {
@@ -69,7 +72,7 @@ impl Buffers {
         recorder.stage("shorten");
         let Self { earliest, shortened, .. } = self;
         recorder.each(&Shorten { paths, earliest, shortened }, &plain(&cut), cut.count[0]);
-        self.sweep(recorder, &cut, shortened, Boxes::OfPaths);
+        self.sweep(recorder, &cut, shortened, (Boxes::OfPaths, reads_elements));
         cut
     }
 
@@ -84,8 +87,8 @@ impl Buffers {
             recorder.copy(list.buffer(), 0, &self.sample, to, 4);
         }
         self.clear(recorder, Goal::Earliest, wide);
-        let cut = self.shorten(recorder, frame);
-        self.source.fit(recorder, &cut, self.features());
+        let cut = self.shorten(recorder, frame, self.source.reads_elements());
+        let cut = self.source.fit(recorder, &cut, self.features(Some(&self.shortened)));
         self.contacts(recorder, &cut, &self.shortened, 1, wide);
     }
 
@@ -95,12 +98,13 @@ impl Buffers {
         used.for_each(|(list, _)| recorder.clear(list.buffer(), HEADER_BYTES));
     }
 
+    /// Boxes of vertices, and of edges and faces if they are read.
     fn sweep(
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
         paths: &wgpu::Buffer,
-        of_vertices: Boxes,
+        (of_vertices, reads_elements): (Boxes, bool),
     ) {
         let ([v, e, f], p) = (frame.count, plain(frame));
         let Positions { wide, keys, .. } = &self.positions;
@@ -112,7 +116,9 @@ impl Buffers {
             }
             Boxes::Sent => {}
         }
-        recorder.each(&SweepElements { elements, boxes }, &p, e + f);
+        if reads_elements {
+            recorder.each(&SweepElements { elements, boxes }, &p, e + f);
+        }
     }
 
     /// Filters candidates of every `step`-th block pair and decides what is left.
@@ -124,11 +130,8 @@ impl Buffers {
         step: u32,
         wide: bool,
     ) {
-        // A sample reads few leaves.
-        let with_ends =
-            if step == 1 { self.source.fit_ends(recorder, frame, paths) } else { *frame };
         self.source.find(recorder, frame, self.keeps_order);
-        self.filter(recorder, &with_ends, paths, step);
+        self.filter(recorder, frame, paths, step);
         self.decide(recorder, frame, wide);
     }
 
@@ -197,8 +200,8 @@ impl Buffers {
         if exact { Window::of(&decide::wide_search_of(frame)) } else { None }
     }
 
-    fn features(&self) -> Features<'_> {
-        Features { elements: &self.elements, bodies: &self.bodies }
+    fn features<'a>(&'a self, paths: Option<&'a wgpu::Buffer>) -> Features<'a> {
+        Features { bodies: &self.bodies, paths }
     }
 }
 

@@ -181,24 +181,25 @@ impl Source {
     }
 
     /// The order of boxes, as far as it is kept when they shrink.
-    pub fn order(&self, recorder: &mut Recorder, frame: &Frame) {
+    pub fn order(&self, recorder: &mut Recorder, frame: &Frame, elements: &wgpu::Buffer) {
         if let Self::Blocks(tree) = self {
             tree.sort(recorder, frame, frame.count[0]);
+            tree.place(recorder, frame, elements);
         }
     }
 
-    /// What is built over boxes.
-    pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, features: Features) {
-        if let Self::Blocks(tree) = self {
-            recorder.stage("build");
-            tree.fit(recorder, frame, features);
-        }
+    /// Whether a frame that keeps the order reads boxes of edges and faces.
+    pub fn reads_elements(&self) -> bool {
+        !matches!(self, Self::Blocks(_))
     }
 
-    /// What tells candidates that an axis keeps apart. Returns what a frame then says.
-    pub fn fit_ends(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer) -> Frame {
+    /// What is built over boxes. Returns what a frame then says.
+    pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, features: Features) -> Frame {
         match self {
-            Self::Blocks(tree) => tree.fit_ends(recorder, frame, paths),
+            Self::Blocks(tree) => {
+                recorder.stage("build");
+                tree.fit(recorder, frame, features)
+            }
             _ => *frame,
         }
     }

@@ -30,26 +30,52 @@ fn unite(lane: u32, aabb: Aabb, marks: bool, shared: &mut [Aabb; 256]) -> Aabb {
 }
 
 kernel! {
-    /// Leaves in sorted order, and the nodes above them. Thread `i` owns leaf `i` of all sets; the
-    /// first thread of 32 their node.
-    fit_leaves[256](t; params: Blocks; shared: [Aabb; 256]; boxes: [BoxWords], order: [u32],
-        elements: [u32], bodies: [u32], mut nodes: [BoxWords], mut leaves: [UVec4]) {
+    /// Thread `i` makes leaf `i` of all sets, in sorted order.
+    place_leaves[256](t; params: Blocks;; order: [u32], elements: [u32], mut leaves: [UVec4]) {
+        let i = t.i;
+        if i < params.args.slots[0][3] {
+            let (frame, set) = (&params.frame, set_of(&params.args.slots[0], i));
+            let k = i - params.args.slots[0][set];
+            let mut leaf = Leaf { vertices: [0; 3], id: Leaf::NONE };
+            if k < frame.count[set] {
+                let at_box = at(order, (frame.start[set] + k) as usize);
+                leaf.id = at_box - frame.start[set];
+                leaf.vertices = [leaf.id; 3];
+                if frame.has(Frame::FLAG_TOPOLOGY) && set > 0 {
+                    let element = at_box - frame.start[1];
+                    leaf.vertices = elements::vertices(element, frame.count[1], elements);
+                }
+            }
+            put(leaves, i as usize, leaf_words(&leaf));
+        }
+    }
+}
+
+kernel! {
+    /// Boxes of leaves, with `FLAG_ENDS` also those at both ends of the step, and of the nodes
+    /// above. Thread `i` owns leaf `i` of all sets; the first thread of 32 their node. A leaf is
+    /// the box of its vertices, or without topology a box of its own.
+    fit_leaves[256](t; params: Blocks; shared: [Aabb; 256]; boxes: [BoxWords], leaves: [UVec4],
+        paths: [PathWords], bodies: [u32], mut nodes: [BoxWords], mut ends: [Vec4]) {
         let i = t.group * 256 + t.lane;
-        let set = set_of(&params.args.slots[0], i);
-        let k = i - params.args.slots[0][set];
         let active = i < params.args.slots[0][3];
+        let set = set_of(&params.args.slots[0], i);
         let mut aabb = Aabb::EMPTY;
         let mut leaf = Leaf { vertices: [0; 3], id: Leaf::NONE };
-        if active && k < params.frame.count[set] {
-            let at_box = at(order, (params.frame.start[set] + k) as usize);
-            aabb = box_at(boxes, at_box as usize);
-            let feature = at_box - params.frame.start[set];
-            leaf.id = feature;
-            leaf.vertices = [feature; 3];
-            if params.frame.has(Frame::FLAG_TOPOLOGY) && set > 0 {
-                let n_edges = params.frame.count[1];
-                let element = at_box - params.frame.start[1];
-                leaf.vertices = elements::vertices(element, n_edges, elements);
+        if active {
+            leaf = leaf_at(leaves, i as usize);
+        }
+        if leaf.id != Leaf::NONE {
+            let of_vertices = params.frame.has(Frame::FLAG_TOPOLOGY);
+            let first = if of_vertices { 0 } else { params.frame.start[set] };
+            aabb = box_at(boxes, (first + leaf.vertices[0]) as usize);
+            if of_vertices && set > 0 {
+                let [_, b, c] = leaf.vertices;
+                aabb = aabb.union(&box_at(boxes, b as usize)).union(&box_at(boxes, c as usize));
+            }
+            if params.frame.has(Frame::FLAG_ENDS) {
+                let (start, end) = cascade::boxes_at_ends(leaf.vertices, paths);
+                put_ends(ends, i as usize, &start, &end);
             }
         }
         let marks = params.frame.has(Frame::FLAG_STILL);
@@ -61,23 +87,9 @@ kernel! {
         let node = unite(t.lane, of_node, marks, shared);
         if active {
             put(nodes, i as usize, BoxWords::of(&aabb));
-            put(leaves, i as usize, leaf_words(&leaf));
             if t.lane % 32 == 0 {
+                let k = i - params.args.slots[0][set];
                 put(nodes, slot(&params.args, 1, set, k / 32), BoxWords::of(&node));
-            }
-        }
-    }
-}
-
-kernel! {
-    /// Thread `i` makes the boxes of leaf `i` of all sets at both ends of the step.
-    fit_ends[256](t; params: Blocks;; leaves: [UVec4], paths: [PathWords], mut ends: [Vec4]) {
-        let i = t.i as usize;
-        if t.i < params.args.slots[0][3] {
-            let leaf = leaf_at(leaves, i);
-            if leaf.id != Leaf::NONE {
-                let (start, end) = cascade::boxes_at_ends(leaf.vertices, paths);
-                put_ends(ends, i, &start, &end);
             }
         }
     }

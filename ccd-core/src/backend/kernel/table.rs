@@ -38,13 +38,13 @@ macro_rules! kernels {
             /// One pass of the sort.
             SortScatter = sort_scatter(128 threads, 33 barriers, f32, Params<SortPass>)
                 { table: Read, keys: Read, values: Read, keys_out: Write, values_out: Write }
-            /// Leaves in order and the nodes above.
+            /// Leaves in order.
+            PlaceLeaves = place_leaves(256 threads, 0 barriers, f32, Params<Blocks>)
+                { order: Read, elements: Read, leaves: Write }
+            /// Boxes of leaves, also at both ends of the step, and of the nodes above.
             FitLeaves = fit_leaves(256 threads, 1 barriers, f32, Params<Blocks>)
-                { boxes: Read, order: Read, elements: Read, bodies: Read,
-                  nodes: Write, leaves: Write }
-            /// Boxes of leaves at both ends of the step.
-            FitEnds = fit_ends(256 threads, 0 barriers, f32, Params<Blocks>)
-                { leaves: Read, paths: Read, ends: Write }
+                { boxes: Read, leaves: Read, paths: Read, bodies: Read,
+                  nodes: Write, ends: Write }
             /// Nodes of the next level.
             FitLevel = fit_level(256 threads, 1 barriers, f32, Params<Blocks>)
                 { nodes: Write }

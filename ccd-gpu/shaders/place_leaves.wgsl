@@ -1,0 +1,147 @@
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
+    member: array<u32, 3>,
+    member_1: u32,
+    member_2: array<u32, 4>,
+    member_3: f32,
+    member_4: f32,
+    member_5: f32,
+    member_6: f32,
+    member_7: array<u32, 2>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+    member_11: f32,
+    member_12: f32,
+    member_13: f32,
+    member_14: array<u32, 2>,
+    member_15: array<u32, 2>,
+    member_16: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+}
+
+struct type_10 {
+    member: array<u32>,
+}
+
+struct type_12 {
+    member: array<array<u32, 4>, 8>,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
+}
+
+struct type_13 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_12,
+}
+
+struct type_14 {
+    member: type_13,
+}
+
+struct type_15 {
+    member: array<u32, 3>,
+    member_1: u32,
+}
+
+struct type_18 {
+    member: array<vec4<u32>>,
+}
+
+@group(0) @binding(0) 
+var<storage> params: type_14;
+@group(0) @binding(2) 
+var<storage> elements: type_10;
+@group(0) @binding(1) 
+var<storage> order: type_10;
+@group(0) @binding(3) 
+var<storage, read_write> leaves: type_18;
+
+fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var phi_93_: u32;
+    var phi_229_: array<u32, 3>;
+    var phi_231_: type_15;
+    var phi_232_: type_15;
+    var phi_233_: type_15;
+    var id_2: vec3<u32>;
+    var n_2: vec3<u32>;
+    var lane_2: u32;
+
+    id_2 = id_1;
+    n_2 = n_1;
+    lane_2 = lane_1;
+    let _e14 = id_2;
+    let _e15 = n_2;
+    let _e16 = lane_2;
+    let _e27 = ((((_e14.y * _e15.x) + _e14.x) * 256u) + _e16);
+    let _e32 = params.member.member_2.member[0u][3u];
+    if (_e27 < _e32) {
+        let _e38 = params.member.member_2.member[0u][2u];
+        if (_e27 >= _e38) {
+            phi_93_ = 2u;
+        } else {
+            let _e41 = params.member.member_2.member[0u][1u];
+            phi_93_ = select(0u, 1u, (_e27 >= _e41));
+        }
+        let _e45 = phi_93_;
+        let _e50 = params.member.member_2.member[0u][_e45];
+        let _e51 = (_e27 - _e50);
+        let _e55 = params.member.member.member[_e45];
+        if (_e51 < _e55) {
+            let _e60 = params.member.member.member_2[_e45];
+            let _e63 = order.member[(_e60 + _e51)];
+            let _e67 = params.member.member.member_2[_e45];
+            let _e68 = (_e63 - _e67);
+            let _e72 = type_15(array<u32, 3>(_e68, _e68, _e68), type_15(array<u32, 3>(0u, 0u, 0u), _e68).member_1);
+            let _e75 = params.member.member.member_1;
+            if ((_e75 & 1u) != 0u) {
+                if (_e45 > 0u) {
+                    let _e82 = params.member.member.member_2[1u];
+                    let _e83 = (_e63 - _e82);
+                    let _e87 = params.member.member.member[1u];
+                    if (_e83 < _e87) {
+                        let _e102 = (2u * _e83);
+                        let _e104 = elements.member[_e102];
+                        let _e107 = elements.member[(_e102 + 1u)];
+                        phi_229_ = array<u32, 3>(_e104, _e107, _e107);
+                    } else {
+                        let _e92 = ((2u * _e87) + (3u * (_e83 - _e87)));
+                        let _e94 = elements.member[_e92];
+                        let _e97 = elements.member[(_e92 + 1u)];
+                        let _e100 = elements.member[(_e92 + 2u)];
+                        phi_229_ = array<u32, 3>(_e94, _e97, _e100);
+                    }
+                    let _e110 = phi_229_;
+                    phi_231_ = type_15(_e110, _e72.member_1);
+                } else {
+                    phi_231_ = _e72;
+                }
+                let _e114 = phi_231_;
+                phi_232_ = _e114;
+            } else {
+                phi_232_ = _e72;
+            }
+            let _e116 = phi_232_;
+            phi_233_ = _e116;
+        } else {
+            phi_233_ = type_15(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+        }
+        let _e118 = phi_233_;
+        leaves.member[_e27] = vec4<u32>(_e118.member[0], _e118.member[1], _e118.member[2], _e118.member_1);
+    }
+    return;
+}
+
+@compute @workgroup_size(256, 1, 1) 
+fn place_leaves(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    function_(id, n, lane);
+}
