@@ -26,21 +26,31 @@ struct type_8 {
     member_3: u32,
 }
 
-struct type_10 {
+struct type_9 {
+    member: u32,
+    member_1: u32,
+}
+
+struct type_11 {
     member: array<u32>,
 }
 
-struct type_13 {
+struct type_14 {
     member: i32,
     member_1: i32,
 }
 
-struct type_14 {
+struct type_15 {
     member: u32,
     member_1: i32,
 }
 
 struct type_16 {
+    member: f32,
+    member_1: f32,
+}
+
+struct type_18 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -48,122 +58,138 @@ struct type_16 {
     member_4: u32,
 }
 
-struct type_17 {
+struct type_19 {
     member: type_7,
     member_1: type_8,
-    member_2: type_16,
+    member_2: type_18,
 }
 
-struct type_18 {
-    member: type_17,
-}
-
-struct type_22 {
-    member: array<vec4<u32>>,
+struct type_20 {
+    member: type_19,
 }
 
 struct type_24 {
+    member: array<vec4<u32>>,
+}
+
+struct type_26 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_28 {
+    member: array<type_26>,
 }
 
-struct type_28 {
+struct type_30 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_31 {
+struct type_33 {
     member: array<vec4<f32>>,
 }
 
-struct type_33 {
+struct type_35 {
     member: vec4<f32>,
     member_1: vec4<f32>,
 }
 
-struct type_35 {
-    member: array<type_33>,
+struct type_37 {
+    member: array<type_35>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_18;
+var<storage> params: type_20;
 @group(0) @binding(1) 
-var<storage> boxes: type_26;
+var<storage> boxes: type_28;
 @group(0) @binding(2) 
-var<storage> leaves: type_22;
+var<storage> leaves: type_24;
 @group(0) @binding(4) 
-var<storage> bodies: type_10;
-var<workgroup> shared_: array<type_28, 256>;
+var<storage> bodies: type_11;
+var<workgroup> shared_: array<type_30, 256>;
 @group(0) @binding(3) 
-var<storage> paths: type_35;
+var<storage> paths: type_37;
 @group(0) @binding(5) 
-var<storage, read_write> nodes: type_26;
+var<storage, read_write> nodes: type_28;
 @group(0) @binding(6) 
-var<storage, read_write> ends: type_31;
+var<storage, read_write> ends: type_33;
 
-fn function_(param: f32, param_1: f32) -> f32 {
-    return select(param, param_1, select((param_1 >= param), true, (param != param)));
+fn function_(param: f32) -> type_16 {
+    return type_16(param, param);
 }
 
-fn function_1(param_2: f32, param_3: f32) -> f32 {
-    return select(param_2, param_3, select((param_3 <= param_2), true, (param_2 != param_2)));
+fn function_1(param_1: f32) -> type_16 {
+    return type_16(param_1, param_1);
 }
 
-fn function_2(param_4: array<f32, 4>, param_5: array<f32, 4>, param_6: array<f32, 4>) -> type_28 {
-    let _e9 = function_1(param_4[0], param_5[0]);
-    let _e10 = function_1(param_4[1], param_5[1]);
-    let _e11 = function_1(param_4[2], param_5[2]);
-    let _e12 = function_(param_4[0], param_5[0]);
-    let _e13 = function_(param_4[1], param_5[1]);
-    let _e14 = function_(param_4[2], param_5[2]);
-    let _e18 = function_1(_e9, param_6[0]);
-    let _e19 = function_1(_e10, param_6[1]);
-    let _e20 = function_1(_e11, param_6[2]);
-    let _e22 = function_(_e9, param_6[0]);
-    let _e23 = function_(_e10, param_6[1]);
-    let _e24 = function_(_e11, param_6[2]);
-    let _e28 = function_1(_e12, param_6[0]);
-    let _e29 = function_1(_e13, param_6[1]);
-    let _e30 = function_1(_e14, param_6[2]);
-    let _e31 = function_(_e12, param_6[0]);
-    let _e32 = function_(_e13, param_6[1]);
-    let _e33 = function_(_e14, param_6[2]);
-    return type_28(array<f32, 3>(_e18, _e19, _e20), array<f32, 3>(_e31, _e32, _e33));
+fn function_2(param_2: f32, param_3: f32) -> f32 {
+    return select(param_2, param_3, select((param_3 >= param_2), true, (param_2 != param_2)));
 }
 
-fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_152_: u32;
-    var phi_171_: u32;
-    var phi_172_: array<u32, 3>;
-    var phi_193_: u32;
-    var phi_319_: type_28;
-    var phi_320_: type_28;
-    var phi_437_: type_28;
-    var phi_513_: type_28;
-    var phi_514_: type_28;
-    var phi_515_: type_28;
-    var phi_530_: type_13;
-    var phi_533_: type_28;
-    var phi_535_: u32;
-    var phi_531_: type_13;
-    var phi_576_: type_14;
-    var phi_728_: type_28;
-    var phi_729_: type_28;
-    var phi_775_: type_28;
-    var phi_788_: type_28;
-    var phi_534_: type_28;
-    var phi_536_: u32;
-    var local: type_28;
-    var local_1: type_28;
-    var local_2: type_28;
-    var local_3: type_28;
-    var local_4: type_28;
-    var local_5: type_28;
+fn function_3(param_4: f32, param_5: f32) -> f32 {
+    return select(param_4, param_5, select((param_5 <= param_4), true, (param_4 != param_4)));
+}
+
+fn function_4(param_6: array<f32, 4>, param_7: array<f32, 4>, param_8: array<f32, 4>) -> type_30 {
+    let _e9 = function_3(param_6[0], param_7[0]);
+    let _e10 = function_3(param_6[1], param_7[1]);
+    let _e11 = function_3(param_6[2], param_7[2]);
+    let _e12 = function_2(param_6[0], param_7[0]);
+    let _e13 = function_2(param_6[1], param_7[1]);
+    let _e14 = function_2(param_6[2], param_7[2]);
+    let _e18 = function_3(_e9, param_8[0]);
+    let _e19 = function_3(_e10, param_8[1]);
+    let _e20 = function_3(_e11, param_8[2]);
+    let _e22 = function_2(_e9, param_8[0]);
+    let _e23 = function_2(_e10, param_8[1]);
+    let _e24 = function_2(_e11, param_8[2]);
+    let _e28 = function_3(_e12, param_8[0]);
+    let _e29 = function_3(_e13, param_8[1]);
+    let _e30 = function_3(_e14, param_8[2]);
+    let _e31 = function_2(_e12, param_8[0]);
+    let _e32 = function_2(_e13, param_8[1]);
+    let _e33 = function_2(_e14, param_8[2]);
+    return type_30(array<f32, 3>(_e18, _e19, _e20), array<f32, 3>(_e31, _e32, _e33));
+}
+
+fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var local: type_30;
+    var local_1: type_30;
+    var local_2: type_30;
+    var phi_172_: u32;
+    var phi_191_: u32;
+    var phi_192_: array<u32, 3>;
+    var phi_213_: bool;
+    var phi_346_: type_9;
+    var phi_506_: type_9;
+    var phi_655_: type_30;
+    var phi_675_: u32;
+    var phi_801_: type_30;
+    var phi_802_: type_30;
+    var phi_803_: type_30;
+    var phi_804_: type_30;
+    var phi_880_: type_30;
+    var phi_881_: type_30;
+    var phi_882_: type_30;
+    var phi_897_: type_14;
+    var phi_900_: type_30;
+    var phi_902_: u32;
+    var phi_898_: type_14;
+    var phi_943_: type_15;
+    var phi_1095_: type_30;
+    var phi_1096_: type_30;
+    var phi_1142_: type_30;
+    var phi_1155_: type_30;
+    var phi_901_: type_30;
+    var phi_903_: u32;
+    var local_3: type_30;
+    var local_4: type_30;
+    var local_5: type_30;
+    var local_6: type_30;
+    var local_7: type_30;
+    var local_8: type_30;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -171,193 +197,276 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e34 = id_2;
-    let _e35 = n_2;
-    let _e36 = lane_2;
-    let _e50 = ((((_e34.y * _e35.x) + _e34.x) * 256u) + _e36);
-    let _e55 = params.member.member_2.member[0u][3u];
-    let _e56 = (_e50 < _e55);
-    let _e61 = params.member.member_2.member[0u][2u];
-    if (_e50 >= _e61) {
-        phi_152_ = 2u;
+    let _e45 = id_2;
+    let _e46 = n_2;
+    let _e47 = lane_2;
+    let _e61 = ((((_e45.y * _e46.x) + _e45.x) * 256u) + _e47);
+    let _e66 = params.member.member_2.member[0u][3u];
+    let _e67 = (_e61 < _e66);
+    let _e72 = params.member.member_2.member[0u][2u];
+    if (_e61 >= _e72) {
+        phi_172_ = 2u;
     } else {
-        let _e64 = params.member.member_2.member[0u][1u];
-        phi_152_ = select(0u, 1u, (_e50 >= _e64));
+        let _e75 = params.member.member_2.member[0u][1u];
+        phi_172_ = select(0u, 1u, (_e61 >= _e75));
     }
-    let _e68 = phi_152_;
-    if _e56 {
-        let _e70 = leaves.member[_e50];
-        phi_171_ = _e70.w;
-        phi_172_ = array<u32, 3>(_e70.x, _e70.y, _e70.z);
-    } else {
-        phi_171_ = 4294967295u;
-        phi_172_ = array<u32, 3>(0u, 0u, 0u);
-    }
-    let _e77 = phi_171_;
     let _e79 = phi_172_;
-    if (_e77 != 4294967295u) {
-        let _e83 = params.member.member.member_1;
-        let _e85 = ((_e83 & 1u) != 0u);
-        if _e85 {
-            phi_193_ = 0u;
-        } else {
-            let _e89 = params.member.member.member_2[_e68];
-            phi_193_ = _e89;
-        }
-        let _e91 = phi_193_;
-        let _e95 = boxes.member[(_e91 + _e79[0])];
-        let _e110 = type_28(array<f32, 3>(_e95.member.x, _e95.member.y, _e95.member_1.x), array<f32, 3>(_e95.member_1.y, _e95.member_2.x, _e95.member_2.y));
-        if _e85 {
-            if (_e68 > 0u) {
-                let _e115 = boxes.member[_e79[1]];
-                let _e129 = select(_e115.member.x, _e95.member.x, (_e95.member.x < _e115.member.x));
-                let _e131 = select(_e115.member.y, _e95.member.y, (_e95.member.y < _e115.member.y));
-                let _e133 = select(_e115.member_1.x, _e95.member_1.x, (_e95.member_1.x < _e115.member_1.x));
-                let _e135 = select(_e115.member_1.y, _e95.member_1.y, (_e95.member_1.y > _e115.member_1.y));
-                let _e137 = select(_e115.member_2.x, _e95.member_2.x, (_e95.member_2.x > _e115.member_2.x));
-                let _e139 = select(_e115.member_2.y, _e95.member_2.y, (_e95.member_2.y > _e115.member_2.y));
-                let _e141 = boxes.member[_e79[2]];
-                phi_319_ = type_28(array<f32, 3>(select(_e141.member.x, _e129, (_e129 < _e141.member.x)), select(_e141.member.y, _e131, (_e131 < _e141.member.y)), select(_e141.member_1.x, _e133, (_e133 < _e141.member_1.x))), array<f32, 3>(select(_e141.member_1.y, _e135, (_e135 > _e141.member_1.y)), select(_e141.member_2.x, _e137, (_e137 > _e141.member_2.x)), select(_e141.member_2.y, _e139, (_e139 > _e141.member_2.y))));
-            } else {
-                phi_319_ = _e110;
-            }
-            let _e170 = phi_319_;
-            phi_320_ = _e170;
-        } else {
-            phi_320_ = _e110;
-        }
-        let _e172 = phi_320_;
-        let _e175 = params.member.member.member_1;
-        if ((_e175 & 512u) != 0u) {
-            let _e180 = paths.member[_e79[0]];
-            let _e201 = paths.member[_e79[1]];
-            let _e222 = paths.member[_e79[2]];
-            let _e241 = function_2(array<f32, 4>(_e180.member.x, _e180.member.y, _e180.member.z, _e180.member.w), array<f32, 4>(_e201.member.x, _e201.member.y, _e201.member.z, _e201.member.w), array<f32, 4>(_e222.member.x, _e222.member.y, _e222.member.z, _e222.member.w));
-            let _e242 = function_2(array<f32, 4>(_e180.member_1.x, _e180.member_1.y, _e180.member_1.z, _e180.member_1.w), array<f32, 4>(_e201.member_1.x, _e201.member_1.y, _e201.member_1.z, _e201.member_1.w), array<f32, 4>(_e222.member_1.x, _e222.member_1.y, _e222.member_1.z, _e222.member_1.w));
-            ends.member[(((_e50 / 32u) * 96u) + (_e50 % 32u))] = vec4<f32>(_e241.member[0], _e241.member[1], _e241.member[2], _e241.member_1[0]);
-            ends.member[(((((_e50 / 32u) * 3u) + 1u) * 32u) + (_e50 % 32u))] = vec4<f32>(_e241.member_1[1], _e241.member_1[2], _e242.member[0], _e242.member[1]);
-            ends.member[(((((_e50 / 32u) * 3u) + 2u) * 32u) + (_e50 % 32u))] = vec4<f32>(_e242.member[2], _e242.member_1[0], _e242.member_1[1], _e242.member_1[2]);
-        }
-        phi_437_ = _e172;
+    if _e67 {
+        let _e81 = leaves.member[_e61];
+        phi_191_ = _e81.w;
+        phi_192_ = array<u32, 3>(_e81.x, _e81.y, _e81.z);
     } else {
-        phi_437_ = type_28(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_191_ = 4294967295u;
+        phi_192_ = array<u32, 3>(0u, 0u, 0u);
     }
-    let _e282 = phi_437_;
-    let _e285 = params.member.member.member_1;
-    let _e287 = ((_e285 & 256u) != 0u);
-    if _e287 {
-        let _e290 = bodies.member[_e79[0]];
-        if (_e282.member[0] <= _e282.member_1[0]) {
-            if (((bitcast<u32>(_e282.member_1[0]) & 1u) == 1u) != ((_e290 & 1u) == 1u)) {
-                let _e306 = bitcast<u32>(_e282.member_1[0]);
-                let _e309 = ((_e306 >> bitcast<u32>(31i)) == 1u);
-                let _e310 = (_e306 & 2147483647u);
-                let _e311 = (_e310 < 8388608u);
-                let _e314 = select(true, select(true, false, (_e310 == 8388608u)), _e309);
-                phi_513_ = type_28(_e282.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e306 + 1u), (_e306 - 1u), _e309), _e314), u32(), _e311), (8388608u | ((_e306 & 1u) ^ 1u)), select(select(true, false, _e314), true, _e311))), _e282.member_1[1], _e282.member_1[2]));
-            } else {
-                phi_513_ = _e282;
-            }
-            let _e334 = phi_513_;
-            phi_514_ = _e334;
+    let _e88 = phi_191_;
+    let _e90 = phi_192_;
+    if (_e88 != 4294967295u) {
+        let _e94 = params.member.member.member_1;
+        let _e96 = ((_e94 & 4096u) != 0u);
+        if _e96 {
+            phi_213_ = true;
         } else {
-            phi_514_ = _e282;
+            let _e99 = params.member.member.member_1;
+            phi_213_ = ((_e99 & 512u) != 0u);
         }
-        let _e336 = phi_514_;
-        phi_515_ = _e336;
-    } else {
-        phi_515_ = _e282;
-    }
-    let _e338 = phi_515_;
-    shared_[_e36] = type_28(array<f32, 3>(_e338.member[0], _e338.member[1], _e338.member[2]), array<f32, 3>(_e338.member_1[0], _e338.member_1[1], _e338.member_1[2]));
-    phi_530_ = type_13(0i, 5i);
-    phi_533_ = _e338;
-    phi_535_ = 16u;
-    loop {
-        let _e352 = phi_530_;
-        let _e354 = phi_533_;
-        let _e356 = phi_535_;
-        local = _e354;
-        local_1 = _e354;
-        local_2 = _e354;
-        local_3 = _e354;
-        local_4 = _e354;
-        local_5 = _e354;
-        if (_e352.member < _e352.member_1) {
-            let _e363 = (_e352.member + 1i);
-            phi_531_ = type_13(select(_e363, type_14().member_1, select(false, true, ((false == (_e363 > _e352.member)) != false))), _e352.member_1);
-            phi_576_ = type_14(1u, _e352.member);
-        } else {
-            phi_531_ = _e352;
-            phi_576_ = type_14(0u, type_14().member_1);
-        }
-        let _e374 = phi_531_;
-        let _e376 = phi_576_;
-        let _e379 = (bitcast<i32>(_e376.member) != 0i);
-        if _e379 {
-            workgroupBarrier();
-            if ((_e36 % 32u) < _e356) {
-                let _e384 = shared_[(_e36 + _e356)];
-                if _e287 {
-                    let _e423 = select(_e384.member[0], _e354.member[0], (_e354.member[0] < _e384.member[0]));
-                    let _e436 = select(_e384.member_1[0], _e354.member_1[0], (_e354.member_1[0] > _e384.member_1[0]));
-                    let _e446 = type_28(array<f32, 3>(_e423, select(_e384.member[1], _e354.member[1], (_e354.member[1] < _e384.member[1])), select(_e384.member[2], _e354.member[2], (_e354.member[2] < _e384.member[2]))), array<f32, 3>(_e436, select(_e384.member_1[1], _e354.member_1[1], (_e354.member_1[1] > _e384.member_1[1])), select(_e384.member_1[2], _e354.member_1[2], (_e354.member_1[2] > _e384.member_1[2]))));
-                    if (_e423 <= _e436) {
-                        if (((bitcast<u32>(_e436) & 1u) == 1u) != select(false, select(!((_e384.member[0] <= _e384.member_1[0])), true, ((bitcast<u32>(_e384.member_1[0]) & 1u) == 1u)), select(!((_e354.member[0] <= _e354.member_1[0])), true, ((bitcast<u32>(_e354.member_1[0]) & 1u) == 1u)))) {
-                            let _e471 = bitcast<u32>(_e436);
-                            let _e474 = ((_e471 >> bitcast<u32>(31i)) == 1u);
-                            let _e475 = (_e471 & 2147483647u);
-                            let _e476 = (_e475 < 8388608u);
-                            let _e479 = select(true, select(true, false, (_e475 == 8388608u)), _e474);
-                            phi_728_ = type_28(_e446.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e471 + 1u), (_e471 - 1u), _e474), _e479), u32(), _e476), (8388608u | ((_e471 & 1u) ^ 1u)), select(select(true, false, _e479), true, _e476))), _e446.member_1[1], _e446.member_1[2]));
-                        } else {
-                            phi_728_ = _e446;
-                        }
-                        let _e499 = phi_728_;
-                        phi_729_ = _e499;
-                    } else {
-                        phi_729_ = _e446;
+        let _e103 = phi_213_;
+        if _e103 {
+            let _e106 = paths.member[_e90[0]];
+            let _e127 = paths.member[_e90[1]];
+            let _e148 = paths.member[_e90[2]];
+            let _e167 = function_4(array<f32, 4>(_e106.member.x, _e106.member.y, _e106.member.z, _e106.member.w), array<f32, 4>(_e127.member.x, _e127.member.y, _e127.member.z, _e127.member.w), array<f32, 4>(_e148.member.x, _e148.member.y, _e148.member.z, _e148.member.w));
+            let _e168 = function_4(array<f32, 4>(_e106.member_1.x, _e106.member_1.y, _e106.member_1.z, _e106.member_1.w), array<f32, 4>(_e127.member_1.x, _e127.member_1.y, _e127.member_1.z, _e127.member_1.w), array<f32, 4>(_e148.member_1.x, _e148.member_1.y, _e148.member_1.z, _e148.member_1.w));
+            let _e171 = params.member.member.member_3;
+            let _e177 = select(_e168.member[0], _e167.member[0], (_e167.member[0] < _e168.member[0]));
+            let _e183 = select(_e168.member[1], _e167.member[1], (_e167.member[1] < _e168.member[1]));
+            let _e189 = select(_e168.member[2], _e167.member[2], (_e167.member[2] < _e168.member[2]));
+            let _e195 = select(_e168.member_1[0], _e167.member_1[0], (_e167.member_1[0] > _e168.member_1[0]));
+            let _e201 = select(_e168.member_1[1], _e167.member_1[1], (_e167.member_1[1] > _e168.member_1[1]));
+            let _e207 = select(_e168.member_1[2], _e167.member_1[2], (_e167.member_1[2] > _e168.member_1[2]));
+            if (_e171 > 0f) {
+                local_1 = type_30(array<f32, 3>(_e177, _e183, _e189), array<f32, 3>(_e195, _e201, _e207));
+                phi_346_ = type_9(0u, 3u);
+                loop {
+                    let _e216 = phi_346_;
+                    let _e219 = (_e216.member < _e216.member_1);
+                    let _e230 = select(type_9().member_1, _e216.member, _e219);
+                    let _e232 = (bitcast<i32>(select(0u, 1u, _e219)) != 0i);
+                    if _e232 {
+                        let _e235 = local_1.member[_e230];
+                        let _e237 = -((_e235 - _e171));
+                        let _e238 = bitcast<u32>(_e237);
+                        local_1.member[_e230] = -(select(_e237, select(select(0.000000000000000000000000000000000000000000001f, bitcast<f32>((_e238 - 1u)), (_e237 < 0f)), bitcast<f32>((_e238 + 1u)), (_e237 > 0f)), select(true, (_e237 < 0f), ((_e238 & 2139095040u) == 2139095040u))));
+                        let _e257 = local_1.member_1[_e230];
+                        let _e258 = (_e257 + _e171);
+                        let _e259 = bitcast<u32>(_e258);
+                        local_1.member_1[_e230] = select(_e258, select(select(0.000000000000000000000000000000000000000000001f, bitcast<f32>((_e259 - 1u)), (_e258 < 0f)), bitcast<f32>((_e259 + 1u)), (_e258 > 0f)), select(true, (_e258 < 0f), ((_e259 & 2139095040u) == 2139095040u)));
                     }
-                    let _e501 = phi_729_;
-                    phi_775_ = _e501;
-                } else {
-                    phi_775_ = type_28(array<f32, 3>(select(_e384.member[0], _e354.member[0], (_e354.member[0] < _e384.member[0])), select(_e384.member[1], _e354.member[1], (_e354.member[1] < _e384.member[1])), select(_e384.member[2], _e354.member[2], (_e354.member[2] < _e384.member[2]))), array<f32, 3>(select(_e384.member_1[0], _e354.member_1[0], (_e354.member_1[0] > _e384.member_1[0])), select(_e384.member_1[1], _e354.member_1[1], (_e354.member_1[1] > _e384.member_1[1])), select(_e384.member_1[2], _e354.member_1[2], (_e354.member_1[2] > _e384.member_1[2]))));
+                    continue;
+                    continuing {
+                        phi_346_ = type_9(select(_e216.member, (_e216.member + 1u), _e219), select(_e216.member_1, _e216.member_1, _e219));
+                        break if !(_e232);
+                    }
                 }
-                let _e503 = phi_775_;
-                shared_[_e36] = type_28(array<f32, 3>(_e503.member[0], _e503.member[1], _e503.member[2]), array<f32, 3>(_e503.member_1[0], _e503.member_1[1], _e503.member_1[2]));
-                phi_788_ = _e503;
             } else {
-                phi_788_ = _e354;
+                local_1 = type_30(array<f32, 3>(_e177, _e183, _e189), array<f32, 3>(_e195, _e201, _e207));
             }
-            let _e517 = phi_788_;
-            phi_534_ = _e517;
-            phi_536_ = (_e356 / 2u);
+            let _e276 = local_1;
+            local_2 = _e276;
+            local = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            phi_506_ = type_9(0u, 3u);
+            loop {
+                let _e278 = phi_506_;
+                let _e281 = (_e278.member < _e278.member_1);
+                let _e292 = select(type_9().member_1, _e278.member, _e281);
+                let _e294 = (bitcast<i32>(select(0u, 1u, _e281)) != 0i);
+                if _e294 {
+                    let _e297 = local_2.member[_e292];
+                    let _e298 = function_1(_e297);
+                    let _e300 = -(290000000000000000000000000000000000000f);
+                    let _e302 = select(_e300, _e298.member, (_e298.member > _e300));
+                    local.member[_e292] = select(290000000000000000000000000000000000000f, _e302, (_e302 < 290000000000000000000000000000000000000f));
+                    let _e309 = local_2.member_1[_e292];
+                    let _e310 = function_(_e309);
+                    let _e312 = -(290000000000000000000000000000000000000f);
+                    let _e314 = select(_e312, _e310.member_1, (_e310.member_1 > _e312));
+                    local.member_1[_e292] = select(290000000000000000000000000000000000000f, _e314, (_e314 < 290000000000000000000000000000000000000f));
+                }
+                continue;
+                continuing {
+                    phi_506_ = type_9(select(_e278.member, (_e278.member + 1u), _e281), select(_e278.member_1, _e278.member_1, _e281));
+                    break if !(_e294);
+                }
+            }
+            let _e320 = local;
+            let _e334 = params.member.member.member_1;
+            if ((_e334 & 512u) != 0u) {
+                ends.member[(((_e61 / 32u) * 96u) + (_e61 % 32u))] = vec4<f32>(_e167.member[0], _e167.member[1], _e167.member[2], _e167.member_1[0]);
+                ends.member[(((((_e61 / 32u) * 3u) + 1u) * 32u) + (_e61 % 32u))] = vec4<f32>(_e167.member_1[1], _e167.member_1[2], _e168.member[0], _e168.member[1]);
+                ends.member[(((((_e61 / 32u) * 3u) + 2u) * 32u) + (_e61 % 32u))] = vec4<f32>(_e168.member[2], _e168.member_1[0], _e168.member_1[1], _e168.member_1[2]);
+            }
+            phi_655_ = type_30(array<f32, 3>(_e320.member[0], _e320.member[1], _e320.member[2]), array<f32, 3>(_e320.member_1[0], _e320.member_1[1], _e320.member_1[2]));
         } else {
-            phi_534_ = type_28();
-            phi_536_ = u32();
+            phi_655_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         }
-        let _e520 = phi_534_;
-        let _e522 = phi_536_;
+        let _e376 = phi_655_;
+        if _e96 {
+            phi_803_ = _e376;
+        } else {
+            let _e379 = params.member.member.member_1;
+            let _e381 = ((_e379 & 1u) != 0u);
+            if _e381 {
+                phi_675_ = 0u;
+            } else {
+                let _e385 = params.member.member.member_2[_e79];
+                phi_675_ = _e385;
+            }
+            let _e387 = phi_675_;
+            let _e391 = boxes.member[(_e387 + _e90[0])];
+            let _e406 = type_30(array<f32, 3>(_e391.member.x, _e391.member.y, _e391.member_1.x), array<f32, 3>(_e391.member_1.y, _e391.member_2.x, _e391.member_2.y));
+            if _e381 {
+                if (_e79 > 0u) {
+                    let _e411 = boxes.member[_e90[1]];
+                    let _e425 = select(_e411.member.x, _e391.member.x, (_e391.member.x < _e411.member.x));
+                    let _e427 = select(_e411.member.y, _e391.member.y, (_e391.member.y < _e411.member.y));
+                    let _e429 = select(_e411.member_1.x, _e391.member_1.x, (_e391.member_1.x < _e411.member_1.x));
+                    let _e431 = select(_e411.member_1.y, _e391.member_1.y, (_e391.member_1.y > _e411.member_1.y));
+                    let _e433 = select(_e411.member_2.x, _e391.member_2.x, (_e391.member_2.x > _e411.member_2.x));
+                    let _e435 = select(_e411.member_2.y, _e391.member_2.y, (_e391.member_2.y > _e411.member_2.y));
+                    let _e437 = boxes.member[_e90[2]];
+                    phi_801_ = type_30(array<f32, 3>(select(_e437.member.x, _e425, (_e425 < _e437.member.x)), select(_e437.member.y, _e427, (_e427 < _e437.member.y)), select(_e437.member_1.x, _e429, (_e429 < _e437.member_1.x))), array<f32, 3>(select(_e437.member_1.y, _e431, (_e431 > _e437.member_1.y)), select(_e437.member_2.x, _e433, (_e433 > _e437.member_2.x)), select(_e437.member_2.y, _e435, (_e435 > _e437.member_2.y))));
+                } else {
+                    phi_801_ = _e406;
+                }
+                let _e466 = phi_801_;
+                phi_802_ = _e466;
+            } else {
+                phi_802_ = _e406;
+            }
+            let _e468 = phi_802_;
+            phi_803_ = _e468;
+        }
+        let _e470 = phi_803_;
+        phi_804_ = _e470;
+    } else {
+        phi_804_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+    }
+    let _e472 = phi_804_;
+    let _e475 = params.member.member.member_1;
+    let _e477 = ((_e475 & 256u) != 0u);
+    if _e477 {
+        let _e480 = bodies.member[_e90[0]];
+        if (_e472.member[0] <= _e472.member_1[0]) {
+            if (((bitcast<u32>(_e472.member_1[0]) & 1u) == 1u) != ((_e480 & 1u) == 1u)) {
+                let _e496 = bitcast<u32>(_e472.member_1[0]);
+                let _e499 = ((_e496 >> bitcast<u32>(31i)) == 1u);
+                let _e500 = (_e496 & 2147483647u);
+                let _e501 = (_e500 < 8388608u);
+                let _e504 = select(true, select(true, false, (_e500 == 8388608u)), _e499);
+                phi_880_ = type_30(_e472.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e496 + 1u), (_e496 - 1u), _e499), _e504), u32(), _e501), (8388608u | ((_e496 & 1u) ^ 1u)), select(select(true, false, _e504), true, _e501))), _e472.member_1[1], _e472.member_1[2]));
+            } else {
+                phi_880_ = _e472;
+            }
+            let _e524 = phi_880_;
+            phi_881_ = _e524;
+        } else {
+            phi_881_ = _e472;
+        }
+        let _e526 = phi_881_;
+        phi_882_ = _e526;
+    } else {
+        phi_882_ = _e472;
+    }
+    let _e528 = phi_882_;
+    shared_[_e47] = type_30(array<f32, 3>(_e528.member[0], _e528.member[1], _e528.member[2]), array<f32, 3>(_e528.member_1[0], _e528.member_1[1], _e528.member_1[2]));
+    phi_897_ = type_14(0i, 5i);
+    phi_900_ = _e528;
+    phi_902_ = 16u;
+    loop {
+        let _e542 = phi_897_;
+        let _e544 = phi_900_;
+        let _e546 = phi_902_;
+        local_3 = _e544;
+        local_4 = _e544;
+        local_5 = _e544;
+        local_6 = _e544;
+        local_7 = _e544;
+        local_8 = _e544;
+        if (_e542.member < _e542.member_1) {
+            let _e553 = (_e542.member + 1i);
+            phi_898_ = type_14(select(_e553, type_15().member_1, select(false, true, ((false == (_e553 > _e542.member)) != false))), _e542.member_1);
+            phi_943_ = type_15(1u, _e542.member);
+        } else {
+            phi_898_ = _e542;
+            phi_943_ = type_15(0u, type_15().member_1);
+        }
+        let _e564 = phi_898_;
+        let _e566 = phi_943_;
+        let _e569 = (bitcast<i32>(_e566.member) != 0i);
+        if _e569 {
+            workgroupBarrier();
+            if ((_e47 % 32u) < _e546) {
+                let _e574 = shared_[(_e47 + _e546)];
+                if _e477 {
+                    let _e613 = select(_e574.member[0], _e544.member[0], (_e544.member[0] < _e574.member[0]));
+                    let _e626 = select(_e574.member_1[0], _e544.member_1[0], (_e544.member_1[0] > _e574.member_1[0]));
+                    let _e636 = type_30(array<f32, 3>(_e613, select(_e574.member[1], _e544.member[1], (_e544.member[1] < _e574.member[1])), select(_e574.member[2], _e544.member[2], (_e544.member[2] < _e574.member[2]))), array<f32, 3>(_e626, select(_e574.member_1[1], _e544.member_1[1], (_e544.member_1[1] > _e574.member_1[1])), select(_e574.member_1[2], _e544.member_1[2], (_e544.member_1[2] > _e574.member_1[2]))));
+                    if (_e613 <= _e626) {
+                        if (((bitcast<u32>(_e626) & 1u) == 1u) != select(false, select(!((_e574.member[0] <= _e574.member_1[0])), true, ((bitcast<u32>(_e574.member_1[0]) & 1u) == 1u)), select(!((_e544.member[0] <= _e544.member_1[0])), true, ((bitcast<u32>(_e544.member_1[0]) & 1u) == 1u)))) {
+                            let _e661 = bitcast<u32>(_e626);
+                            let _e664 = ((_e661 >> bitcast<u32>(31i)) == 1u);
+                            let _e665 = (_e661 & 2147483647u);
+                            let _e666 = (_e665 < 8388608u);
+                            let _e669 = select(true, select(true, false, (_e665 == 8388608u)), _e664);
+                            phi_1095_ = type_30(_e636.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e661 + 1u), (_e661 - 1u), _e664), _e669), u32(), _e666), (8388608u | ((_e661 & 1u) ^ 1u)), select(select(true, false, _e669), true, _e666))), _e636.member_1[1], _e636.member_1[2]));
+                        } else {
+                            phi_1095_ = _e636;
+                        }
+                        let _e689 = phi_1095_;
+                        phi_1096_ = _e689;
+                    } else {
+                        phi_1096_ = _e636;
+                    }
+                    let _e691 = phi_1096_;
+                    phi_1142_ = _e691;
+                } else {
+                    phi_1142_ = type_30(array<f32, 3>(select(_e574.member[0], _e544.member[0], (_e544.member[0] < _e574.member[0])), select(_e574.member[1], _e544.member[1], (_e544.member[1] < _e574.member[1])), select(_e574.member[2], _e544.member[2], (_e544.member[2] < _e574.member[2]))), array<f32, 3>(select(_e574.member_1[0], _e544.member_1[0], (_e544.member_1[0] > _e574.member_1[0])), select(_e574.member_1[1], _e544.member_1[1], (_e544.member_1[1] > _e574.member_1[1])), select(_e574.member_1[2], _e544.member_1[2], (_e544.member_1[2] > _e574.member_1[2]))));
+                }
+                let _e693 = phi_1142_;
+                shared_[_e47] = type_30(array<f32, 3>(_e693.member[0], _e693.member[1], _e693.member[2]), array<f32, 3>(_e693.member_1[0], _e693.member_1[1], _e693.member_1[2]));
+                phi_1155_ = _e693;
+            } else {
+                phi_1155_ = _e544;
+            }
+            let _e707 = phi_1155_;
+            phi_901_ = _e707;
+            phi_903_ = (_e546 / 2u);
+        } else {
+            phi_901_ = type_30();
+            phi_903_ = u32();
+        }
+        let _e710 = phi_901_;
+        let _e712 = phi_903_;
         continue;
         continuing {
-            phi_530_ = _e374;
-            phi_533_ = _e520;
-            phi_535_ = _e522;
-            break if !(_e379);
+            phi_897_ = _e564;
+            phi_900_ = _e710;
+            phi_902_ = _e712;
+            break if !(_e569);
         }
     }
-    if _e56 {
-        nodes.member[_e50] = type_24(vec2<f32>(_e282.member[0], _e282.member[1]), vec2<f32>(_e282.member[2], _e282.member_1[0]), vec2<f32>(_e282.member_1[1], _e282.member_1[2]));
-        if ((_e36 % 32u) == 0u) {
-            let _e547 = params.member.member_2.member[0u][_e68];
-            let _e554 = params.member.member_2.member[1u][_e68];
-            let _e557 = local;
-            let _e561 = local_1;
-            let _e565 = local_2;
-            let _e569 = local_3;
-            let _e573 = local_4;
-            let _e577 = local_5;
-            nodes.member[(_e554 + ((_e50 - _e547) / 32u))] = type_24(vec2<f32>(_e557.member[0], _e561.member[1]), vec2<f32>(_e565.member[2], _e569.member_1[0]), vec2<f32>(_e573.member_1[1], _e577.member_1[2]));
+    if _e67 {
+        nodes.member[_e61] = type_26(vec2<f32>(_e472.member[0], _e472.member[1]), vec2<f32>(_e472.member[2], _e472.member_1[0]), vec2<f32>(_e472.member_1[1], _e472.member_1[2]));
+        if ((_e47 % 32u) == 0u) {
+            let _e737 = params.member.member_2.member[0u][_e79];
+            let _e744 = params.member.member_2.member[1u][_e79];
+            let _e747 = local_3;
+            let _e751 = local_4;
+            let _e755 = local_5;
+            let _e759 = local_6;
+            let _e763 = local_7;
+            let _e767 = local_8;
+            nodes.member[(_e744 + ((_e61 - _e737) / 32u))] = type_26(vec2<f32>(_e747.member[0], _e751.member[1]), vec2<f32>(_e755.member[2], _e759.member_1[0]), vec2<f32>(_e763.member_1[1], _e767.member_1[2]));
         }
     }
     return;
@@ -365,5 +474,5 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(256, 1, 1) 
 fn fit_leaves(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_3(id, n, lane);
+    function_5(id, n, lane);
 }

@@ -87,8 +87,8 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_18;
     var local_1: type_18;
     var local_2: type_18;
-    var phi_166_: type_9;
-    var phi_326_: type_9;
+    var phi_172_: type_9;
+    var phi_332_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -112,9 +112,9 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e63 = select(_e40.member_1[2], _e40.member[2], (_e40.member[2] > _e40.member_1[2]));
         if (_e43 > 0f) {
             local_1 = type_18(array<f32, 3>(_e53, _e55, _e57), array<f32, 3>(_e59, _e61, _e63));
-            phi_166_ = type_9(0u, 3u);
+            phi_172_ = type_9(0u, 3u);
             loop {
-                let _e72 = phi_166_;
+                let _e72 = phi_172_;
                 let _e75 = (_e72.member < _e72.member_1);
                 let _e86 = select(type_9().member_1, _e72.member, _e75);
                 let _e88 = (bitcast<i32>(select(0u, 1u, _e75)) != 0i);
@@ -130,7 +130,7 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 continue;
                 continuing {
-                    phi_166_ = type_9(select(_e72.member, (_e72.member + 1u), _e75), select(_e72.member_1, _e72.member_1, _e75));
+                    phi_172_ = type_9(select(_e72.member, (_e72.member + 1u), _e75), select(_e72.member_1, _e72.member_1, _e75));
                     break if !(_e88);
                 }
             }
@@ -140,27 +140,27 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e132 = local_1;
         local_2 = _e132;
         local = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_326_ = type_9(0u, 3u);
+        phi_332_ = type_9(0u, 3u);
         loop {
-            let _e134 = phi_326_;
+            let _e134 = phi_332_;
             let _e137 = (_e134.member < _e134.member_1);
             let _e148 = select(type_9().member_1, _e134.member, _e137);
             let _e150 = (bitcast<i32>(select(0u, 1u, _e137)) != 0i);
             if _e150 {
                 let _e153 = local_2.member[_e148];
-                let _e154 = function_1(_e153);
+                let _e154 = function_(_e153);
                 let _e156 = -(290000000000000000000000000000000000000f);
                 let _e158 = select(_e156, _e154.member, (_e154.member > _e156));
                 local.member[_e148] = select(290000000000000000000000000000000000000f, _e158, (_e158 < 290000000000000000000000000000000000000f));
                 let _e165 = local_2.member_1[_e148];
-                let _e166 = function_(_e165);
+                let _e166 = function_1(_e165);
                 let _e168 = -(290000000000000000000000000000000000000f);
                 let _e170 = select(_e168, _e166.member_1, (_e166.member_1 > _e168));
                 local.member_1[_e148] = select(290000000000000000000000000000000000000f, _e170, (_e170 < 290000000000000000000000000000000000000f));
             }
             continue;
             continuing {
-                phi_326_ = type_9(select(_e134.member, (_e134.member + 1u), _e137), select(_e134.member_1, _e134.member_1, _e137));
+                phi_332_ = type_9(select(_e134.member, (_e134.member + 1u), _e137), select(_e134.member_1, _e134.member_1, _e137));
                 break if !(_e150);
             }
         }

@@ -259,7 +259,12 @@ fn check_fit(device: &Device) {
     let none = zeros::<[f32; 4]>(with_ends.ends.len());
     let done = fit(Frame::FLAG_ENDS, none.clone());
     assert!(read::<[f32; 4]>(&done.ends) == with_ends.ends, "boxes of leaves at both ends");
-    assert!(fit(0, none.clone()).ends == none, "ends where there are none");
+    let of_vertices = fit(0, none.clone());
+    assert!(of_vertices.ends == none, "ends where there are none");
+    let of_paths = fit(Frame::FLAG_SWEPT, none);
+    for nodes in [of_vertices.nodes, of_paths.nodes] {
+        check_boxes("node", &read::<Aabb>(&nodes), &read::<Aabb>(&done.nodes));
+    }
     let second = slots[2][0] as usize;
     check_boxes("node", &twin.nodes[..second], &read::<Aabb>(&done.nodes)[..second]);
     let p = Params { args: Blocks { level: 1, ..twin.tree }, ..p };

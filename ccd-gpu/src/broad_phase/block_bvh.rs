@@ -44,14 +44,15 @@ const BLOCK_PAIRS_A_GROUP: u32 = 96;
 #[derive(Clone, Copy)]
 pub struct Features<'a> {
     pub bodies: &'a wgpu::Buffer,
-    /// Of vertices, where leaves have boxes at both ends.
-    pub paths: Option<&'a wgpu::Buffer>,
+    pub paths: &'a wgpu::Buffer,
+    /// Whether leaves are to have boxes at both ends of paths.
+    pub ends: bool,
 }
 
 impl<'a> Features<'a> {
-    /// Of boxes alone: no bodies, so that any buffer does for them.
+    /// Of boxes alone: no bodies and no paths, so that any buffer does for them.
     pub fn none(any: &'a wgpu::Buffer) -> Self {
-        Self { bodies: any, paths: None }
+        Self { bodies: any, paths: any, ends: false }
     }
 }
 
@@ -261,15 +262,16 @@ impl Tree {
     }
 
     /// Boxes of all nodes over leaves that were placed, and of leaves at both ends of the step if
-    /// there are paths. Returns what a frame then says.
+    /// these are wanted. Returns what a frame then says.
     ///
     /// No ends where a level stands still, of which few leaves are read at all.
     pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, features: Features) -> Frame {
         let Self { boxes, nodes, leaves, .. } = self;
-        let Features { bodies, paths } = features;
-        let of_ends = paths.zip(self.ends.as_ref()).filter(|_| !frame.has(Frame::FLAG_STILL));
-        let flag = of_ends.map_or(0, |_| Frame::FLAG_ENDS);
-        let (paths, ends) = of_ends.unwrap_or((boxes, &self.bounds));
+        let Features { bodies, paths, ends } = features;
+        let wanted = ends && !frame.has(Frame::FLAG_STILL);
+        let ends = self.ends.as_ref().filter(|_| wanted);
+        let flag = ends.map_or(0, |_| Frame::FLAG_ENDS);
+        let ends = ends.unwrap_or(&self.bounds);
         let with_ends = Frame { flags: frame.flags | flag, ..*frame };
         let dispatch = Dispatch::default();
         let mut p = Params { frame: with_ends, dispatch, args: self.record() };

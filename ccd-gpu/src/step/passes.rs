@@ -25,11 +25,12 @@ impl Buffers {
         let contact_order = self.order.as_ref().filter(|_| self.to_order > 0);
         contact_order.inspect(|order| order.clear(recorder, frame));
         recorder.stage("boxes");
-        let mut paths = self.positions.paths();
-        let reads_elements = !self.keeps_order || self.source.reads_elements();
-        self.sweep(recorder, frame, paths, (self.positions.boxes, reads_elements));
+        let (mut paths, bodies) = (self.positions.paths(), &self.bodies);
+        let mut window = self.sweep(recorder, frame, paths, (self.positions.boxes, true));
         let whole = frame.from <= 0.0 && frame.until >= 1.0;
-        let window = if whole { *frame } else { self.shorten(recorder, frame, reads_elements) };
+        if !whole {
+            window = self.shorten(recorder, frame, true);
+        }
         let frame = &window;
         if !whole {
             paths = &self.shortened;
@@ -38,8 +39,8 @@ impl Buffers {
             self.source.order(recorder, frame, &self.elements);
         }
         // The candidates of a sample are few, so that boxes at both ends do not pay.
-        let of_ends = matches!(goal, Goal::Contacts | Goal::EarliestAtOnce).then_some(paths);
-        let frame = &self.source.fit(recorder, frame, self.features(of_ends));
+        let ends = matches!(goal, Goal::Contacts | Goal::EarliestAtOnce);
+        let frame = &self.source.fit(recorder, frame, Features { bodies, paths, ends });
         match goal {
             Goal::Candidates => {
                 self.source.find(recorder, frame, self.keeps_order);
@@ -58,22 +59,21 @@ impl Buffers {
         }
     }
 
-    /// Cuts paths to the times that matter, up to the earliest time found, and sweeps them. Returns
-    /// what a frame then says.
-    fn shorten(&self, recorder: &mut Recorder, frame: &Frame, reads_elements: bool) -> Frame {
+    /// Cuts paths to the times that matter, up to the earliest time found, and sweeps them, as
+    /// [`Buffers::sweep`] does. Returns what a frame then says.
+    fn shorten(&self, recorder: &mut Recorder, frame: &Frame, is_first: bool) -> Frame {
         let paths = self.positions.paths();
         let error = self.positions.path_error() + swept_box::end_error(self.positions.reach);
         let cut = Frame {
             path_error: error,
             margin: (frame.margin + error).next_up(),
-            flags: frame.flags & !Frame::FLAG_CONFIRM,
+            flags: frame.flags & !(Frame::FLAG_CONFIRM | Frame::FLAG_SWEPT),
             ..*frame
         };
         recorder.stage("shorten");
         let Self { earliest, shortened, .. } = self;
         recorder.each(&Shorten { paths, earliest, shortened }, &plain(&cut), cut.count[0]);
-        self.sweep(recorder, &cut, shortened, (Boxes::OfPaths, reads_elements));
-        cut
+        self.sweep(recorder, &cut, shortened, (Boxes::OfPaths, is_first))
     }
 
     /// A part of the block pairs first; what it finds bounds the time that matters, and shorter
@@ -87,9 +87,10 @@ impl Buffers {
             recorder.copy(list.buffer(), 0, &self.sample, to, 4);
         }
         self.clear(recorder, Goal::Earliest, wide);
-        let cut = self.shorten(recorder, frame, self.source.reads_elements());
-        let cut = self.source.fit(recorder, &cut, self.features(Some(&self.shortened)));
-        self.contacts(recorder, &cut, &self.shortened, 1, wide);
+        let cut = self.shorten(recorder, frame, false);
+        let (bodies, paths) = (&self.bodies, &self.shortened);
+        let cut = self.source.fit(recorder, &cut, Features { bodies, paths, ends: true });
+        self.contacts(recorder, &cut, paths, 1, wide);
     }
 
     fn clear(&self, recorder: &mut Recorder, goal: Goal, wide: bool) {
@@ -98,14 +99,21 @@ impl Buffers {
         used.for_each(|(list, _)| recorder.clear(list.buffer(), HEADER_BYTES));
     }
 
-    /// Boxes of vertices, and of edges and faces if they are read.
+    /// All boxes that something reads: those of blocks in the order that they have are fitted from
+    /// vertices, or from paths. `is_first`: the frame may sort after it. Returns what a frame then
+    /// says.
     fn sweep(
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
         paths: &wgpu::Buffer,
-        (of_vertices, reads_elements): (Boxes, bool),
-    ) {
+        (of_vertices, is_first): (Boxes, bool),
+    ) -> Frame {
+        let reads_all = is_first && !self.keeps_order || self.source.reads_elements();
+        if !reads_all && of_vertices == Boxes::OfPaths {
+            return Frame { flags: frame.flags | Frame::FLAG_SWEPT, ..*frame };
+        }
+
         let ([v, e, f], p) = (frame.count, plain(frame));
         let Positions { wide, keys, .. } = &self.positions;
         let (elements, boxes) = (&self.elements, self.source.finder().boxes());
@@ -116,9 +124,10 @@ impl Buffers {
             }
             Boxes::Sent => {}
         }
-        if reads_elements {
+        if reads_all {
             recorder.each(&SweepElements { elements, boxes }, &p, e + f);
         }
+        *frame
     }
 
     /// Filters candidates of every `step`-th block pair and decides what is left.
@@ -198,10 +207,6 @@ impl Buffers {
     fn integer_window(&self, frame: &Frame) -> Option<Window> {
         let exact = self.positions.exact || self.positions.given;
         if exact { Window::of(&decide::wide_search_of(frame)) } else { None }
-    }
-
-    fn features<'a>(&'a self, paths: Option<&'a wgpu::Buffer>) -> Features<'a> {
-        Features { bodies: &self.bodies, paths }
     }
 }
 

@@ -5,6 +5,7 @@ use crate::records::{BoxWords, PathWords, box_at, leaf_at, leaf_words, put_ends}
 use crate::workgroup::{barrier, get, set};
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{marked, set_of, slot, united};
+use ccd_core::backend::broad_phase::swept_box;
 use ccd_core::backend::kernel::memory::{at, put};
 use ccd_core::backend::layout::{Frame, Leaf, elements};
 use ccd_core::narrow_phase::cascade;
@@ -54,7 +55,8 @@ kernel! {
 kernel! {
     /// Boxes of leaves, with `FLAG_ENDS` also those at both ends of the step, and of the nodes
     /// above. Thread `i` owns leaf `i` of all sets; the first thread of 32 their node. A leaf is
-    /// the box of its vertices, or without topology a box of its own.
+    /// the box of its vertices, with `FLAG_SWEPT` of their paths, or without topology a box of its
+    /// own.
     fit_leaves[256](t; params: Blocks; shared: [Aabb; 256]; boxes: [BoxWords], leaves: [UVec4],
         paths: [PathWords], bodies: [u32], mut nodes: [BoxWords], mut ends: [Vec4]) {
         let i = t.group * 256 + t.lane;
@@ -66,16 +68,23 @@ kernel! {
             leaf = leaf_at(leaves, i as usize);
         }
         if leaf.id != Leaf::NONE {
-            let of_vertices = params.frame.has(Frame::FLAG_TOPOLOGY);
-            let first = if of_vertices { 0 } else { params.frame.start[set] };
-            aabb = box_at(boxes, (first + leaf.vertices[0]) as usize);
-            if of_vertices && set > 0 {
-                let [_, b, c] = leaf.vertices;
-                aabb = aabb.union(&box_at(boxes, b as usize)).union(&box_at(boxes, c as usize));
-            }
-            if params.frame.has(Frame::FLAG_ENDS) {
+            let of_paths = params.frame.has(Frame::FLAG_SWEPT);
+            if of_paths || params.frame.has(Frame::FLAG_ENDS) {
                 let (start, end) = cascade::boxes_at_ends(leaf.vertices, paths);
-                put_ends(ends, i as usize, &start, &end);
+                aabb = swept_box::of_ends(&start, &end, params.frame.margin);
+                if params.frame.has(Frame::FLAG_ENDS) {
+                    put_ends(ends, i as usize, &start, &end);
+                }
+            }
+            if !of_paths {
+                let of_vertices = params.frame.has(Frame::FLAG_TOPOLOGY);
+                let first = if of_vertices { 0 } else { params.frame.start[set] };
+                aabb = box_at(boxes, (first + leaf.vertices[0]) as usize);
+                if of_vertices && set > 0 {
+                    let [_, b, c] = leaf.vertices;
+                    aabb =
+                        aabb.union(&box_at(boxes, b as usize)).union(&box_at(boxes, c as usize));
+                }
             }
         }
         let marks = params.frame.has(Frame::FLAG_STILL);

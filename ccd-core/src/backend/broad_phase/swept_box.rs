@@ -19,7 +19,15 @@ pub fn vertex<R: Real>(i: usize, x0: &[[R; 3]], x1: &[[R; 3]], margin: R) -> Aab
 #[inline(always)]
 pub fn path(path: &Path, margin: f32) -> Aabb<f32> {
     let (p, q) = (path.t0, path.t1);
-    swept([p[0], p[1], p[2]], [q[0], q[1], q[2]]).inflated(margin).round_out()
+    let (p, q) = (Aabb::of_point([p[0], p[1], p[2]]), Aabb::of_point([q[0], q[1], q[2]]));
+    of_ends(&p, &q, margin)
+}
+
+/// Box of a feature from its boxes at both ends, grown by `margin >= 0`: the union of the boxes of
+/// its vertices' paths, because rounding keeps the order of bounds.
+#[inline(always)]
+pub fn of_ends(start: &Aabb<f32>, end: &Aabb<f32>, margin: f32) -> Aabb<f32> {
+    start.union(end).inflated(margin).round_out()
 }
 
 /// Where a path from `p` to `q` is at time `until` in `[0, 1]`, up to [`end_error`].
@@ -70,4 +78,31 @@ pub fn face<B: Copy + Real>(i: usize, faces: &[[u32; 3]], vertices: &[Aabb<B>]) 
 #[inline]
 pub fn triangle<B: Copy + Real>([a, b, c]: [u32; 3], vertices: &[Aabb<B>]) -> Aabb<B> {
     at(vertices, a as usize).union(&at(vertices, b as usize)).union(&at(vertices, c as usize))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::narrow_phase::cascade::boxes_at_ends;
+    use crate::random::Random;
+
+    #[test]
+    fn boxes_of_features_are_those_of_their_vertices() {
+        let mut random = Random::new(1);
+        let scales = [0.0, 1e-45, 1e-38, 1.0, 1e30, f32::MAX];
+        for i in 0..20_000 {
+            let mut number = || {
+                let scale = scales[random.below(scales.len() as u32) as usize];
+                (2.0 * random.unit() - 1.0) as f32 * scale
+            };
+            let mut point = || [number(), number(), number(), 0.0];
+            let paths = [(); 3].map(|()| Path { t0: point(), t1: point() });
+            for margin in [0.0, 1e-45, 1e-7, 0.5, 1e30] {
+                let boxes = [0, 1, 2].map(|v| path(&paths[v], margin));
+                let vertices = if i % 2 == 0 { [0, 1, 2] } else { [0, 1, 1] };
+                let (start, end) = boxes_at_ends(vertices, &paths);
+                assert_eq!(of_ends(&start, &end, margin), triangle(vertices, &boxes), "{paths:?}");
+            }
+        }
+    }
 }

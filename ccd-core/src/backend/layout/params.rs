@@ -108,6 +108,8 @@ impl Frame {
     pub const FLAG_IN_PARTS: u32 = 1024;
     /// Boxes are sorted along the Hilbert curve, else along the Morton curve.
     pub const FLAG_HILBERT: u32 = 2048;
+    /// Boxes of leaves come from paths, else from boxes of vertices.
+    pub const FLAG_SWEPT: u32 = 4096;
 
     /// With what its kernels look for besides the distance.
     pub fn searching(mut self, search: &Search<f64>) -> Self {
