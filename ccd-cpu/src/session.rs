@@ -17,6 +17,7 @@ use crate::step::selection::Selection;
 use crate::stop::Stop;
 use crate::threads::Threads;
 use ccd_core::Error;
+use ccd_core::Real;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::Kind;
@@ -308,7 +309,7 @@ impl Engine {
             report.set_mesh(mesh);
             let stop = &*threads.stop;
             prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
-            let mut first_half = false;
+            let mut latest = 1.0f32;
             if earliest {
                 // A part of the tasks first; what it finds bounds the time that matters. Boxes and
                 // trees of that time are made if they cost less than the pairs that they spare.
@@ -338,14 +339,14 @@ impl Engine {
                         prepare(threads, prepared, method, mesh, (options, selection), &x, report)?;
                         prepared.hand_on_ends(threads, method, options);
                     } else {
-                        // Then what the filters halve is the whole step.
+                        // Then what the filters look at is the whole step.
                         debug_assert!(x.whole());
-                        first_half = until <= 0.5;
+                        latest = until.round_up();
                     }
                 }
             }
             let scene = prepared.scene((mesh, options), selection, &x, window, !earliest, stop);
-            let scene = Scene { first_half, ..scene };
+            let scene = Scene { latest, ..scene };
             detect(threads, method, prepared, &scene, 1, workers, report);
             stop.check()?;
             // The last that calls a filter: where that panics there are no contacts yet.

@@ -1,7 +1,7 @@
 //! Number types that one body of geometry is written over: `f32`, `f64`, and SIMD lanes of them.
 
 use super::f64_bits;
-use core::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
 /// The answer of a comparison: one Boolean, or one a lane.
 pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {
@@ -62,7 +62,12 @@ impl Mask for u16 {
 /// assert_eq!((square(3.0f32), square(3.0f64)), (9.0, 9.0));
 /// ```
 pub trait Num:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
 {
     /// Unit roundoff: half the distance from 1 to the next number (2^-24 or 2^-53).
     const UNIT: Self;
@@ -95,14 +100,7 @@ pub trait Num:
 /// assert!((x.round_down() as f64) < x && (x.round_up() as f64) > x);
 /// ```
 pub trait Real:
-    Num
-    + PartialOrd
-    + core::ops::Div<Output = Self>
-    + core::fmt::Debug
-    + Into<f64>
-    + bytemuck::Pod
-    + Send
-    + Sync
+    Num + PartialOrd + core::fmt::Debug + Into<f64> + bytemuck::Pod + Send + Sync
 {
     /// Exact for `f32` and `f64`.
     fn to_f64(self) -> f64;

@@ -14,7 +14,7 @@ pub const PAIRS_A_THREAD: u32 = 4;
 
 /// The first and cheapest filter: whether no axis keeps the features of a query over `patch`
 /// further than `min_distance` apart, by their boxes at both ends; `false` is certain. The others
-/// are [`apart_throughout`] and [`apart_in_halves`]. Of two edges, the lesser id is the first.
+/// are [`apart_throughout`] and [`apart_where_coplanar`]. Of two edges, the lesser id is the first.
 ///
 /// `error`: how far a coordinate of a path may be from the true one.
 #[inline(always)]
@@ -113,12 +113,12 @@ fn three(p: [f32; 4]) -> [f32; 3] {
     [p[0], p[1], p[2]]
 }
 
-/// Where two features certainly stay further than `min_distance` apart: over the whole step, else
-/// over each half of it.
+/// Where two features certainly stay further than `min_distance` apart: over the whole step, or at
+/// the times at which they may be coplanar.
 #[inline(always)]
 pub fn apart<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N::Mask {
     let whole = apart_throughout(m, patch, min_distance);
-    if whole.all() { whole } else { whole | apart_in_halves(m, patch, min_distance) }
+    if whole.all() { whole } else { whole | apart_where_coplanar(m, patch, min_distance) }
 }
 
 /// Where they certainly do by what one look at the whole of a motion tells: by the sign of
@@ -130,12 +130,28 @@ pub fn apart_throughout<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) ->
     if by_plane.all() { by_plane } else { by_plane | beside(m, patch, min_distance).gt(zero) }
 }
 
-/// Where they certainly do in the first half of a motion and in the second.
+/// Where they certainly do by the same look at what [`clipped`] leaves, and at what it leaves of
+/// that.
 #[inline(always)]
-pub fn apart_in_halves<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N::Mask {
-    let (first, second) = m.halves();
-    let apart = apart_throughout(&first, patch, min_distance);
-    if apart.any() { apart & apart_throughout(&second, patch, min_distance) } else { apart }
+pub fn apart_where_coplanar<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N::Mask {
+    let one = N::splat(1.0);
+    let (part, is_known) = clipped(m, min_distance, one);
+    let apart = is_known & apart_throughout(&part, patch, min_distance);
+    if apart.all() {
+        return apart;
+    }
+    let (part, is_known_too) = clipped(&part, min_distance, one);
+    apart | (is_known & is_known_too & apart_throughout(&part, patch, min_distance))
+}
+
+/// The motion during the times until `latest` at which features may be coplanar, or as near to it
+/// as `min_distance`, as a step of its own: they certainly are further apart at all other times.
+/// And where these times are known: a computation that overflowed leaves nothing certain.
+#[inline(always)]
+pub fn clipped<N: Num>(m: &Motion<N>, min_distance: N, latest: N) -> (Motion<N>, N::Mask) {
+    let [lo, hi] = Coplanarity::new(m).clip(min_distance);
+    let (hi, less) = (hi.min(latest), N::splat(-1.0));
+    (m.part(lo, hi), lo.gt(less) & hi.gt(less))
 }
 
 #[cfg(test)]

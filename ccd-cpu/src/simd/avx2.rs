@@ -39,6 +39,7 @@ super::num!(
     _mm256_add_ps,
     _mm256_sub_ps,
     _mm256_mul_ps,
+    _mm256_div_ps,
     _mm256_max_ps,
     _mm256_min_ps,
     _mm256_cmp_ps::<_CMP_GT_OQ>

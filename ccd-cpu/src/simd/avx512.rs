@@ -36,6 +36,7 @@ super::num!(
     _mm512_add_ps,
     _mm512_sub_ps,
     _mm512_mul_ps,
+    _mm512_div_ps,
     _mm512_max_ps,
     _mm512_min_ps,
     _mm512_cmp_ps_mask::<_CMP_GT_OQ>

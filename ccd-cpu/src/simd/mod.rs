@@ -251,11 +251,13 @@ pub fn instruction_set() -> &'static str {
 macro_rules! num {
     (
         $lanes:ident($width:expr), $mask:ty,
-        $neg:path, $abs:path, $add:path, $sub:path, $mul:path, $max:path, $min:path, $gt:path
+        $neg:path, $abs:path, $add:path, $sub:path, $mul:path, $div:path, $max:path, $min:path,
+        $gt:path
     ) => {
         $crate::simd::num!(@operator $lanes, Add, add, $add);
         $crate::simd::num!(@operator $lanes, Sub, sub, $sub);
         $crate::simd::num!(@operator $lanes, Mul, mul, $mul);
+        $crate::simd::num!(@operator $lanes, Div, div, $div);
 
         impl std::ops::Neg for $lanes {
             type Output = Self;

@@ -26,7 +26,7 @@ pub struct V8([float32x4_t; 2]);
 #[repr(transparent)]
 pub struct M8([uint32x4_t; 2]);
 
-super::num!(V8(WIDTH), M8, neg, abs, add, sub, mul, max, min, gt);
+super::num!(V8(WIDTH), M8, neg, abs, add, sub, mul, div, max, min, gt);
 super::num!(@mask M8([uint32x4_t; 2]), and, or, bits);
 
 /// A function of two vectors from one of their halves.
@@ -43,6 +43,7 @@ macro_rules! halves {
 halves!(add, float32x4_t => float32x4_t, |x, y| vaddq_f32(x, y));
 halves!(sub, float32x4_t => float32x4_t, |x, y| vsubq_f32(x, y));
 halves!(mul, float32x4_t => float32x4_t, |x, y| vmulq_f32(x, y));
+halves!(div, float32x4_t => float32x4_t, |x, y| vdivq_f32(x, y));
 // By comparison: the instructions for maximum and minimum order zeros and pass on NaN.
 halves!(max, float32x4_t => float32x4_t, |x, y| vbslq_f32(vcgtq_f32(x, y), x, y));
 halves!(min, float32x4_t => float32x4_t, |x, y| vbslq_f32(vcltq_f32(x, y), x, y));

@@ -4,7 +4,7 @@
 use super::{Mask, RowSimd, Simd, WIDTH, Work};
 use ccd_core::Num;
 use ccd_core::backend::layout::Pair;
-use std::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
 /// Eight numbers, aligned for vectors.
 #[derive(Clone, Copy, Debug, Default)]
@@ -50,6 +50,14 @@ impl Mul for F32x8 {
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Self(each!(|a, b| a * b, self.0, other.0))
+    }
+}
+
+impl Div for F32x8 {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        Self(each!(|a, b| a / b, self.0, other.0))
     }
 }
 

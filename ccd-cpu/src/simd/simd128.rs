@@ -19,7 +19,7 @@ pub struct V8([v128; 2]);
 #[repr(transparent)]
 pub struct M8([v128; 2]);
 
-super::num!(V8(WIDTH), M8, neg, abs, add, sub, mul, max, min, gt);
+super::num!(V8(WIDTH), M8, neg, abs, add, sub, mul, div, max, min, gt);
 super::num!(@mask M8([v128; 2]), and, or, bits);
 
 /// A function of two vectors from one of their halves.
@@ -35,6 +35,7 @@ macro_rules! halves {
 halves!(add, f32x4_add);
 halves!(sub, f32x4_sub);
 halves!(mul, f32x4_mul);
+halves!(div, f32x4_div);
 // `y < x ? x : y` and `x < y ? x : y`: the greater or smaller by one comparison.
 halves!(max, |x, y| f32x4_pmax(y, x));
 halves!(min, |x, y| f32x4_pmin(y, x));

@@ -18,7 +18,7 @@ pub struct V8([__m128; 2]);
 #[repr(transparent)]
 pub struct M8([__m128; 2]);
 
-super::num!(V8(WIDTH), M8, neg, abs, add, sub, mul, max, min, gt);
+super::num!(V8(WIDTH), M8, neg, abs, add, sub, mul, div, max, min, gt);
 super::num!(@mask M8([__m128; 2]), and, or, bits);
 
 /// A function of two vectors from one of their halves.
@@ -34,6 +34,7 @@ macro_rules! halves {
 halves!(add, _mm_add_ps);
 halves!(sub, _mm_sub_ps);
 halves!(mul, _mm_mul_ps);
+halves!(div, _mm_div_ps);
 halves!(max, _mm_max_ps);
 halves!(min, _mm_min_ps);
 halves!(gt, _mm_cmpgt_ps);

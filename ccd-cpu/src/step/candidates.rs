@@ -40,8 +40,8 @@ pub struct Scene<'a> {
     pub decider: Decider,
     /// Where boxes were rounded: how far, see `slack_at`.
     pub slack: Option<f32>,
-    /// Whether no contact matters that begins in the second half of the times.
-    pub first_half: bool,
+    /// The last time of the table's at which a contact matters.
+    pub latest: f32,
     /// Keep contacts, or only the first one.
     pub keep_contacts: bool,
     /// What ends the step early.

@@ -201,7 +201,7 @@ impl Take for Worker {
 }
 
 /// Keeps of `pairs` what the `f32` filters cannot reject, in place: first over the whole step, then
-/// what is left over each half of it that matters.
+/// what is left at the times at which it may be coplanar, clipped once and twice.
 struct Filter<'a> {
     pairs: &'a mut Vec<Pair>,
     scene: &'a Scene<'a>,
@@ -213,35 +213,37 @@ impl<S: Simd> Work<S> for Filter<'_> {
 
     #[inline(always)]
     fn call(mut self, simd: S) {
-        // Over the whole step, then over its halves: a loop, so that the filters are compiled once.
-        for halves in [false, true] {
+        // A loop, so that the filters are compiled once.
+        for n_clips in 0..3 {
             match self.kind {
-                Kind::VertexFace => self.keep::<S, true>(simd, halves),
-                _ => self.keep::<S, false>(simd, halves),
+                Kind::VertexFace => self.keep::<S, true>(simd, n_clips),
+                _ => self.keep::<S, false>(simd, n_clips),
             }
         }
     }
 }
 
 impl Filter<'_> {
-    /// Keeps, in order, what cannot be rejected over the whole step or, with `halves`, over one of
-    /// those that matter. (No closures here: they would not be compiled with the instruction set.)
+    /// Keeps, in order, what cannot be rejected during the times that so many clips leave. (No
+    /// closures here: they would not be compiled with the instruction set.)
     #[inline(always)]
-    fn keep<S: Simd, const VERTEX_FACE: bool>(&mut self, simd: S, halves: bool) {
+    fn keep<S: Simd, const VERTEX_FACE: bool>(&mut self, simd: S, n_clips: u32) {
         let patch = if VERTEX_FACE { Patch::Triangle } else { Patch::Parallelogram };
         let distance = S::Lanes::splat(self.scene.table_distance);
-        let n_parts = if halves && !self.scene.first_half { 2 } else { 1 };
         let mut n = 0;
         for start in (0..self.pairs.len()).step_by(S::LANES) {
             let end = (start + S::LANES).min(self.pairs.len());
             let pairs = &self.pairs[start..end];
-            let motion = load(simd, self.scene, self.kind, patch, pairs);
-            let parts = if halves { motion.halves().into() } else { [motion; 2] };
-            let mut rejected = all(S::LANES);
-            for part in &parts[..n_parts] {
-                rejected &= cascade::apart_throughout(part, patch, distance).bits();
+            let mut motion = load(simd, self.scene, self.kind, patch, pairs);
+            let mut latest = S::Lanes::splat(self.scene.latest);
+            let mut known = all(S::LANES);
+            for _ in 0..n_clips {
+                let (part, is_known) = cascade::clipped(&motion, distance, latest);
+                (motion, latest) = (part, S::Lanes::splat(1.0));
+                known &= is_known.bits();
             }
-            let mut left = !rejected & all(end - start);
+            let apart = cascade::apart_throughout(&motion, patch, distance).bits();
+            let mut left = !(known & apart) & all(end - start);
             while left != 0 {
                 self.pairs[n] = self.pairs[start + left.trailing_zeros() as usize];
                 n += 1;

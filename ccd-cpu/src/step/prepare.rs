@@ -228,7 +228,7 @@ impl Prepared {
             min_distance: options.min_distance,
             decider: Decider::new(options, window),
             slack: rounded.then(|| self.scan.slack(options.min_distance)),
-            first_half: false,
+            latest: 1.0,
             keep_contacts,
             stop,
         }

@@ -70,7 +70,7 @@ kernel! {
                 let pair = get(left, h);
                 let (patch, ids) = decide::words_of_pair(kind, pair, frame, elements);
                 let motion = cascade::motion(patch, ids, paths, error);
-                if !cascade::apart_in_halves(&motion, patch, min_distance) {
+                if !cascade::apart_where_coplanar(&motion, patch, min_distance) {
                     set(kept, add_shared(counters, KEPT, 1), pair);
                 }
             }
