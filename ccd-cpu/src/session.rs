@@ -16,8 +16,6 @@ use crate::step::prepare::Prepared;
 use crate::step::selection::Selection;
 use crate::stop::Stop;
 use crate::threads::Threads;
-use ccd_core::Error;
-use ccd_core::Real;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::Kind;
@@ -25,6 +23,7 @@ use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Options;
 use ccd_core::model::report::Report;
 use ccd_core::model::session::{self, Ask, Change, Intersection, Intersects, Kept, Moved, State};
+use ccd_core::{Error, Real};
 use passes::{collect, detect, drop_repeated, first_contact, prepare, swept_until};
 use std::sync::Arc;
 

@@ -130,18 +130,20 @@ pub fn apart_throughout<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) ->
     if by_plane.all() { by_plane } else { by_plane | beside(m, patch, min_distance).gt(zero) }
 }
 
-/// Where they certainly do by the same look at what [`clipped`] leaves, and at what it leaves of
-/// that.
+/// Where they certainly do by a look at what [`clipped`] leaves, and at what it leaves of that.
 #[inline(always)]
 pub fn apart_where_coplanar<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N::Mask {
-    let one = N::splat(1.0);
+    let (zero, one) = (N::splat(0.0), N::splat(1.0));
     let (part, is_known) = clipped(m, min_distance, one);
-    let apart = is_known & apart_throughout(&part, patch, min_distance);
+    let apart = is_known & beside(&part, patch, min_distance).gt(zero);
     if apart.all() {
         return apart;
     }
+    // The cubic of the part is what it is clipped by.
+    let by_plane = is_known & Coplanarity::new(&part).clearance(min_distance).gt(zero);
     let (part, is_known_too) = clipped(&part, min_distance, one);
-    apart | (is_known & is_known_too & apart_throughout(&part, patch, min_distance))
+    let is_beside = is_known_too & beside(&part, patch, min_distance).gt(zero);
+    apart | by_plane | (is_known & is_beside)
 }
 
 /// The motion during the times until `latest` at which features may be coplanar, or as near to it

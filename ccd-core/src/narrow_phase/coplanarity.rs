@@ -13,29 +13,27 @@
 //!
 //! - *Operations.* A product passes at most 2 multiplications and 17 additions, in whatever order
 //!   they are summed, contracted or not, and one multiplication by three: `20 u`.
-//! - *Factors.* A difference is rounded once: `u`. The middle of a step that was halved is the mean
-//!   of two such: `u (|a0| + |a1|) / 2` from them and `u A` from their sum. The end that is not in
-//!   the half may be three times as great as what is, since it is twice the middle less the other
-//!   end: so `2 u A` and `u A`, together `3 u A`, and `9 u` for three factors.
+//! - *Factors.* A difference is rounded once: `u`, and `3 u` for three factors. (Parts of a step
+//!   have errors of their own, see [`Motion::part`].)
 //! - *Input.* Each factor is off by `e`: `e (A B + B C + C A)` a product.
 //!
-//! `error <= 18 (20 u + 9 u) A B C + 18 e (A B + B C + C A)`: `524` for `522` and `19` for `18`
-//! absorb terms of second order and the roundings of the bound itself (a part in 10^5 where `u` is
+//! `error <= 18 (20 u + 3 u) A B C + 18 e (A B + B C + C A)`: `524` for `414` and `19` for `18`
+//! hold terms of second order and the roundings of the bound itself (a part in 10^5 where `u` is
 //! 2^-24).
 //!
-//! - *Flushing.* A component is off by at most 5 times the smallest normal number (two operands,
-//!   their difference, the sum and the half of a middle), so 18 products lose `90 (A B + B C + C
-//!   A)` times that, products of two factors `18 A`, sums inside of vector products `12 A`, and
-//!   products of three and the other sums `36`: `30 A + 36` besides, and all of it below
-//!   `256 MIN_NORMAL (1 + A)(1 + B)(1 + C)`.
+//! - *Flushing.* A component is off by at most 3 times the smallest normal number (two operands and
+//!   their difference); 5 are counted, so 18 products lose `90 (A B + B C + C A)` times that,
+//!   products of two factors `18 A`, sums inside of vector products `12 A`, and products of three
+//!   and the other sums `36`: `30 A + 36` besides, and all of it below `256 MIN_NORMAL (1 + A)(1 +
+//!   B)(1 + C)`.
 //! - *Overflow.* No intermediate result is above `18 A B C`, or `8 B C` before it is multiplied by
 //!   `a`. Where one overflows so does `8 B C` or `64 A B C` (or the latter is NaN), which is part
 //!   of the bound, and the filter answers "unknown".
 //!
 //! The greatest normal is a sum of absolute components, each of them at most four products of two
-//! factors: `(6 u + u + 3 u) 4 B C / 2 = 20 u B C` (`16 u` at the ends), for three `60 u B C`:
-//! `8 u 8 B C` covers it. Input: `2 e (B + C)` a component. What is relative to the sum itself is
-//! in the factor `1.0001` of [`Coplanarity::clearance`].
+//! factors: `(2 u + u + 3 u) 4 B C / 2 = 12 u B C` (`8 u` at the ends), for three `36 u B C`: `8 u
+//! 8 B C` covers it. Input: `2 e (B + C)` a component. What is relative to the sum itself is in the
+//! factor `1.0001` of [`Coplanarity::clearance`].
 
 use crate::math::real::Num;
 use crate::math::vec3::{add, cross, dot, sum_abs};
@@ -139,4 +137,52 @@ fn clear_for<N: Num>([c0, c1, c2, c3]: [N; 4], needed: N) -> N {
     let flushed = N::MIN_NORMAL * N::splat(8.0);
     let time = ((c0 - needed) / (fall + flushed)).max((-c0 - needed) / (rise + flushed));
     (time * (one - N::UNIT * N::splat(32.0))).max(zero).min(one)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Random;
+
+    /// Outside of the times that are left a cubic is above what is needed, or below its negative.
+    #[test]
+    fn clipped_times_hold_all_small_values() {
+        let mut random = Random::new(1);
+        let (mut n_small, mut n_clipped) = (0, 0);
+        for _ in 0..20_000 {
+            let mut number = || (2.0 * random.unit() - 1.0) as f32;
+            let c = [number() / 3.0, number(), number(), number() / 3.0];
+            let bound = number().abs() * number().abs() + 1e-6;
+            let plane = Coplanarity { c, bound, normal: 0.0 };
+            let [lo, hi] = plane.clip(0.0).map(f64::from);
+            n_clipped += (lo > 0.0 || hi < 1.0) as u32;
+            // Of values that are rounded once, as the bound of a motion allows for.
+            let control = plane.control().map(f64::from);
+            for i in 0..=64 {
+                let t = i as f64 / 64.0;
+                let s = 1.0 - t;
+                let [c0, c1, c2, c3] = control;
+                let inner = 3.0 * s * t * (c1 * s + c2 * t);
+                let value = c0 * s * s * s + inner + c3 * t * t * t;
+                let is_small = value.abs() <= bound as f64;
+                n_small += is_small as u32;
+                assert!(!is_small || lo <= t && t <= hi, "{value} at {t}, {lo} to {hi}: {plane:?}");
+            }
+        }
+        assert!(n_small > 100_000 && n_clipped > 10_000, "{n_small} {n_clipped} show nothing");
+    }
+
+    #[test]
+    fn a_line_is_clipped_to_where_it_crosses() {
+        for zero in [0.0f32, 0.25, 0.5, 1.0] {
+            // -zero at the start, 1 - zero at the end.
+            let at = |t: f32| t - zero;
+            let c = [at(0.0), 3.0 * at(1.0 / 3.0), 3.0 * at(2.0 / 3.0), at(1.0)];
+            let clip = Coplanarity { c, bound: 1e-6, normal: 0.0 }.clip(0.0);
+            assert!(clip[0] <= zero && zero <= clip[1], "{clip:?} {zero}");
+            assert!(clip[1] - clip[0] < 1e-5, "{clip:?}");
+        }
+        let nothing = Coplanarity { c: [f32::NAN; 4], bound: f32::NAN, normal: 0.0 }.clip(0.0);
+        assert!(!(nothing[0] > 0.0) && !(nothing[1] < 1.0), "{nothing:?}");
+    }
 }

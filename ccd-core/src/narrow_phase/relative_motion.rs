@@ -153,11 +153,11 @@ impl<N: Num> Motion<N> {
     /// Bound of the error of a component of any corner, and of its scalar product with a vector per
     /// unit of that vector's components (their absolute sum).
     ///
-    /// Of `S = A + B + C`: at most `3 u S` from the differences (where the step was halved),
-    /// `2 u S` from two subtractions, `3 u S` from a multiplication and two additions: `8 u S`,
-    /// where the code has `16 u S`. `3 e` from the input. Flushing: 5 times the smallest normal
-    /// number a difference, 2 for the subtractions, 5 for products and sums with a vector whose
-    /// components add up to 1: below `256`.
+    /// Of `S = A + B + C`: at most `u S` from the differences, `2 u S` from two subtractions, `3 u
+    /// S` from a multiplication and two additions: `6 u S`, where the code has `16 u S`. `3 e` from
+    /// the input. Flushing: 5 times the smallest normal number a difference, 2 for the
+    /// subtractions, 5 for products and sums with a vector whose components add up to 1: below
+    /// `256`.
     #[inline(always)]
     pub fn corner_error(&self) -> N {
         let [a, b, c] = self.magnitudes();

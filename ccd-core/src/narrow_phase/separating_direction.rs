@@ -10,17 +10,16 @@
 //! the computed `w . d` of a corner `d` is from the true one. Let `S = A + B + C` bound the
 //! components of all corners and `|w|` be the sum of absolute components of `w`.
 //!
-//! - A corner carries at most `3 u S` from its differences (three roundings where the step was
-//!   halved, see `coplanarity.rs`) and `2 u S` from at most two subtractions.
+//! - A corner carries at most `u S` from its differences and `2 u S` from at most two subtractions.
 //! - Its product with `w` passes one multiplication and two additions: `3 u |w| S`.
 //!
-//! Together `8 u |w| S`; `17` leaves as much again for the roundings of `S`, of `|w|` and of the
-//! comparison. Input: `3 e` a corner, `3.1` with its rounding. Flushing: a corner is off by 5 times
-//! the smallest normal number a difference and 2 for its subtractions, below `256` a unit of `|w|`;
-//! products and sums lose at most 5 more, and the terms of the bound 4, below `64`. (Where operands
-//! are flushed, every operation sees the same `w`, which is a direction too.) Overflow: a product
-//! or a sum is at most `|w| S`, so where one overflows `|w| 2 S` does, and the result is negative
-//! infinity or NaN.
+//! Together `6 u |w| S`; `17` leaves more than as much again for the roundings of `S`, of `|w|` and
+//! of the comparison. Input: `3 e` a corner, `3.1` with its rounding. Flushing: a corner is off by
+//! 5 times the smallest normal number a difference and 2 for its subtractions, below `256` a unit
+//! of `|w|`; products and sums lose at most 5 more, and the terms of the bound 4, below `64`.
+//! (Where operands are flushed, every operation sees the same `w`, which is a direction too.)
+//! Overflow: a product or a sum is at most `|w| S`, so where one overflows `|w| 2 S` does, and the
+//! result is negative infinity or NaN.
 
 use crate::math::real::Num;
 use crate::math::vec3::{add, cross, dot, sub, sum_abs};

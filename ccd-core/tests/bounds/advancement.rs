@@ -6,7 +6,7 @@
 use crate::common::adversary::{Adversarial, UNIT};
 use crate::common::ascent::Ascent;
 use crate::common::distance::{point_triangle, segment_segment};
-use crate::common::motion::{Part, V, at, minus, motion, scalar, wrap};
+use crate::common::motion::{V, at, minus, motion, scalar, wrap};
 use ccd_core::narrow_phase::conservative_advancement::{Field, Separation, greatest_distance};
 use ccd_core::narrow_phase::containment::{around, conditions};
 use ccd_core::narrow_phase::relative_motion::Patch;
@@ -77,7 +77,7 @@ fn witnesses_are_no_nearer_than_the_features() {
     ] {
         let ratio = |x: &[f64]| {
             let t = 0.5 + 0.5 * x[48];
-            let (m, [a, b, c]) = motion(x, patch, Part::Whole, 1.0, error);
+            let (m, [a, b, c]) = motion(x, patch, 1.0, error);
             let [a, b, c] = [at(&a, t), at(&b, t), at(&c, t)];
             let exact = distance(match patch {
                 Patch::Triangle => [a, [0.0; 3], b, c],

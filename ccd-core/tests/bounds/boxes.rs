@@ -194,20 +194,20 @@ fn an_axis_separates_at_both_ends_or_not_at_all() {
 }
 
 #[test]
-fn halves_meet_in_the_middle() {
+fn parts_are_where_the_motion_is() {
     let mut random = Random::new(5);
     for patch in [Patch::Triangle, Patch::Parallelogram] {
         let mut four = || std::array::from_fn(|_| random.vector());
         let (t0, t1): ([[f64; 3]; 4], [[f64; 3]; 4]) = (four(), four());
         let m = Motion::new(patch, &t0, &t1, 0.125);
-        let (first, second) = m.halves();
-        assert_eq!((m.error, first.error, second.error), (0.25, 0.25, 0.25));
-        for (whole, [p, q]) in
-            [(m.a, [first.a, second.a]), (m.b, [first.b, second.b]), (m.c, [first.c, second.c])]
-        {
-            assert_eq!((p[0], p[1], q[1]), (whole[0], q[0], whole[1]));
-            for k in 0..3 {
-                assert!((p[1][k] - 0.5 * (whole[0][k] + whole[1][k])).abs() < 1e-15);
+        let part = m.part(0.25, 0.75);
+        assert!(part.error > m.error && part.error < m.error + 1e-12);
+        for (whole, part) in [(m.a, part.a), (m.b, part.b), (m.c, part.c)] {
+            for (i, t) in [0.25, 0.75].into_iter().enumerate() {
+                for k in 0..3 {
+                    let want = whole[0][k] * (1.0 - t) + whole[1][k] * t;
+                    assert!((part[i][k] - want).abs() < 1e-15);
+                }
             }
         }
         // The hull of the corners holds the origin where the features meet: corners are differences

@@ -6,7 +6,7 @@
 
 use crate::common::adversary::{Adversarial, MIN_NORMAL, UNIT, under, undisturbed};
 use crate::common::ascent::Ascent;
-use crate::common::motion::{Part, V, at, cross, minus, motion, scalar, wrap};
+use crate::common::motion::{V, at, cross, minus, motion, scalar, wrap};
 use ccd_core::math::vec3::{dot, sum_abs};
 use ccd_core::narrow_phase::containment::{Ball, cross2};
 use ccd_core::narrow_phase::coplanarity::Coplanarity;
@@ -26,9 +26,9 @@ fn control([a, b, c]: &[[V; 2]; 3], k: usize) -> f64 {
 }
 
 /// The error of a control value over its bound.
-fn check_control(name: &str, k: usize, part: Part, size: f64, error: f64, documented: f64) {
+fn check_control(name: &str, k: usize, size: f64, error: f64, documented: f64) {
     let ratio = |x: &[f64]| {
-        let (m, exact) = motion(x, Patch::Triangle, part, size, error);
+        let (m, exact) = motion(x, Patch::Triangle, size, error);
         let plane = Coplanarity::new(&m);
         let c = plane.c[k].0 * if k == 0 || k == 3 { 3.0 } else { 1.0 };
         (c - control(&exact, k)) / plane.bound.0
@@ -39,22 +39,52 @@ fn check_control(name: &str, k: usize, part: Part, size: f64, error: f64, docume
 
 #[test]
 fn control_values() {
-    check_control("control value 0", 0, Part::Whole, 1.0, 0.0, 0.11);
-    check_control("control value 1", 1, Part::Whole, 1.0, 0.0, 0.11);
-    check_control("control value 1, first half", 1, Part::First, 1.0, 0.0, 0.15);
-    check_control("control value 2, second half", 2, Part::Second, 1.0, 0.0, 0.14);
-    check_control("control value 1, input", 1, Part::Whole, 1.0, 0.01, 0.17);
-    check_control("control value 1, flushed", 1, Part::Whole, 2e-13, 0.0, 0.016);
+    check_control("control value 0", 0, 1.0, 0.0, 0.11);
+    check_control("control value 1", 1, 1.0, 0.0, 0.11);
+    check_control("control value 1, input", 1, 1.0, 0.01, 0.17);
+    check_control("control value 1, flushed", 1, 2e-13, 0.0, 0.016);
 }
 
 #[test]
-fn middles_of_halves() {
-    // A middle is off by up to 3 u times the greatest component of its half.
+fn parts_of_steps() {
+    for (name, size, error, documented) in [
+        ("part of a step", 1.0, 0.0, 0.5),
+        ("part of a step, input", 1.0, 1e-6, 0.5),
+        ("part of a step, flushed", 1e-37, 0.0, 0.12),
+    ] {
+        let ratio = |x: &[f64]| {
+            let (m, exact) = motion(x, Patch::Triangle, size, error);
+            let times = [x[48], x[49]].map(|t| 0.5 + 0.5 * t);
+            let part = m.part(Adversarial(times[0]), Adversarial(times[1]));
+            (part.a[1][0].0 - at(&exact[0], times[1])[0]) / part.error.0
+        };
+        Ascent { n_inputs: 50, flush: size < 1e-6, ratio }.check(name, 5, [2, 600], documented);
+    }
+}
+
+#[test]
+fn clipped_times() {
+    // Inputs: three times the control values, and what they must exceed. How much later than when
+    // the steepest line from the first of them is as low, without the part that is taken off; the
+    // roundings of values that are multiplied by three are in the bound of the cubic.
     let ratio = |x: &[f64]| {
-        let (m, exact) = motion(x, Patch::Triangle, Part::First, 1.0, 0.0);
-        (m.a[1][0].0 - exact[0][1][0]) / (3.0 * UNIT * m.magnitudes()[0].0)
+        let needed = 0.5 + 0.49 * x[4];
+        let c = [x[0] / 3.0, x[1], x[2], x[3] / 3.0].map(Adversarial);
+        let plane = Coplanarity { c, bound: Adversarial(needed), normal: Adversarial(1.0) };
+        let control = [3.0 * c[0].0, c[1].0, c[2].0, 3.0 * c[3].0];
+        let sign = control[0].signum();
+        let fall = |k: usize, by: f64| sign * (control[0] - control[k]) * by;
+        let steepest = fall(1, 3.0).max(fall(2, 1.5)).max(fall(3, 1.0));
+        let first = (control[0].abs() - needed) / steepest;
+        if !(0.01..1.0).contains(&first) {
+            return f64::NEG_INFINITY;
+        }
+        let got = plane.clip(Adversarial(0.0))[0].0;
+        let greatest = control.iter().fold(0.0f64, |m, c| m.max(c.abs()));
+        let allowed = 32.0 * UNIT * first + 2.0 * UNIT * greatest / steepest;
+        (got - first * (1.0 - 32.0 * UNIT)) / allowed
     };
-    Ascent { n_inputs: 24, flush: false, ratio }.check("middle of a half", 5, [2, 600], 0.99);
+    Ascent { n_inputs: 5, flush: false, ratio }.check("clipped time", 6, [4, 200], 0.2);
 }
 
 #[test]
@@ -65,7 +95,7 @@ fn greatest_normal() {
         ("normal, flushed", 1e-19, 0.0, 0.0099),
     ] {
         let ratio = |x: &[f64]| {
-            let (m, [_, b, c]) = motion(x, Patch::Triangle, Part::Whole, size, error);
+            let (m, [_, b, c]) = motion(x, Patch::Triangle, size, error);
             let (p, q) = (cross(b[0], c[1]), cross(b[1], c[0]));
             let middle = std::array::from_fn(|k| 0.5 * (p[k] + q[k]));
             let normals = [cross(b[0], c[0]), middle, cross(b[1], c[1])];
@@ -85,15 +115,14 @@ fn greatest_normal() {
 
 #[test]
 fn corners_along_a_direction() {
-    for (patch, part, size, error, documented) in [
-        (Patch::Triangle, Part::Whole, 1.0, 0.0, 0.22),
-        (Patch::Parallelogram, Part::Whole, 1.0, 0.0, 0.25),
-        (Patch::Parallelogram, Part::Second, 1.0, 0.0, 0.33),
-        (Patch::Parallelogram, Part::Whole, 1.0, 0.01, 0.33),
-        (Patch::Parallelogram, Part::Whole, 1e-37, 0.0, 0.05),
+    for (patch, size, error, documented) in [
+        (Patch::Triangle, 1.0, 0.0, 0.22),
+        (Patch::Parallelogram, 1.0, 0.0, 0.25),
+        (Patch::Parallelogram, 1.0, 0.01, 0.33),
+        (Patch::Parallelogram, 1e-37, 0.0, 0.05),
     ] {
         let ratio = |x: &[f64]| {
-            let (m, [a, b, c]) = motion(x, patch, part, size, error);
+            let (m, [a, b, c]) = motion(x, patch, size, error);
             let w = [x[48], x[49], x[50]];
             let (corner, exact) = match patch {
                 Patch::Triangle => (1, minus(a[1], b[1])),
@@ -102,19 +131,14 @@ fn corners_along_a_direction() {
             let got = dot(wrap(w), m.corners(patch, 1)[corner]).0;
             (got - scalar(w, exact)) / (m.corner_error().0 * sum_abs(w))
         };
-        let name = format!("corner, {patch:?} {part:?} {size} {error}");
+        let name = format!("corner, {patch:?} {size} {error}");
         Ascent { n_inputs: 51, flush: size < 1e-6, ratio }.check(&name, 9, [2, 200], documented);
     }
 }
 
 #[test]
 fn separations_beside() {
-    for (patch, part, documented) in [
-        (Patch::Triangle, Part::Whole, 0.017),
-        (Patch::Triangle, Part::Second, 0.048),
-        (Patch::Parallelogram, Part::Whole, 0.016),
-        (Patch::Parallelogram, Part::Second, 0.012),
-    ] {
+    for (patch, documented) in [(Patch::Triangle, 0.017), (Patch::Parallelogram, 0.016)] {
         // Points that touch at both ends in the same corner or along the same side: the true
         // separation is nowhere positive.
         let ratio = |x: &[f64]| {
@@ -139,14 +163,13 @@ fn separations_beside() {
                 }
             }
             x.resize(48, 0.0);
-            let separation =
-                || beside(&motion(&x, patch, part, 1.0, 0.0).0, patch, Adversarial(0.0)).0;
+            let separation = || beside(&motion(&x, patch, 1.0, 0.0).0, patch, Adversarial(0.0)).0;
             // Without errors of rounding nearly the bound alone is left.
             let bound = -undisturbed(separation);
             1.0 + separation() / bound
         };
         let ascent = Ascent { n_inputs: 26, flush: false, ratio };
-        ascent.check(&format!("beside, {patch:?} {part:?}"), 11, [2, 200], documented);
+        ascent.check(&format!("beside, {patch:?}"), 11, [2, 200], documented);
     }
 }
 
@@ -255,10 +278,12 @@ fn flushed_products_of_balls() {
 #[test]
 fn the_search_finds_a_bound_that_is_too_small() {
     let ratio = |x: &[f64]| {
-        let (m, exact) = motion(x, Patch::Triangle, Part::Second, 1.0, 0.0);
-        (m.a[0][0].0 - exact[0][0][0]) / (2.0 * UNIT * m.magnitudes()[0].0)
+        let (m, exact) = motion(x, Patch::Triangle, 1.0, 0.0);
+        let time = 0.5 + 0.5 * x[24];
+        let part = m.part(Adversarial(time), Adversarial(1.0));
+        (part.a[0][0].0 - at(&exact[0], time)[0]) / (0.4 * part.error.0)
     };
-    assert!(Ascent { n_inputs: 24, flush: false, ratio }.climb(5, 2, 600).ratio > 1.0);
+    assert!(Ascent { n_inputs: 25, flush: false, ratio }.climb(5, 2, 600).ratio > 1.0);
     // And each choice of the adversary counts.
     let sum = |choices: &[i8]| under(choices, false, || (Adversarial(1.0) + Adversarial(1.0)).0).0;
     assert_eq!([sum(&[-1]), sum(&[]), sum(&[1])], [2.0 - 2.0 * UNIT, 2.0, 2.0 + 2.0 * UNIT]);

@@ -1,6 +1,7 @@
 //! Every instruction set gives the bits of the portable one.
 
 use super::*;
+use ccd_core::narrow_phase::cascade;
 use ccd_core::narrow_phase::coplanarity::Coplanarity;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::separating_direction::{axis_separated, beside};
@@ -123,14 +124,15 @@ impl<S: Simd> Work<S> for Filters {
                 let distance = S::Lanes::splat(0.01);
                 let vertex_face = Motion::vertex_face(&x, &y, error);
                 let edge_edge = Motion::edge_edge(&x, &y, error);
-                let motions = [vertex_face, vertex_face.halves().0, edge_edge.halves().1];
+                let (zero, one) = (S::Lanes::splat(0.0), S::Lanes::splat(1.0));
+                let part = cascade::clipped(&edge_edge, zero, one).0;
+                let motions = [vertex_face, edge_edge, part];
                 let patches = [Patch::Triangle, Patch::Triangle, Patch::Parallelogram];
                 for (k, (m, patch)) in motions.iter().zip(patches).enumerate() {
                     let plane = Coplanarity::new(m).clearance(distance);
                     let side = beside(m, patch, distance);
                     read(plane, &mut numbers[4 + 2 * k][first..first + S::LANES]);
                     read(side, &mut numbers[5 + 2 * k][first..first + S::LANES]);
-                    let zero = S::Lanes::splat(0.0);
                     let (plane, side) = (plane.gt(zero).bits(), side.gt(zero).bits());
                     for j in 0..S::LANES {
                         bits[first + j][k] = (plane >> j & 1) << 1 | side >> j & 1;

@@ -25,20 +25,11 @@ pub fn wrap(x: V) -> [Adversarial; 3] {
     x.map(Adversarial)
 }
 
-/// Part of the step that a motion is of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Part {
-    Whole,
-    First,
-    Second,
-}
-
 /// Points from 24 inputs; true ones, off by up to `error`, from 24 more. The motion in adversarial
 /// arithmetic, and the true `a b c`.
 pub fn motion(
     x: &[f64],
     patch: Patch,
-    part: Part,
     size: f64,
     error: f64,
 ) -> (Motion<Adversarial>, [[V; 2]; 3]) {
@@ -53,7 +44,7 @@ pub fn motion(
     let e = Adversarial(error);
     let difference =
         |i: usize, j: usize| [minus(off(0, i), off(0, j)), minus(off(1, i), off(1, j))];
-    let (m, mut exact) = match patch {
+    match patch {
         Patch::Triangle => (
             Motion::vertex_face(&t0, &t1, e),
             [difference(0, 1), difference(2, 1), difference(3, 1)],
@@ -61,18 +52,5 @@ pub fn motion(
         Patch::Parallelogram => {
             (Motion::edge_edge(&t0, &t1, e), [difference(2, 0), difference(1, 0), difference(2, 3)])
         }
-    };
-    let (first, second) = m.halves();
-    let m = match part {
-        Part::Whole => m,
-        Part::First => {
-            exact = exact.map(|v| [v[0], at(&v, 0.5)]);
-            first
-        }
-        Part::Second => {
-            exact = exact.map(|v| [at(&v, 0.5), v[1]]);
-            second
-        }
-    };
-    (m, exact)
+    }
 }
