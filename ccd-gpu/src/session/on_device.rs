@@ -39,8 +39,8 @@ pub struct OnDevice<'a> {
     /// Contacts: entries are [`Touch`](ccd_core::records::Touch).
     pub contacts: &'a List,
     /// Pairs that a device without `f64` could not decide, to be treated as contacts: entries are
-    /// [`Pair`](ccd_core::Pair), of edges where the highest bit of `b` is set. Where `f64` is used
-    /// they are among the contacts, with state 1.
+    /// [`Pair`](ccd_core::records::Pair), of edges where the highest bit of `b` is set. Where `f64`
+    /// is used they are among the contacts, with state 1.
     pub undecided: &'a List,
     /// Every list of the frame, also those between stages: if the first word of any of them exceeds
     /// its capacity, or the third is not 0, results are incomplete.
