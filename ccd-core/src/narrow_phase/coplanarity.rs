@@ -123,11 +123,13 @@ impl<N: Num> Coplanarity<N> {
 /// For how long, from its start on and at most 1, a cubic with these control values is certainly
 /// above `needed` or below `-needed`.
 ///
-/// Its control polygon is a convex hull: the cubic stays above the steepest line from the first
-/// control value to another. The quotient is too great by at most `9 u`: a difference above, two
-/// operations, a sum and a quotient below (`5 u`, 2.5 units in the last place); `32 u` are taken
-/// off. Flushed: two operands and a result below, times three, which `8 MIN_NORMAL` covers; above
-/// nothing, `needed` is normal.
+/// A cubic stays within the convex hull of its control values, hence above the steepest line from
+/// the first of them to another. The time at which that line comes down to `needed` is a quotient
+/// that is too great by at most `10 u`: `u` from the numerator's difference, `3 u` from the
+/// denominator's difference, product and sum, `5 u` from the division (2.5 units in the last
+/// place), `u` from the last product, which takes `32 u` off. Flushing: the denominator lacks less
+/// than `7 MIN_NORMAL`, three times an operand and a result, and the product; `8` are added. The
+/// numerator lacks nothing, because `needed` is normal.
 #[inline(always)]
 fn clear_for<N: Num>([c0, c1, c2, c3]: [N; 4], needed: N) -> N {
     let (zero, one) = (N::splat(0.0), N::splat(1.0));

@@ -113,7 +113,6 @@ impl Buffers {
         if !reads_all && of_vertices == Boxes::OfPaths {
             return Frame { flags: frame.flags | Frame::FLAG_SWEPT, ..*frame };
         }
-
         let ([v, e, f], p) = (frame.count, plain(frame));
         let Positions { wide, keys, .. } = &self.positions;
         let (elements, boxes) = (&self.elements, self.source.finder().boxes());
@@ -148,7 +147,7 @@ impl Buffers {
         recorder.stage("decide");
         let frame = Frame { path_error: self.positions.path_error(), ..*frame };
         let is_near = decide::is_near(&frame);
-        // Where contacts are not kept, pairs are that `f64` leaves open.
+        // Where contacts are not kept, `f64` lists the pairs that it leaves open.
         let keep = frame.has(Frame::FLAG_KEEP);
         let contacts = if wide && !keep { &self.undecided } else { &self.contacts }.buffer();
         let paths = self.positions.paths();
