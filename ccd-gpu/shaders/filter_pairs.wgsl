@@ -96,11 +96,11 @@ var<workgroup> left: array<type_9, 512>;
 var<workgroup> kept: array<type_9, 512>;
 
 fn function_(param: f32, param_1: f32) -> f32 {
-    return select(param, param_1, select((param_1 <= param), true, (param != param)));
+    return select(param, param_1, select((param_1 >= param), true, (param != param)));
 }
 
 fn function_1(param_2: f32, param_3: f32) -> f32 {
-    return select(param_2, param_3, select((param_3 >= param_2), true, (param_2 != param_2)));
+    return select(param_2, param_3, select((param_3 <= param_2), true, (param_2 != param_2)));
 }
 
 fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
@@ -240,74 +240,74 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e289 = array<f32, 3>(_e231.member.x, _e231.member.y, _e231.member.z);
                             let _e290 = array<f32, 3>(_e231.member_1.x, _e231.member_1.y, _e231.member_1.z);
                             if (_e226.member != 0u) {
-                                let _e315 = function_(_e231.member.x, _e246.member.x);
-                                let _e316 = function_(_e231.member.y, _e246.member.y);
-                                let _e317 = function_(_e231.member.z, _e246.member.z);
-                                let _e319 = function_1(_e231.member.x, _e246.member.x);
-                                let _e320 = function_1(_e231.member.y, _e246.member.y);
-                                let _e321 = function_1(_e231.member.z, _e246.member.z);
-                                let _e324 = function_(_e261.member.x, _e276.member.x);
-                                let _e325 = function_(_e261.member.y, _e276.member.y);
-                                let _e326 = function_(_e261.member.z, _e276.member.z);
-                                let _e328 = function_1(_e261.member.x, _e276.member.x);
-                                let _e329 = function_1(_e261.member.y, _e276.member.y);
-                                let _e330 = function_1(_e261.member.z, _e276.member.z);
+                                let _e315 = function_1(_e231.member.x, _e246.member.x);
+                                let _e316 = function_1(_e231.member.y, _e246.member.y);
+                                let _e317 = function_1(_e231.member.z, _e246.member.z);
+                                let _e319 = function_(_e231.member.x, _e246.member.x);
+                                let _e320 = function_(_e231.member.y, _e246.member.y);
+                                let _e321 = function_(_e231.member.z, _e246.member.z);
+                                let _e324 = function_1(_e261.member.x, _e276.member.x);
+                                let _e325 = function_1(_e261.member.y, _e276.member.y);
+                                let _e326 = function_1(_e261.member.z, _e276.member.z);
+                                let _e328 = function_(_e261.member.x, _e276.member.x);
+                                let _e329 = function_(_e261.member.y, _e276.member.y);
+                                let _e330 = function_(_e261.member.z, _e276.member.z);
                                 phi_658_ = type_25(array<array<f32, 3>, 2>(array<f32, 3>(_e315, _e316, _e317), array<f32, 3>(_e319, _e320, _e321)), array<array<f32, 3>, 2>(array<f32, 3>(_e324, _e325, _e326), array<f32, 3>(_e328, _e329, _e330)));
                             } else {
-                                let _e292 = function_(_e246.member.x, _e261.member.x);
-                                let _e293 = function_(_e246.member.y, _e261.member.y);
-                                let _e294 = function_(_e246.member.z, _e261.member.z);
-                                let _e295 = function_1(_e246.member.x, _e261.member.x);
-                                let _e296 = function_1(_e246.member.y, _e261.member.y);
-                                let _e297 = function_1(_e246.member.z, _e261.member.z);
-                                let _e299 = function_(_e292, _e276.member.x);
-                                let _e300 = function_(_e293, _e276.member.y);
-                                let _e301 = function_(_e294, _e276.member.z);
-                                let _e303 = function_1(_e292, _e276.member.x);
-                                let _e304 = function_1(_e293, _e276.member.y);
-                                let _e305 = function_1(_e294, _e276.member.z);
-                                let _e306 = function_(_e295, _e276.member.x);
-                                let _e307 = function_(_e296, _e276.member.y);
-                                let _e308 = function_(_e297, _e276.member.z);
-                                let _e309 = function_1(_e295, _e276.member.x);
-                                let _e310 = function_1(_e296, _e276.member.y);
-                                let _e311 = function_1(_e297, _e276.member.z);
+                                let _e292 = function_1(_e246.member.x, _e261.member.x);
+                                let _e293 = function_1(_e246.member.y, _e261.member.y);
+                                let _e294 = function_1(_e246.member.z, _e261.member.z);
+                                let _e295 = function_(_e246.member.x, _e261.member.x);
+                                let _e296 = function_(_e246.member.y, _e261.member.y);
+                                let _e297 = function_(_e246.member.z, _e261.member.z);
+                                let _e299 = function_1(_e292, _e276.member.x);
+                                let _e300 = function_1(_e293, _e276.member.y);
+                                let _e301 = function_1(_e294, _e276.member.z);
+                                let _e303 = function_(_e292, _e276.member.x);
+                                let _e304 = function_(_e293, _e276.member.y);
+                                let _e305 = function_(_e294, _e276.member.z);
+                                let _e306 = function_1(_e295, _e276.member.x);
+                                let _e307 = function_1(_e296, _e276.member.y);
+                                let _e308 = function_1(_e297, _e276.member.z);
+                                let _e309 = function_(_e295, _e276.member.x);
+                                let _e310 = function_(_e296, _e276.member.y);
+                                let _e311 = function_(_e297, _e276.member.z);
                                 phi_658_ = type_25(array<array<f32, 3>, 2>(_e289, _e289), array<array<f32, 3>, 2>(array<f32, 3>(_e299, _e300, _e301), array<f32, 3>(_e309, _e310, _e311)));
                             }
                             let _e335 = phi_658_;
                             if (_e226.member != 0u) {
-                                let _e360 = function_(_e231.member_1.x, _e246.member_1.x);
-                                let _e361 = function_(_e231.member_1.y, _e246.member_1.y);
-                                let _e362 = function_(_e231.member_1.z, _e246.member_1.z);
-                                let _e364 = function_1(_e231.member_1.x, _e246.member_1.x);
-                                let _e365 = function_1(_e231.member_1.y, _e246.member_1.y);
-                                let _e366 = function_1(_e231.member_1.z, _e246.member_1.z);
-                                let _e369 = function_(_e261.member_1.x, _e276.member_1.x);
-                                let _e370 = function_(_e261.member_1.y, _e276.member_1.y);
-                                let _e371 = function_(_e261.member_1.z, _e276.member_1.z);
-                                let _e373 = function_1(_e261.member_1.x, _e276.member_1.x);
-                                let _e374 = function_1(_e261.member_1.y, _e276.member_1.y);
-                                let _e375 = function_1(_e261.member_1.z, _e276.member_1.z);
+                                let _e360 = function_1(_e231.member_1.x, _e246.member_1.x);
+                                let _e361 = function_1(_e231.member_1.y, _e246.member_1.y);
+                                let _e362 = function_1(_e231.member_1.z, _e246.member_1.z);
+                                let _e364 = function_(_e231.member_1.x, _e246.member_1.x);
+                                let _e365 = function_(_e231.member_1.y, _e246.member_1.y);
+                                let _e366 = function_(_e231.member_1.z, _e246.member_1.z);
+                                let _e369 = function_1(_e261.member_1.x, _e276.member_1.x);
+                                let _e370 = function_1(_e261.member_1.y, _e276.member_1.y);
+                                let _e371 = function_1(_e261.member_1.z, _e276.member_1.z);
+                                let _e373 = function_(_e261.member_1.x, _e276.member_1.x);
+                                let _e374 = function_(_e261.member_1.y, _e276.member_1.y);
+                                let _e375 = function_(_e261.member_1.z, _e276.member_1.z);
                                 phi_705_ = type_25(array<array<f32, 3>, 2>(array<f32, 3>(_e360, _e361, _e362), array<f32, 3>(_e364, _e365, _e366)), array<array<f32, 3>, 2>(array<f32, 3>(_e369, _e370, _e371), array<f32, 3>(_e373, _e374, _e375)));
                             } else {
-                                let _e337 = function_(_e246.member_1.x, _e261.member_1.x);
-                                let _e338 = function_(_e246.member_1.y, _e261.member_1.y);
-                                let _e339 = function_(_e246.member_1.z, _e261.member_1.z);
-                                let _e340 = function_1(_e246.member_1.x, _e261.member_1.x);
-                                let _e341 = function_1(_e246.member_1.y, _e261.member_1.y);
-                                let _e342 = function_1(_e246.member_1.z, _e261.member_1.z);
-                                let _e344 = function_(_e337, _e276.member_1.x);
-                                let _e345 = function_(_e338, _e276.member_1.y);
-                                let _e346 = function_(_e339, _e276.member_1.z);
-                                let _e348 = function_1(_e337, _e276.member_1.x);
-                                let _e349 = function_1(_e338, _e276.member_1.y);
-                                let _e350 = function_1(_e339, _e276.member_1.z);
-                                let _e351 = function_(_e340, _e276.member_1.x);
-                                let _e352 = function_(_e341, _e276.member_1.y);
-                                let _e353 = function_(_e342, _e276.member_1.z);
-                                let _e354 = function_1(_e340, _e276.member_1.x);
-                                let _e355 = function_1(_e341, _e276.member_1.y);
-                                let _e356 = function_1(_e342, _e276.member_1.z);
+                                let _e337 = function_1(_e246.member_1.x, _e261.member_1.x);
+                                let _e338 = function_1(_e246.member_1.y, _e261.member_1.y);
+                                let _e339 = function_1(_e246.member_1.z, _e261.member_1.z);
+                                let _e340 = function_(_e246.member_1.x, _e261.member_1.x);
+                                let _e341 = function_(_e246.member_1.y, _e261.member_1.y);
+                                let _e342 = function_(_e246.member_1.z, _e261.member_1.z);
+                                let _e344 = function_1(_e337, _e276.member_1.x);
+                                let _e345 = function_1(_e338, _e276.member_1.y);
+                                let _e346 = function_1(_e339, _e276.member_1.z);
+                                let _e348 = function_(_e337, _e276.member_1.x);
+                                let _e349 = function_(_e338, _e276.member_1.y);
+                                let _e350 = function_(_e339, _e276.member_1.z);
+                                let _e351 = function_1(_e340, _e276.member_1.x);
+                                let _e352 = function_1(_e341, _e276.member_1.y);
+                                let _e353 = function_1(_e342, _e276.member_1.z);
+                                let _e354 = function_(_e340, _e276.member_1.x);
+                                let _e355 = function_(_e341, _e276.member_1.y);
+                                let _e356 = function_(_e342, _e276.member_1.z);
                                 phi_705_ = type_25(array<array<f32, 3>, 2>(_e290, _e290), array<array<f32, 3>, 2>(array<f32, 3>(_e344, _e345, _e346), array<f32, 3>(_e354, _e355, _e356)));
                             }
                             let _e380 = phi_705_;

@@ -116,16 +116,16 @@ var<storage, read_write> nodes: type_28;
 @group(0) @binding(6) 
 var<storage, read_write> ends: type_33;
 
-fn function_(param: f32) -> type_16 {
-    return type_16(param, param);
+fn function_(param: f32, param_1: f32) -> f32 {
+    return select(param, param_1, select((param_1 >= param), true, (param != param)));
 }
 
-fn function_1(param_1: f32) -> type_16 {
-    return type_16(param_1, param_1);
+fn function_1(param_2: f32) -> type_16 {
+    return type_16(param_2, param_2);
 }
 
-fn function_2(param_2: f32, param_3: f32) -> f32 {
-    return select(param_2, param_3, select((param_3 >= param_2), true, (param_2 != param_2)));
+fn function_2(param_3: f32) -> type_16 {
+    return type_16(param_3, param_3);
 }
 
 fn function_3(param_4: f32, param_5: f32) -> f32 {
@@ -136,21 +136,21 @@ fn function_4(param_6: array<f32, 4>, param_7: array<f32, 4>, param_8: array<f32
     let _e9 = function_3(param_6[0], param_7[0]);
     let _e10 = function_3(param_6[1], param_7[1]);
     let _e11 = function_3(param_6[2], param_7[2]);
-    let _e12 = function_2(param_6[0], param_7[0]);
-    let _e13 = function_2(param_6[1], param_7[1]);
-    let _e14 = function_2(param_6[2], param_7[2]);
+    let _e12 = function_(param_6[0], param_7[0]);
+    let _e13 = function_(param_6[1], param_7[1]);
+    let _e14 = function_(param_6[2], param_7[2]);
     let _e18 = function_3(_e9, param_8[0]);
     let _e19 = function_3(_e10, param_8[1]);
     let _e20 = function_3(_e11, param_8[2]);
-    let _e22 = function_2(_e9, param_8[0]);
-    let _e23 = function_2(_e10, param_8[1]);
-    let _e24 = function_2(_e11, param_8[2]);
+    let _e22 = function_(_e9, param_8[0]);
+    let _e23 = function_(_e10, param_8[1]);
+    let _e24 = function_(_e11, param_8[2]);
     let _e28 = function_3(_e12, param_8[0]);
     let _e29 = function_3(_e13, param_8[1]);
     let _e30 = function_3(_e14, param_8[2]);
-    let _e31 = function_2(_e12, param_8[0]);
-    let _e32 = function_2(_e13, param_8[1]);
-    let _e33 = function_2(_e14, param_8[2]);
+    let _e31 = function_(_e12, param_8[0]);
+    let _e32 = function_(_e13, param_8[1]);
+    let _e33 = function_(_e14, param_8[2]);
     return type_30(array<f32, 3>(_e18, _e19, _e20), array<f32, 3>(_e31, _e32, _e33));
 }
 
@@ -158,32 +158,32 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_30;
     var local_1: type_30;
     var local_2: type_30;
-    var phi_172_: u32;
-    var phi_191_: u32;
-    var phi_192_: array<u32, 3>;
-    var phi_213_: bool;
-    var phi_346_: type_9;
-    var phi_506_: type_9;
-    var phi_655_: type_30;
-    var phi_675_: u32;
-    var phi_801_: type_30;
-    var phi_802_: type_30;
-    var phi_803_: type_30;
-    var phi_804_: type_30;
-    var phi_880_: type_30;
-    var phi_881_: type_30;
-    var phi_882_: type_30;
-    var phi_897_: type_14;
-    var phi_900_: type_30;
-    var phi_902_: u32;
-    var phi_898_: type_14;
-    var phi_943_: type_15;
-    var phi_1095_: type_30;
-    var phi_1096_: type_30;
-    var phi_1142_: type_30;
-    var phi_1155_: type_30;
-    var phi_901_: type_30;
-    var phi_903_: u32;
+    var phi_188_: u32;
+    var phi_207_: u32;
+    var phi_208_: array<u32, 3>;
+    var phi_229_: bool;
+    var phi_362_: type_9;
+    var phi_522_: type_9;
+    var phi_671_: type_30;
+    var phi_691_: u32;
+    var phi_817_: type_30;
+    var phi_818_: type_30;
+    var phi_819_: type_30;
+    var phi_820_: type_30;
+    var phi_896_: type_30;
+    var phi_897_: type_30;
+    var phi_898_: type_30;
+    var phi_913_: type_14;
+    var phi_916_: type_30;
+    var phi_918_: u32;
+    var phi_914_: type_14;
+    var phi_959_: type_15;
+    var phi_1111_: type_30;
+    var phi_1112_: type_30;
+    var phi_1158_: type_30;
+    var phi_1171_: type_30;
+    var phi_917_: type_30;
+    var phi_919_: u32;
     var local_3: type_30;
     var local_4: type_30;
     var local_5: type_30;
@@ -205,32 +205,32 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e67 = (_e61 < _e66);
     let _e72 = params.member.member_2.member[0u][2u];
     if (_e61 >= _e72) {
-        phi_172_ = 2u;
+        phi_188_ = 2u;
     } else {
         let _e75 = params.member.member_2.member[0u][1u];
-        phi_172_ = select(0u, 1u, (_e61 >= _e75));
+        phi_188_ = select(0u, 1u, (_e61 >= _e75));
     }
-    let _e79 = phi_172_;
+    let _e79 = phi_188_;
     if _e67 {
         let _e81 = leaves.member[_e61];
-        phi_191_ = _e81.w;
-        phi_192_ = array<u32, 3>(_e81.x, _e81.y, _e81.z);
+        phi_207_ = _e81.w;
+        phi_208_ = array<u32, 3>(_e81.x, _e81.y, _e81.z);
     } else {
-        phi_191_ = 4294967295u;
-        phi_192_ = array<u32, 3>(0u, 0u, 0u);
+        phi_207_ = 4294967295u;
+        phi_208_ = array<u32, 3>(0u, 0u, 0u);
     }
-    let _e88 = phi_191_;
-    let _e90 = phi_192_;
+    let _e88 = phi_207_;
+    let _e90 = phi_208_;
     if (_e88 != 4294967295u) {
         let _e94 = params.member.member.member_1;
         let _e96 = ((_e94 & 4096u) != 0u);
         if _e96 {
-            phi_213_ = true;
+            phi_229_ = true;
         } else {
             let _e99 = params.member.member.member_1;
-            phi_213_ = ((_e99 & 512u) != 0u);
+            phi_229_ = ((_e99 & 512u) != 0u);
         }
-        let _e103 = phi_213_;
+        let _e103 = phi_229_;
         if _e103 {
             let _e106 = paths.member[_e90[0]];
             let _e127 = paths.member[_e90[1]];
@@ -246,9 +246,9 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e207 = select(_e168.member_1[2], _e167.member_1[2], (_e167.member_1[2] > _e168.member_1[2]));
             if (_e171 > 0f) {
                 local_1 = type_30(array<f32, 3>(_e177, _e183, _e189), array<f32, 3>(_e195, _e201, _e207));
-                phi_346_ = type_9(0u, 3u);
+                phi_362_ = type_9(0u, 3u);
                 loop {
-                    let _e216 = phi_346_;
+                    let _e216 = phi_362_;
                     let _e219 = (_e216.member < _e216.member_1);
                     let _e230 = select(type_9().member_1, _e216.member, _e219);
                     let _e232 = (bitcast<i32>(select(0u, 1u, _e219)) != 0i);
@@ -264,7 +264,7 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                     continue;
                     continuing {
-                        phi_346_ = type_9(select(_e216.member, (_e216.member + 1u), _e219), select(_e216.member_1, _e216.member_1, _e219));
+                        phi_362_ = type_9(select(_e216.member, (_e216.member + 1u), _e219), select(_e216.member_1, _e216.member_1, _e219));
                         break if !(_e232);
                     }
                 }
@@ -274,27 +274,27 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e276 = local_1;
             local_2 = _e276;
             local = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-            phi_506_ = type_9(0u, 3u);
+            phi_522_ = type_9(0u, 3u);
             loop {
-                let _e278 = phi_506_;
+                let _e278 = phi_522_;
                 let _e281 = (_e278.member < _e278.member_1);
                 let _e292 = select(type_9().member_1, _e278.member, _e281);
                 let _e294 = (bitcast<i32>(select(0u, 1u, _e281)) != 0i);
                 if _e294 {
                     let _e297 = local_2.member[_e292];
-                    let _e298 = function_1(_e297);
+                    let _e298 = function_2(_e297);
                     let _e300 = -(290000000000000000000000000000000000000f);
                     let _e302 = select(_e300, _e298.member, (_e298.member > _e300));
                     local.member[_e292] = select(290000000000000000000000000000000000000f, _e302, (_e302 < 290000000000000000000000000000000000000f));
                     let _e309 = local_2.member_1[_e292];
-                    let _e310 = function_(_e309);
+                    let _e310 = function_1(_e309);
                     let _e312 = -(290000000000000000000000000000000000000f);
                     let _e314 = select(_e312, _e310.member_1, (_e310.member_1 > _e312));
                     local.member_1[_e292] = select(290000000000000000000000000000000000000f, _e314, (_e314 < 290000000000000000000000000000000000000f));
                 }
                 continue;
                 continuing {
-                    phi_506_ = type_9(select(_e278.member, (_e278.member + 1u), _e281), select(_e278.member_1, _e278.member_1, _e281));
+                    phi_522_ = type_9(select(_e278.member, (_e278.member + 1u), _e281), select(_e278.member_1, _e278.member_1, _e281));
                     break if !(_e294);
                 }
             }
@@ -305,23 +305,23 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 ends.member[(((((_e61 / 32u) * 3u) + 1u) * 32u) + (_e61 % 32u))] = vec4<f32>(_e167.member_1[1], _e167.member_1[2], _e168.member[0], _e168.member[1]);
                 ends.member[(((((_e61 / 32u) * 3u) + 2u) * 32u) + (_e61 % 32u))] = vec4<f32>(_e168.member[2], _e168.member_1[0], _e168.member_1[1], _e168.member_1[2]);
             }
-            phi_655_ = type_30(array<f32, 3>(_e320.member[0], _e320.member[1], _e320.member[2]), array<f32, 3>(_e320.member_1[0], _e320.member_1[1], _e320.member_1[2]));
+            phi_671_ = type_30(array<f32, 3>(_e320.member[0], _e320.member[1], _e320.member[2]), array<f32, 3>(_e320.member_1[0], _e320.member_1[1], _e320.member_1[2]));
         } else {
-            phi_655_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            phi_671_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         }
-        let _e376 = phi_655_;
+        let _e376 = phi_671_;
         if _e96 {
-            phi_803_ = _e376;
+            phi_819_ = _e376;
         } else {
             let _e379 = params.member.member.member_1;
             let _e381 = ((_e379 & 1u) != 0u);
             if _e381 {
-                phi_675_ = 0u;
+                phi_691_ = 0u;
             } else {
                 let _e385 = params.member.member.member_2[_e79];
-                phi_675_ = _e385;
+                phi_691_ = _e385;
             }
-            let _e387 = phi_675_;
+            let _e387 = phi_691_;
             let _e391 = boxes.member[(_e387 + _e90[0])];
             let _e406 = type_30(array<f32, 3>(_e391.member.x, _e391.member.y, _e391.member_1.x), array<f32, 3>(_e391.member_1.y, _e391.member_2.x, _e391.member_2.y));
             if _e381 {
@@ -334,24 +334,24 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e433 = select(_e411.member_2.x, _e391.member_2.x, (_e391.member_2.x > _e411.member_2.x));
                     let _e435 = select(_e411.member_2.y, _e391.member_2.y, (_e391.member_2.y > _e411.member_2.y));
                     let _e437 = boxes.member[_e90[2]];
-                    phi_801_ = type_30(array<f32, 3>(select(_e437.member.x, _e425, (_e425 < _e437.member.x)), select(_e437.member.y, _e427, (_e427 < _e437.member.y)), select(_e437.member_1.x, _e429, (_e429 < _e437.member_1.x))), array<f32, 3>(select(_e437.member_1.y, _e431, (_e431 > _e437.member_1.y)), select(_e437.member_2.x, _e433, (_e433 > _e437.member_2.x)), select(_e437.member_2.y, _e435, (_e435 > _e437.member_2.y))));
+                    phi_817_ = type_30(array<f32, 3>(select(_e437.member.x, _e425, (_e425 < _e437.member.x)), select(_e437.member.y, _e427, (_e427 < _e437.member.y)), select(_e437.member_1.x, _e429, (_e429 < _e437.member_1.x))), array<f32, 3>(select(_e437.member_1.y, _e431, (_e431 > _e437.member_1.y)), select(_e437.member_2.x, _e433, (_e433 > _e437.member_2.x)), select(_e437.member_2.y, _e435, (_e435 > _e437.member_2.y))));
                 } else {
-                    phi_801_ = _e406;
+                    phi_817_ = _e406;
                 }
-                let _e466 = phi_801_;
-                phi_802_ = _e466;
+                let _e466 = phi_817_;
+                phi_818_ = _e466;
             } else {
-                phi_802_ = _e406;
+                phi_818_ = _e406;
             }
-            let _e468 = phi_802_;
-            phi_803_ = _e468;
+            let _e468 = phi_818_;
+            phi_819_ = _e468;
         }
-        let _e470 = phi_803_;
-        phi_804_ = _e470;
+        let _e470 = phi_819_;
+        phi_820_ = _e470;
     } else {
-        phi_804_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_820_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e472 = phi_804_;
+    let _e472 = phi_820_;
     let _e475 = params.member.member.member_1;
     let _e477 = ((_e475 & 256u) != 0u);
     if _e477 {
@@ -363,29 +363,29 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e500 = (_e496 & 2147483647u);
                 let _e501 = (_e500 < 8388608u);
                 let _e504 = select(true, select(true, false, (_e500 == 8388608u)), _e499);
-                phi_880_ = type_30(_e472.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e496 + 1u), (_e496 - 1u), _e499), _e504), u32(), _e501), (8388608u | ((_e496 & 1u) ^ 1u)), select(select(true, false, _e504), true, _e501))), _e472.member_1[1], _e472.member_1[2]));
+                phi_896_ = type_30(_e472.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e496 + 1u), (_e496 - 1u), _e499), _e504), u32(), _e501), (8388608u | ((_e496 & 1u) ^ 1u)), select(select(true, false, _e504), true, _e501))), _e472.member_1[1], _e472.member_1[2]));
             } else {
-                phi_880_ = _e472;
+                phi_896_ = _e472;
             }
-            let _e524 = phi_880_;
-            phi_881_ = _e524;
+            let _e524 = phi_896_;
+            phi_897_ = _e524;
         } else {
-            phi_881_ = _e472;
+            phi_897_ = _e472;
         }
-        let _e526 = phi_881_;
-        phi_882_ = _e526;
+        let _e526 = phi_897_;
+        phi_898_ = _e526;
     } else {
-        phi_882_ = _e472;
+        phi_898_ = _e472;
     }
-    let _e528 = phi_882_;
+    let _e528 = phi_898_;
     shared_[_e47] = type_30(array<f32, 3>(_e528.member[0], _e528.member[1], _e528.member[2]), array<f32, 3>(_e528.member_1[0], _e528.member_1[1], _e528.member_1[2]));
-    phi_897_ = type_14(0i, 5i);
-    phi_900_ = _e528;
-    phi_902_ = 16u;
+    phi_913_ = type_14(0i, 5i);
+    phi_916_ = _e528;
+    phi_918_ = 16u;
     loop {
-        let _e542 = phi_897_;
-        let _e544 = phi_900_;
-        let _e546 = phi_902_;
+        let _e542 = phi_913_;
+        let _e544 = phi_916_;
+        let _e546 = phi_918_;
         local_3 = _e544;
         local_4 = _e544;
         local_5 = _e544;
@@ -394,14 +394,14 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_8 = _e544;
         if (_e542.member < _e542.member_1) {
             let _e553 = (_e542.member + 1i);
-            phi_898_ = type_14(select(_e553, type_15().member_1, select(false, true, ((false == (_e553 > _e542.member)) != false))), _e542.member_1);
-            phi_943_ = type_15(1u, _e542.member);
+            phi_914_ = type_14(select(_e553, type_15().member_1, select(false, true, ((false == (_e553 > _e542.member)) != false))), _e542.member_1);
+            phi_959_ = type_15(1u, _e542.member);
         } else {
-            phi_898_ = _e542;
-            phi_943_ = type_15(0u, type_15().member_1);
+            phi_914_ = _e542;
+            phi_959_ = type_15(0u, type_15().member_1);
         }
-        let _e564 = phi_898_;
-        let _e566 = phi_943_;
+        let _e564 = phi_914_;
+        let _e566 = phi_959_;
         let _e569 = (bitcast<i32>(_e566.member) != 0i);
         if _e569 {
             workgroupBarrier();
@@ -418,40 +418,40 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e665 = (_e661 & 2147483647u);
                             let _e666 = (_e665 < 8388608u);
                             let _e669 = select(true, select(true, false, (_e665 == 8388608u)), _e664);
-                            phi_1095_ = type_30(_e636.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e661 + 1u), (_e661 - 1u), _e664), _e669), u32(), _e666), (8388608u | ((_e661 & 1u) ^ 1u)), select(select(true, false, _e669), true, _e666))), _e636.member_1[1], _e636.member_1[2]));
+                            phi_1111_ = type_30(_e636.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e661 + 1u), (_e661 - 1u), _e664), _e669), u32(), _e666), (8388608u | ((_e661 & 1u) ^ 1u)), select(select(true, false, _e669), true, _e666))), _e636.member_1[1], _e636.member_1[2]));
                         } else {
-                            phi_1095_ = _e636;
+                            phi_1111_ = _e636;
                         }
-                        let _e689 = phi_1095_;
-                        phi_1096_ = _e689;
+                        let _e689 = phi_1111_;
+                        phi_1112_ = _e689;
                     } else {
-                        phi_1096_ = _e636;
+                        phi_1112_ = _e636;
                     }
-                    let _e691 = phi_1096_;
-                    phi_1142_ = _e691;
+                    let _e691 = phi_1112_;
+                    phi_1158_ = _e691;
                 } else {
-                    phi_1142_ = type_30(array<f32, 3>(select(_e574.member[0], _e544.member[0], (_e544.member[0] < _e574.member[0])), select(_e574.member[1], _e544.member[1], (_e544.member[1] < _e574.member[1])), select(_e574.member[2], _e544.member[2], (_e544.member[2] < _e574.member[2]))), array<f32, 3>(select(_e574.member_1[0], _e544.member_1[0], (_e544.member_1[0] > _e574.member_1[0])), select(_e574.member_1[1], _e544.member_1[1], (_e544.member_1[1] > _e574.member_1[1])), select(_e574.member_1[2], _e544.member_1[2], (_e544.member_1[2] > _e574.member_1[2]))));
+                    phi_1158_ = type_30(array<f32, 3>(select(_e574.member[0], _e544.member[0], (_e544.member[0] < _e574.member[0])), select(_e574.member[1], _e544.member[1], (_e544.member[1] < _e574.member[1])), select(_e574.member[2], _e544.member[2], (_e544.member[2] < _e574.member[2]))), array<f32, 3>(select(_e574.member_1[0], _e544.member_1[0], (_e544.member_1[0] > _e574.member_1[0])), select(_e574.member_1[1], _e544.member_1[1], (_e544.member_1[1] > _e574.member_1[1])), select(_e574.member_1[2], _e544.member_1[2], (_e544.member_1[2] > _e574.member_1[2]))));
                 }
-                let _e693 = phi_1142_;
+                let _e693 = phi_1158_;
                 shared_[_e47] = type_30(array<f32, 3>(_e693.member[0], _e693.member[1], _e693.member[2]), array<f32, 3>(_e693.member_1[0], _e693.member_1[1], _e693.member_1[2]));
-                phi_1155_ = _e693;
+                phi_1171_ = _e693;
             } else {
-                phi_1155_ = _e544;
+                phi_1171_ = _e544;
             }
-            let _e707 = phi_1155_;
-            phi_901_ = _e707;
-            phi_903_ = (_e546 / 2u);
+            let _e707 = phi_1171_;
+            phi_917_ = _e707;
+            phi_919_ = (_e546 / 2u);
         } else {
-            phi_901_ = type_30();
-            phi_903_ = u32();
+            phi_917_ = type_30();
+            phi_919_ = u32();
         }
-        let _e710 = phi_901_;
-        let _e712 = phi_903_;
+        let _e710 = phi_917_;
+        let _e712 = phi_919_;
         continue;
         continuing {
-            phi_897_ = _e564;
-            phi_900_ = _e710;
-            phi_902_ = _e712;
+            phi_913_ = _e564;
+            phi_916_ = _e710;
+            phi_918_ = _e712;
             break if !(_e569);
         }
     }

@@ -7,7 +7,7 @@ use crate::support::{
 use crate::twin::union;
 use ccd::Aabb;
 use ccd::gpu::bind::{
-    CurveKeys, FitLeaves, FitLevel, PlaceLeaves, PlaceVertices, SceneBounds, Shorten,
+    CurveKeys, FitLeaves, FitLevel, HalveRuns, PlaceLeaves, PlaceVertices, SceneBounds, Shorten,
     SweepElements, SweepVertices,
 };
 use ccd::gpu::{Device, harness};
@@ -24,6 +24,7 @@ pub const TESTS: crate::Tests = &[
     ("sweep", check_sweep),
     ("shorten", check_shorten),
     ("bounds_and_codes", check_bounds),
+    ("halves", check_halves),
     ("fit", check_fit),
     ("folded_grid", check_folded),
 ];
@@ -228,6 +229,54 @@ fn check_bounds(device: &Device) {
         );
         assert!(read::<u32>(&done.order).into_iter().eq(0..n));
     }
+}
+
+/// Each run of 256 boxes is halved down to blocks of 32, at the median of the axis whose halves
+/// have the least surface.
+fn check_halves(device: &Device) {
+    let (twin, _) = twin(60, 3);
+    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), args: twin.tree };
+    let kernel = HalveRuns { boxes: bytes(&twin.boxes), order: bytes(&twin.order) };
+    let order: Vec<u32> = read(&run(device, kernel, &p, twin.tree.slots[0][3].div_ceil(256)).order);
+    let surface = |part: &[usize], of_place: &dyn Fn(usize) -> Aabb| {
+        let boxes: Vec<Aabb> = part.iter().map(|&i| of_place(i)).collect();
+        let b = union(boxes.iter());
+        let [x, y, z] = std::array::from_fn(|k| f64::from(b.max[k]) - f64::from(b.min[k]));
+        x * y + y * z + z * x
+    };
+    let mut n_halved = 0;
+    for set in 0..3 {
+        let of_set = twin.frame.start[set] as usize..twin.frame.start[set + 1] as usize;
+        let runs = order[of_set.clone()].chunks(256).zip(twin.order[of_set].chunks(256));
+        for (run, before) in runs {
+            let place = |i: &u32| before.iter().position(|other| other == i);
+            let places: Vec<usize> = run.iter().map(|i| place(i).expect("a box of it")).collect();
+            let mut sorted = places.clone();
+            sorted.sort();
+            assert!(sorted.into_iter().eq(0..run.len()), "a box twice");
+            let aabb = |i: usize| twin.boxes[before[i] as usize];
+            for half in [128, 64, 32] {
+                for part in places.chunks(2 * half).filter(|part| part.len() > half) {
+                    let halved = |k: usize| {
+                        let mut by_axis = part.to_vec();
+                        let centre = |i: usize| aabb(i).min[k] * 0.5 + aabb(i).max[k] * 0.5;
+                        by_axis.sort_by_key(|&i| (morton_key::order_key(centre(i)) >> 8, i));
+                        by_axis[..half].sort();
+                        let (lower, upper) = by_axis.split_at(half);
+                        (surface(lower, &aabb) + surface(upper, &aabb), lower.to_vec())
+                    };
+                    let axes = [halved(0), halved(1), halved(2)];
+                    let least = axes.iter().fold(f64::INFINITY, |least, (s, _)| least.min(*s));
+                    let mut lower = part[..half].to_vec();
+                    lower.sort();
+                    // Sums in `f32` may find another of nearly equal ones.
+                    assert!(axes.iter().any(|(s, of)| *of == lower && *s <= least * 1.00001));
+                    n_halved += 1;
+                }
+            }
+        }
+    }
+    assert!(n_halved > 20, "{n_halved} parts were halved");
 }
 
 fn check_fit(device: &Device) {

@@ -7,7 +7,8 @@ use super::scheduled::Scheduled;
 use super::scheduler;
 use super::worlds::Worlds;
 use crate::bind::{
-    CurveKeys, FitLeaves, FitLevel, NodePairs, NodePairsOfWorlds, PlaceLeaves, SceneBounds,
+    CurveKeys, FitLeaves, FitLevel, HalveRuns, NodePairs, NodePairsOfWorlds, PlaceLeaves,
+    SceneBounds,
 };
 use crate::device::Device;
 use crate::error::Error;
@@ -80,6 +81,8 @@ pub struct Tree {
     pub leaves: wgpu::Buffer,
     bounds: wgpu::Buffer,
     curve: Curve,
+    /// Whether the order is mostly kept for many steps: then the best is worth its time.
+    is_kept: bool,
     sort: Sort,
     /// Most workgroups of a kernel that loops over a list.
     pub groups: u32,
@@ -187,6 +190,7 @@ impl Tree {
             )?,
             bounds: device.buffer("bounds", 32, U::STORAGE | U::COPY_DST)?,
             curve,
+            is_kept: of_paths,
             sort: Sort::new(device, n as u32, old.map(|old| &old.sort))?,
             start: [start(0)?, start(1)?],
             pairs: [Vec::new(), Vec::new()],
@@ -256,8 +260,11 @@ impl Tree {
 
     /// Leaves in the order of the last sort, or of a builder after it.
     pub fn place(&self, recorder: &mut Recorder, frame: &Frame, elements: &wgpu::Buffer) {
-        let ([_, order], leaves) = (self.sorted(), &self.leaves);
+        let (boxes, leaves, [_, order]) = (&self.boxes, &self.leaves, self.sorted());
         let p = Params { frame: *frame, dispatch: Dispatch::default(), args: self.record() };
+        if self.is_kept && self.worlds.is_none() {
+            recorder.each(&HalveRuns { boxes, order }, &p, self.levels.padded(0));
+        }
         recorder.each(&PlaceLeaves { order, elements, leaves }, &p, self.levels.padded(0));
     }
 

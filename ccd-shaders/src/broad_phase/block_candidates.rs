@@ -11,9 +11,7 @@ use crate::entry::kernel;
 use crate::records::{BoxWords, box_at, ends_at, leaf_at};
 use crate::workgroup::{add_shared, barrier, count, get, set, write_pair};
 use ccd_core::Aabb;
-use ccd_core::backend::broad_phase::block_bvh::{
-    POOL, TEAMS, THREADS, WIDTH, sets, slot,
-};
+use ccd_core::backend::broad_phase::block_bvh::{POOL, TEAMS, THREADS, WIDTH, sets, slot};
 use ccd_core::backend::broad_phase::candidate::{overlap_surely, wanted};
 use ccd_core::backend::layout::{EDGE_EDGE, Frame, Pair};
 use ccd_core::narrow_phase::cascade;

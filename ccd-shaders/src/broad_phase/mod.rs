@@ -7,6 +7,7 @@ pub mod block_candidates;
 pub mod block_pairs;
 pub mod bounds;
 pub mod builder;
+pub mod halves;
 pub mod key_intervals;
 pub mod listed;
 pub mod oriented;

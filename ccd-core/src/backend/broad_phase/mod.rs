@@ -7,6 +7,7 @@ pub mod block_workers;
 pub mod candidate;
 pub mod grid_levels;
 pub mod grid_rows;
+pub mod halves;
 pub mod key_intervals;
 pub mod morton_key;
 pub mod nearest_pair;

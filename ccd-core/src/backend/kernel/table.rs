@@ -38,6 +38,9 @@ macro_rules! kernels {
             /// One pass of the sort.
             SortScatter = sort_scatter(128 threads, 33 barriers, f32, Params<SortPass>)
                 { table: Read, keys: Read, values: Read, keys_out: Write, values_out: Write }
+            /// Boxes that follow each other in order by halves.
+            HalveRuns = halve_runs(256 threads, 16 barriers, f32, Params<Blocks>)
+                { boxes: Read, order: Write }
             /// Leaves in order.
             PlaceLeaves = place_leaves(256 threads, 0 barriers, f32, Params<Blocks>)
                 { order: Read, elements: Read, leaves: Write }
