@@ -35,17 +35,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_15 {
-    member: i32,
-    member_1: i32,
-}
-
 struct type_16 {
-    member: u32,
-    member_1: i32,
-}
-
-struct type_18 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -53,174 +43,101 @@ struct type_18 {
     member_4: u32,
 }
 
-struct type_19 {
+struct type_17 {
     member: type_7,
     member_1: type_8,
-    member_2: type_18,
+    member_2: type_16,
 }
 
-struct type_20 {
-    member: type_19,
+struct type_18 {
+    member: type_17,
 }
 
-struct type_23 {
+struct type_21 {
     member: array<vec4<u32>>,
 }
 
-struct type_25 {
+struct type_23 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_27 {
-    member: array<type_25>,
+struct type_25 {
+    member: array<type_23>,
 }
 
-struct type_29 {
+struct type_27 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_36 {
+struct type_34 {
     member: array<vec4<f32>>,
 }
 
-struct type_39 {
-    member: array<array<array<u32, 2>, 6>>,
-}
-
-struct type_44 {
+struct type_38 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_20;
+var<storage> params: type_18;
 @group(0) @binding(1) 
-var<storage> nodes: type_27;
-var<workgroup> columns: array<type_29, 128>;
+var<storage> nodes: type_25;
+var<workgroup> columns: array<type_27, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> n_hits: array<u32, 1>;
 var<workgroup> hits: array<u32, 512>;
 var<workgroup> firsts: array<u32, 8>;
-@group(0) @binding(2) 
-var<storage> leaves: type_23;
-@group(0) @binding(3) 
-var<storage> ends: type_36;
-@group(0) @binding(4) 
-var<storage> bodies: type_11;
 @group(0) @binding(5) 
-var<storage> keys: type_39;
-@group(0) @binding(6) 
+var<storage, read_write> output: type_38;
+@group(0) @binding(4) 
 var<storage> input: type_11;
-@group(0) @binding(7) 
-var<storage, read_write> output: type_44;
+@group(0) @binding(2) 
+var<storage> leaves: type_21;
+@group(0) @binding(3) 
+var<storage> ends: type_34;
 
-fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    let _e14 = select(select(false, (param_1[0] > param[0]), (param_1[1] == param[1])), true, (param_1[1] > param[1]));
-    return array<u32, 2>(select(param[0], param_1[0], _e14), select(param[1], param_1[1], _e14));
-}
-
-fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    let _e14 = select(select(false, (param_2[0] > param_3[0]), (param_2[1] == param_3[1])), true, (param_2[1] > param_3[1]));
-    return array<u32, 2>(select(param_2[0], param_3[0], _e14), select(param_2[1], param_3[1], _e14));
-}
-
-fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    let _e14 = select(select(false, (param_5[0] > param_4[0]), (param_5[1] == param_4[1])), true, (param_5[1] > param_4[1]));
-    return array<u32, 2>(select(param_4[0], param_5[0], _e14), select(param_4[1], param_5[1], _e14));
-}
-
-fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    let _e14 = select(select(false, (param_6[0] > param_7[0]), (param_6[1] == param_7[1])), true, (param_6[1] > param_7[1]));
-    return array<u32, 2>(select(param_6[0], param_7[0], _e14), select(param_6[1], param_7[1], _e14));
-}
-
-fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    let _e14 = select(select(false, (param_9[0] > param_8[0]), (param_9[1] == param_8[1])), true, (param_9[1] > param_8[1]));
-    return array<u32, 2>(select(param_8[0], param_9[0], _e14), select(param_8[1], param_9[1], _e14));
-}
-
-fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    let _e14 = select(select(false, (param_10[0] > param_11[0]), (param_10[1] == param_11[1])), true, (param_10[1] > param_11[1]));
-    return array<u32, 2>(select(param_10[0], param_11[0], _e14), select(param_10[1], param_11[1], _e14));
-}
-
-fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_214_: u32;
-    var phi_241_: u32;
-    var phi_271_: u32;
-    var phi_577_: bool;
-    var phi_615_: type_29;
-    var phi_647_: type_9;
-    var phi_650_: u32;
-    var phi_651_: u32;
+fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var phi_177_: u32;
+    var phi_204_: u32;
+    var phi_250_: u32;
+    var phi_558_: bool;
+    var phi_596_: type_27;
+    var phi_628_: type_9;
+    var phi_631_: u32;
+    var phi_632_: u32;
     var local: u32;
     var local_1: u32;
-    var phi_968_: type_9;
-    var phi_971_: u32;
-    var phi_972_: u32;
-    var phi_1041_: u32;
-    var phi_1084_: type_9;
-    var phi_1148_: type_9;
-    var phi_1151_: u32;
-    var phi_1152_: u32;
-    var phi_1271_: type_9;
-    var phi_1276_: u32;
-    var phi_1499_: bool;
-    var phi_1569_: bool;
-    var phi_1570_: bool;
-    var phi_1575_: bool;
-    var phi_1665_: array<type_29, 2>;
-    var phi_1709_: bool;
-    var phi_1714_: bool;
-    var phi_1878_: bool;
-    var phi_1919_: type_15;
-    var phi_1922_: u32;
-    var phi_1924_: u32;
-    var phi_1920_: type_15;
-    var phi_1965_: type_16;
-    var phi_2041_: bool;
-    var phi_2048_: u32;
-    var phi_2049_: u32;
-    var phi_2050_: bool;
-    var phi_1923_: u32;
-    var phi_1925_: u32;
-    var phi_2051_: bool;
+    var phi_949_: type_9;
+    var phi_952_: u32;
+    var phi_953_: u32;
+    var phi_1022_: u32;
+    var phi_1067_: type_9;
+    var phi_1129_: type_9;
+    var phi_1132_: u32;
+    var phi_1133_: u32;
+    var phi_1252_: type_9;
+    var phi_1255_: u32;
+    var phi_1472_: bool;
+    var phi_1552_: bool;
+    var phi_1553_: bool;
+    var phi_1571_: u32;
+    var phi_1572_: u32;
+    var phi_1573_: bool;
+    var phi_1256_: u32;
+    var phi_1574_: bool;
     var local_2: u32;
+    var phi_1633_: u32;
+    var phi_1641_: type_9;
+    var phi_1644_: u32;
     var local_3: u32;
-    var phi_2099_: bool;
-    var phi_2100_: bool;
-    var phi_2101_: bool;
-    var phi_2102_: bool;
-    var phi_2107_: bool;
-    var phi_2111_: bool;
-    var phi_2116_: bool;
-    var phi_2121_: bool;
-    var phi_2126_: bool;
-    var phi_2702_: bool;
-    var phi_2703_: bool;
-    var phi_2704_: bool;
-    var phi_2709_: bool;
-    var phi_2710_: bool;
-    var phi_2711_: bool;
-    var phi_2712_: bool;
-    var phi_2734_: u32;
-    var phi_2736_: u32;
-    var phi_2737_: bool;
-    var phi_1277_: u32;
-    var phi_2738_: bool;
+    var phi_1742_: type_9;
+    var phi_1757_: u32;
+    var phi_1645_: u32;
+    var phi_251_: u32;
     var local_4: u32;
-    var phi_2797_: u32;
-    var phi_2805_: type_9;
-    var phi_2808_: u32;
-    var local_5: u32;
-    var phi_2906_: type_9;
-    var phi_2921_: u32;
-    var phi_2809_: u32;
-    var phi_272_: u32;
-    var local_6: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -228,692 +145,430 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e51 = id_2;
-    let _e52 = n_2;
-    let _e53 = lane_2;
-    let _e71 = params.member.member;
-    let _e74 = params.member.member_2.member_1;
-    let _e80 = params.member.member_1.member_2;
-    let _e82 = input.member[0u];
-    let _e84 = select(_e82, _e80, (_e80 < _e82));
-    let _e87 = params.member.member_1.member_1;
-    if (_e84 > _e87) {
-        let _e91 = params.member.member_1.member_1;
-        phi_214_ = (_e84 - _e91);
+    let _e44 = id_2;
+    let _e45 = n_2;
+    let _e46 = lane_2;
+    let _e63 = params.member.member_1.member_2;
+    let _e65 = input.member[0u];
+    let _e67 = select(_e65, _e63, (_e63 < _e65));
+    let _e70 = params.member.member_1.member_1;
+    if (_e67 > _e70) {
+        let _e74 = params.member.member_1.member_1;
+        phi_177_ = (_e67 - _e74);
     } else {
-        phi_214_ = 0u;
+        phi_177_ = 0u;
     }
-    let _e94 = phi_214_;
-    let _e97 = params.member.member_2.member_3;
-    if (_e97 == 1u) {
-        phi_241_ = _e94;
+    let _e77 = phi_177_;
+    let _e80 = params.member.member_2.member_3;
+    if (_e80 == 1u) {
+        phi_204_ = _e77;
     } else {
-        let _e101 = params.member.member_2.member_3;
-        if (_e101 == 0u) {
+        let _e84 = params.member.member_2.member_3;
+        if (_e84 == 0u) {
             return;
         }
-        let _e103 = (_e94 / _e101);
-        if (_e101 == 0u) {
+        let _e86 = (_e77 / _e84);
+        if (_e84 == 0u) {
             return;
         }
-        phi_241_ = select(_e103, (_e103 + 1u), ((_e94 % _e101) > 0u));
+        phi_204_ = select(_e86, (_e86 + 1u), ((_e77 % _e84) > 0u));
     }
-    let _e110 = phi_241_;
-    let _e113 = params.member.member_2.member_4;
-    let _e115 = select(_e110, _e113, (_e113 < _e110));
-    if (_e53 == 0u) {
+    let _e93 = phi_204_;
+    let _e96 = params.member.member_2.member_4;
+    let _e98 = select(_e93, _e96, (_e96 < _e93));
+    let _e100 = params.member.member;
+    let _e103 = params.member.member_2.member_1;
+    let _e113 = (((_e100.member_5 + (2f * _e100.member_4)) * 1.0001f) + (8f * 0.000000000000000000000000000000000000011754944f));
+    if (_e46 == 0u) {
         atomicStore((&counters[7u]), 0u);
     }
-    phi_271_ = ((_e51.y * _e52.x) + _e51.x);
+    phi_250_ = ((_e44.y * _e45.x) + _e44.x);
     loop {
-        let _e119 = phi_271_;
-        let _e120 = (_e115 / 4u);
-        let _e125 = (_e119 < select(_e120, (_e120 + 1u), ((_e115 % 4u) > 0u)));
-        if _e125 {
-            let _e128 = ((_e119 * 4u) + (_e53 / 32u));
-            let _e129 = (_e128 < _e115);
-            let _e132 = params.member.member_1.member_1;
-            let _e135 = params.member.member_2.member_3;
-            let _e139 = (2u * (_e132 + select(0u, (_e128 * _e135), _e129)));
-            let _e142 = input.member[(4u + _e139)];
-            let _e145 = input.member[(_e139 + 5u)];
-            if (_e53 <= 5u) {
-                atomicStore((&counters[_e53]), 0u);
+        let _e117 = phi_250_;
+        let _e118 = (_e98 / 4u);
+        let _e123 = (_e117 < select(_e118, (_e118 + 1u), ((_e98 % 4u) > 0u)));
+        if _e123 {
+            let _e126 = ((_e117 * 4u) + (_e46 / 32u));
+            let _e127 = (_e126 < _e98);
+            let _e130 = params.member.member_1.member_1;
+            let _e133 = params.member.member_2.member_3;
+            let _e137 = (2u * (_e130 + select(0u, (_e126 * _e133), _e127)));
+            let _e140 = input.member[(4u + _e137)];
+            let _e143 = input.member[(_e137 + 5u)];
+            if (_e46 <= 5u) {
+                atomicStore((&counters[_e46]), 0u);
             }
             workgroupBarrier();
-            let _e148 = (_e74 == 0u);
-            if ((_e53 % 32u) == 0u) {
-                let _e154 = (_e53 / 32u);
-                let _e160 = params.member.member_2.member[0u][select(1u, 0u, _e148)];
-                firsts[(2u * _e154)] = (_e160 + (_e142 * 32u));
-                let _e169 = params.member.member_2.member[0u][select(1u, 2u, _e148)];
-                firsts[((2u * _e154) + 1u)] = (_e169 + (_e145 * 32u));
+            let _e146 = (_e103 == 0u);
+            if ((_e46 % 32u) == 0u) {
+                let _e152 = (_e46 / 32u);
+                let _e158 = params.member.member_2.member[0u][select(1u, 0u, _e146)];
+                firsts[(2u * _e152)] = (_e158 + (_e140 * 32u));
+                let _e167 = params.member.member_2.member[0u][select(1u, 2u, _e146)];
+                firsts[((2u * _e152) + 1u)] = (_e167 + (_e143 * 32u));
             }
-            let _e174 = params.member.member_2.member_1;
-            let _e175 = (_e174 == 0u);
-            let _e176 = select(1u, 0u, _e175);
-            let _e177 = select(1u, 2u, _e175);
-            let _e178 = (_e53 / 32u);
-            let _e179 = (_e53 % 32u);
-            let _e181 = params.member.member_2.member_2;
-            let _e185 = params.member.member_2.member[_e181][_e176];
-            let _e188 = nodes.member[(_e185 + _e142)];
-            let _e202 = params.member.member_2.member_2;
-            let _e206 = params.member.member_2.member[_e202][_e177];
-            let _e209 = nodes.member[(_e206 + _e145)];
-            let _e223 = params.member.member_2.member_2;
-            let _e230 = params.member.member_2.member[(_e223 - 1u)][_e176];
-            let _e233 = nodes.member[(_e230 + ((_e142 * 32u) + _e179))];
-            let _e250 = params.member.member_2.member_2;
-            let _e257 = params.member.member_2.member[(_e250 - 1u)][_e177];
-            let _e260 = nodes.member[(_e257 + ((_e145 * 32u) + _e179))];
-            if _e129 {
-                phi_577_ = ((((((_e233.member.x <= _e209.member_1.y) && (_e209.member.x <= _e233.member_1.y)) && (_e233.member.y <= _e209.member_2.x)) && (_e209.member.y <= _e233.member_2.x)) && (_e233.member_1.x <= _e209.member_2.y)) && (_e209.member_1.x <= _e233.member_2.y));
+            let _e172 = params.member.member_2.member_1;
+            let _e173 = (_e172 == 0u);
+            let _e174 = select(1u, 0u, _e173);
+            let _e175 = select(1u, 2u, _e173);
+            let _e176 = (_e46 / 32u);
+            let _e177 = (_e46 % 32u);
+            let _e179 = params.member.member_2.member_2;
+            let _e183 = params.member.member_2.member[_e179][_e174];
+            let _e186 = nodes.member[(_e183 + _e140)];
+            let _e200 = params.member.member_2.member_2;
+            let _e204 = params.member.member_2.member[_e200][_e175];
+            let _e207 = nodes.member[(_e204 + _e143)];
+            let _e221 = params.member.member_2.member_2;
+            let _e228 = params.member.member_2.member[(_e221 - 1u)][_e174];
+            let _e231 = nodes.member[(_e228 + ((_e140 * 32u) + _e177))];
+            let _e248 = params.member.member_2.member_2;
+            let _e255 = params.member.member_2.member[(_e248 - 1u)][_e175];
+            let _e258 = nodes.member[(_e255 + ((_e143 * 32u) + _e177))];
+            if _e127 {
+                phi_558_ = ((((((_e231.member.x <= _e207.member_1.y) && (_e207.member.x <= _e231.member_1.y)) && (_e231.member.y <= _e207.member_2.x)) && (_e207.member.y <= _e231.member_2.x)) && (_e231.member_1.x <= _e207.member_2.y)) && (_e207.member_1.x <= _e231.member_2.y));
             } else {
-                phi_577_ = false;
+                phi_558_ = false;
             }
-            let _e285 = phi_577_;
-            if _e129 {
-                if ((((((_e260.member.x <= _e188.member_1.y) && (_e188.member.x <= _e260.member_1.y)) && (_e260.member.y <= _e188.member_2.x)) && (_e188.member.y <= _e260.member_2.x)) && (_e260.member_1.x <= _e188.member_2.y)) && (_e188.member_1.x <= _e260.member_2.y)) {
-                    let _e299 = atomicAdd((&counters[_e178]), 1u);
-                    let _e300 = ((_e178 * 32u) + _e299);
-                    columns[_e300] = type_29(array<f32, 3>(_e260.member.x, _e260.member.y, _e260.member_1.x), array<f32, 3>(_e260.member_1.y, _e260.member_2.x, _e260.member_2.y));
-                    names[_e300] = _e179;
+            let _e283 = phi_558_;
+            if _e127 {
+                if ((((((_e258.member.x <= _e186.member_1.y) && (_e186.member.x <= _e258.member_1.y)) && (_e258.member.y <= _e186.member_2.x)) && (_e186.member.y <= _e258.member_2.x)) && (_e258.member_1.x <= _e186.member_2.y)) && (_e186.member_1.x <= _e258.member_2.y)) {
+                    let _e297 = atomicAdd((&counters[_e176]), 1u);
+                    let _e298 = ((_e176 * 32u) + _e297);
+                    columns[_e298] = type_27(array<f32, 3>(_e258.member.x, _e258.member.y, _e258.member_1.x), array<f32, 3>(_e258.member_1.y, _e258.member_2.x, _e258.member_2.y));
+                    names[_e298] = _e177;
                 }
             }
-            if _e285 {
-                phi_615_ = type_29(array<f32, 3>(_e233.member.x, _e233.member.y, _e233.member_1.x), array<f32, 3>(_e233.member_1.y, _e233.member_2.x, _e233.member_2.y));
+            if _e283 {
+                phi_596_ = type_27(array<f32, 3>(_e231.member.x, _e231.member.y, _e231.member_1.x), array<f32, 3>(_e231.member_1.y, _e231.member_2.x, _e231.member_2.y));
             } else {
-                phi_615_ = type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+                phi_596_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             }
-            let _e307 = phi_615_;
+            let _e305 = phi_596_;
             workgroupBarrier();
-            let _e310 = select(false, (_e142 == _e145), (_e74 == 1u));
-            let _e311 = (_e53 / 32u);
-            let _e313 = (_e311 * 32u);
-            let _e315 = atomicLoad((&counters[_e311]));
-            let _e316 = (_e315 / 4u);
-            phi_647_ = type_9(0u, select(_e316, (_e316 + 1u), ((_e315 % 4u) > 0u)));
-            phi_650_ = 0u;
+            let _e308 = select(false, (_e140 == _e143), (_e103 == 1u));
+            let _e309 = (_e46 / 32u);
+            let _e311 = (_e309 * 32u);
+            let _e313 = atomicLoad((&counters[_e309]));
+            let _e314 = (_e313 / 4u);
+            phi_628_ = type_9(0u, select(_e314, (_e314 + 1u), ((_e313 % 4u) > 0u)));
+            phi_631_ = 0u;
             loop {
-                let _e323 = phi_647_;
-                let _e325 = phi_650_;
-                local = _e325;
-                local_1 = _e325;
-                let _e328 = (_e323.member < _e323.member_1);
-                let _e341 = (bitcast<i32>(select(0u, 1u, _e328)) != 0i);
-                if _e341 {
-                    let _e342 = (4u * select(type_9().member_1, _e323.member, _e328));
-                    let _e345 = columns[(_e313 + _e342)];
-                    let _e384 = columns[((_e313 + _e342) + 1u)];
-                    let _e425 = columns[((_e313 + _e342) + 2u)];
-                    let _e466 = columns[((_e313 + _e342) + 3u)];
-                    phi_651_ = (_e325 | ((((select(0u, 1u, ((((((_e307.member[0] <= _e345.member_1[0]) && (_e345.member[0] <= _e307.member_1[0])) && (_e307.member[1] <= _e345.member_1[1])) && (_e345.member[1] <= _e307.member_1[1])) && (_e307.member[2] <= _e345.member_1[2])) && (_e345.member[2] <= _e307.member_1[2]))) << bitcast<u32>((_e342 & 31u))) | (select(0u, 1u, ((((((_e307.member[0] <= _e384.member_1[0]) && (_e384.member[0] <= _e307.member_1[0])) && (_e307.member[1] <= _e384.member_1[1])) && (_e384.member[1] <= _e307.member_1[1])) && (_e307.member[2] <= _e384.member_1[2])) && (_e384.member[2] <= _e307.member_1[2]))) << bitcast<u32>(((_e342 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e307.member[0] <= _e425.member_1[0]) && (_e425.member[0] <= _e307.member_1[0])) && (_e307.member[1] <= _e425.member_1[1])) && (_e425.member[1] <= _e307.member_1[1])) && (_e307.member[2] <= _e425.member_1[2])) && (_e425.member[2] <= _e307.member_1[2]))) << bitcast<u32>(((_e342 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e307.member[0] <= _e466.member_1[0]) && (_e466.member[0] <= _e307.member_1[0])) && (_e307.member[1] <= _e466.member_1[1])) && (_e466.member[1] <= _e307.member_1[1])) && (_e307.member[2] <= _e466.member_1[2])) && (_e466.member[2] <= _e307.member_1[2]))) << bitcast<u32>(((_e342 + 3u) & 31u)))));
+                let _e321 = phi_628_;
+                let _e323 = phi_631_;
+                local = _e323;
+                local_1 = _e323;
+                let _e326 = (_e321.member < _e321.member_1);
+                let _e339 = (bitcast<i32>(select(0u, 1u, _e326)) != 0i);
+                if _e339 {
+                    let _e340 = (4u * select(type_9().member_1, _e321.member, _e326));
+                    let _e343 = columns[(_e311 + _e340)];
+                    let _e382 = columns[((_e311 + _e340) + 1u)];
+                    let _e423 = columns[((_e311 + _e340) + 2u)];
+                    let _e464 = columns[((_e311 + _e340) + 3u)];
+                    phi_632_ = (_e323 | ((((select(0u, 1u, ((((((_e305.member[0] <= _e343.member_1[0]) && (_e343.member[0] <= _e305.member_1[0])) && (_e305.member[1] <= _e343.member_1[1])) && (_e343.member[1] <= _e305.member_1[1])) && (_e305.member[2] <= _e343.member_1[2])) && (_e343.member[2] <= _e305.member_1[2]))) << bitcast<u32>((_e340 & 31u))) | (select(0u, 1u, ((((((_e305.member[0] <= _e382.member_1[0]) && (_e382.member[0] <= _e305.member_1[0])) && (_e305.member[1] <= _e382.member_1[1])) && (_e382.member[1] <= _e305.member_1[1])) && (_e305.member[2] <= _e382.member_1[2])) && (_e382.member[2] <= _e305.member_1[2]))) << bitcast<u32>(((_e340 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e305.member[0] <= _e423.member_1[0]) && (_e423.member[0] <= _e305.member_1[0])) && (_e305.member[1] <= _e423.member_1[1])) && (_e423.member[1] <= _e305.member_1[1])) && (_e305.member[2] <= _e423.member_1[2])) && (_e423.member[2] <= _e305.member_1[2]))) << bitcast<u32>(((_e340 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e305.member[0] <= _e464.member_1[0]) && (_e464.member[0] <= _e305.member_1[0])) && (_e305.member[1] <= _e464.member_1[1])) && (_e464.member[1] <= _e305.member_1[1])) && (_e305.member[2] <= _e464.member_1[2])) && (_e464.member[2] <= _e305.member_1[2]))) << bitcast<u32>(((_e340 + 3u) & 31u)))));
                 } else {
-                    phi_651_ = u32();
+                    phi_632_ = u32();
                 }
-                let _e506 = phi_651_;
+                let _e504 = phi_632_;
                 continue;
                 continuing {
-                    phi_647_ = type_9(select(_e323.member, (_e323.member + 1u), _e328), select(_e323.member_1, _e323.member_1, _e328));
-                    phi_650_ = _e506;
-                    break if !(_e341);
+                    phi_628_ = type_9(select(_e321.member, (_e321.member + 1u), _e326), select(_e321.member_1, _e321.member_1, _e326));
+                    phi_631_ = _e504;
+                    break if !(_e339);
                 }
             }
-            let _e514 = local;
-            let _e517 = local_1;
-            let _e518 = select(_e517, (_e514 & ((1u << bitcast<u32>((_e315 & 31u))) - 1u)), (_e315 < 32u));
-            if _e310 {
-                phi_968_ = type_9(0u, _e315);
-                phi_971_ = _e518;
+            let _e512 = local;
+            let _e515 = local_1;
+            let _e516 = select(_e515, (_e512 & ((1u << bitcast<u32>((_e313 & 31u))) - 1u)), (_e313 < 32u));
+            if _e308 {
+                phi_949_ = type_9(0u, _e313);
+                phi_952_ = _e516;
                 loop {
-                    let _e521 = phi_968_;
-                    let _e523 = phi_971_;
-                    local_6 = _e523;
-                    let _e526 = (_e521.member < _e521.member_1);
-                    let _e537 = select(type_9().member_1, _e521.member, _e526);
-                    let _e539 = (bitcast<i32>(select(0u, 1u, _e526)) != 0i);
-                    if _e539 {
-                        let _e542 = names[(_e313 + _e537)];
-                        let _e543 = ((_e53 % 32u) < _e542);
-                        phi_972_ = select(_e523, (_e523 & ~((1u << bitcast<u32>((_e537 & 31u))))), select(true, false, select(select(bool(), select(false, bool(), _e543), _e310), true, select(true, _e543, _e310))));
+                    let _e519 = phi_949_;
+                    let _e521 = phi_952_;
+                    local_4 = _e521;
+                    let _e524 = (_e519.member < _e519.member_1);
+                    let _e535 = select(type_9().member_1, _e519.member, _e524);
+                    let _e537 = (bitcast<i32>(select(0u, 1u, _e524)) != 0i);
+                    if _e537 {
+                        let _e540 = names[(_e311 + _e535)];
+                        let _e541 = ((_e46 % 32u) < _e540);
+                        phi_953_ = select(_e521, (_e521 & ~((1u << bitcast<u32>((_e535 & 31u))))), select(true, false, select(select(bool(), select(false, bool(), _e541), _e308), true, select(true, _e541, _e308))));
                     } else {
-                        phi_972_ = u32();
+                        phi_953_ = u32();
                     }
-                    let _e556 = phi_972_;
+                    let _e554 = phi_953_;
                     continue;
                     continuing {
-                        phi_968_ = type_9(select(_e521.member, (_e521.member + 1u), _e526), select(_e521.member_1, _e521.member_1, _e526));
-                        phi_971_ = _e556;
-                        break if !(_e539);
+                        phi_949_ = type_9(select(_e519.member, (_e519.member + 1u), _e524), select(_e519.member_1, _e519.member_1, _e524));
+                        phi_952_ = _e554;
+                        break if !(_e537);
                     }
                 }
-                let _e1635 = local_6;
-                phi_1041_ = _e1635;
+                let _e1047 = local_4;
+                phi_1022_ = _e1047;
             } else {
-                phi_1041_ = _e518;
+                phi_1022_ = _e516;
             }
-            let _e559 = phi_1041_;
-            let _e563 = atomicAdd((&counters[4u]), countOneBits(_e559));
+            let _e557 = phi_1022_;
+            let _e561 = atomicAdd((&counters[4u]), countOneBits(_e557));
             workgroupBarrier();
-            if (_e53 == 0u) {
-                let _e566 = atomicLoad((&counters[4u]));
-                n_hits[0u] = _e566;
+            if (_e46 == 0u) {
+                let _e564 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e564;
             }
-            let _e569 = workgroupUniformLoad((&n_hits[0u]));
-            let _e570 = (_e569 / 512u);
-            if (_e53 == 0u) {
-                let _e577 = atomicLoad((&counters[7u]));
-                let _e579 = n_hits[0u];
-                atomicStore((&counters[7u]), (_e577 + _e579));
+            let _e567 = workgroupUniformLoad((&n_hits[0u]));
+            let _e568 = (_e567 / 512u);
+            if (_e46 == 0u) {
+                let _e575 = atomicLoad((&counters[7u]));
+                let _e577 = n_hits[0u];
+                atomicStore((&counters[7u]), (_e575 + _e577));
             }
-            phi_1084_ = type_9(0u, select(_e570, (_e570 + 1u), ((_e569 % 512u) > 0u)));
+            phi_1067_ = type_9(0u, select(_e568, (_e568 + 1u), ((_e567 % 512u) > 0u)));
             loop {
-                let _e584 = phi_1084_;
-                let _e587 = (_e584.member < _e584.member_1);
-                let _e600 = (bitcast<i32>(select(0u, 1u, _e587)) != 0i);
-                if _e600 {
-                    let _e601 = (_e53 / 32u);
-                    let _e607 = ((_e601 << bitcast<u32>(10i)) | ((_e53 % 32u) << bitcast<u32>(5i)));
-                    let _e608 = (select(type_9().member_1, _e584.member, _e587) * 512u);
-                    let _e611 = atomicLoad((&counters[_e601]));
-                    let _e612 = (_e611 / 4u);
-                    phi_1148_ = type_9(0u, select(_e612, (_e612 + 1u), ((_e611 % 4u) > 0u)));
-                    phi_1151_ = (_e563 - _e608);
+                let _e582 = phi_1067_;
+                let _e585 = (_e582.member < _e582.member_1);
+                let _e598 = (bitcast<i32>(select(0u, 1u, _e585)) != 0i);
+                if _e598 {
+                    let _e599 = (_e46 / 32u);
+                    let _e605 = ((_e599 << bitcast<u32>(10i)) | ((_e46 % 32u) << bitcast<u32>(5i)));
+                    let _e606 = (select(type_9().member_1, _e582.member, _e585) * 512u);
+                    let _e609 = atomicLoad((&counters[_e599]));
+                    let _e610 = (_e609 / 4u);
+                    phi_1129_ = type_9(0u, select(_e610, (_e610 + 1u), ((_e609 % 4u) > 0u)));
+                    phi_1132_ = (_e561 - _e606);
                     loop {
-                        let _e619 = phi_1148_;
-                        let _e621 = phi_1151_;
-                        let _e624 = (_e619.member < _e619.member_1);
-                        let _e637 = (bitcast<i32>(select(0u, 1u, _e624)) != 0i);
-                        if _e637 {
-                            let _e638 = (4u * select(type_9().member_1, _e619.member, _e624));
-                            let _e644 = (((_e559 >> bitcast<u32>((_e638 & 31u))) & 1u) == 1u);
-                            if _e644 {
-                                if (_e621 < 512u) {
-                                    hits[_e621] = (_e607 + _e638);
+                        let _e617 = phi_1129_;
+                        let _e619 = phi_1132_;
+                        let _e622 = (_e617.member < _e617.member_1);
+                        let _e635 = (bitcast<i32>(select(0u, 1u, _e622)) != 0i);
+                        if _e635 {
+                            let _e636 = (4u * select(type_9().member_1, _e617.member, _e622));
+                            let _e642 = (((_e557 >> bitcast<u32>((_e636 & 31u))) & 1u) == 1u);
+                            if _e642 {
+                                if (_e619 < 512u) {
+                                    hits[_e619] = (_e605 + _e636);
                                 }
                             }
-                            let _e648 = select(_e621, (_e621 + 1u), _e644);
-                            let _e656 = (((_e559 >> bitcast<u32>(((_e638 + 1u) & 31u))) & 1u) == 1u);
-                            if _e656 {
-                                if (_e648 < 512u) {
-                                    hits[_e648] = ((_e607 + _e638) + 1u);
+                            let _e646 = select(_e619, (_e619 + 1u), _e642);
+                            let _e654 = (((_e557 >> bitcast<u32>(((_e636 + 1u) & 31u))) & 1u) == 1u);
+                            if _e654 {
+                                if (_e646 < 512u) {
+                                    hits[_e646] = ((_e605 + _e636) + 1u);
                                 }
                             }
-                            let _e660 = select(_e648, (_e648 + 1u), _e656);
-                            let _e668 = (((_e559 >> bitcast<u32>(((_e638 + 2u) & 31u))) & 1u) == 1u);
-                            if _e668 {
-                                if (_e660 < 512u) {
-                                    hits[_e660] = ((_e607 + _e638) + 2u);
+                            let _e658 = select(_e646, (_e646 + 1u), _e654);
+                            let _e666 = (((_e557 >> bitcast<u32>(((_e636 + 2u) & 31u))) & 1u) == 1u);
+                            if _e666 {
+                                if (_e658 < 512u) {
+                                    hits[_e658] = ((_e605 + _e636) + 2u);
                                 }
                             }
-                            let _e672 = select(_e660, (_e660 + 1u), _e668);
-                            let _e680 = (((_e559 >> bitcast<u32>(((_e638 + 3u) & 31u))) & 1u) == 1u);
-                            if _e680 {
-                                if (_e672 < 512u) {
-                                    hits[_e672] = ((_e607 + _e638) + 3u);
+                            let _e670 = select(_e658, (_e658 + 1u), _e666);
+                            let _e678 = (((_e557 >> bitcast<u32>(((_e636 + 3u) & 31u))) & 1u) == 1u);
+                            if _e678 {
+                                if (_e670 < 512u) {
+                                    hits[_e670] = ((_e605 + _e636) + 3u);
                                 }
                             }
-                            phi_1152_ = select(_e672, (_e672 + 1u), _e680);
+                            phi_1133_ = select(_e670, (_e670 + 1u), _e678);
                         } else {
-                            phi_1152_ = u32();
+                            phi_1133_ = u32();
                         }
-                        let _e686 = phi_1152_;
+                        let _e684 = phi_1133_;
                         continue;
                         continuing {
-                            phi_1148_ = type_9(select(_e619.member, (_e619.member + 1u), _e624), select(_e619.member_1, _e619.member_1, _e624));
-                            phi_1151_ = _e686;
-                            break if !(_e637);
+                            phi_1129_ = type_9(select(_e617.member, (_e617.member + 1u), _e622), select(_e617.member_1, _e617.member_1, _e622));
+                            phi_1132_ = _e684;
+                            break if !(_e635);
                         }
                     }
                     workgroupBarrier();
-                    let _e689 = n_hits[0u];
-                    let _e690 = (_e689 - _e608);
-                    phi_1271_ = type_9(0u, 4u);
-                    phi_1276_ = 0u;
+                    let _e687 = n_hits[0u];
+                    let _e688 = (_e687 - _e606);
+                    phi_1252_ = type_9(0u, 4u);
+                    phi_1255_ = 0u;
                     loop {
-                        let _e694 = phi_1271_;
-                        let _e696 = phi_1276_;
-                        local_4 = _e696;
-                        local_5 = _e696;
-                        let _e699 = (_e694.member < _e694.member_1);
-                        let _e710 = select(type_9().member_1, _e694.member, _e699);
-                        if (bitcast<i32>(select(0u, 1u, _e699)) != 0i) {
-                            let _e714 = (_e53 + (_e710 * 128u));
-                            if (_e714 >= select(_e690, 512u, (512u < _e690))) {
-                                phi_2736_ = u32();
-                                phi_2737_ = false;
+                        let _e692 = phi_1252_;
+                        let _e694 = phi_1255_;
+                        local_2 = _e694;
+                        local_3 = _e694;
+                        let _e697 = (_e692.member < _e692.member_1);
+                        let _e708 = select(type_9().member_1, _e692.member, _e697);
+                        if (bitcast<i32>(select(0u, 1u, _e697)) != 0i) {
+                            let _e712 = (_e46 + (_e708 * 128u));
+                            if (_e712 >= select(_e688, 512u, (512u < _e688))) {
+                                phi_1572_ = u32();
+                                phi_1573_ = false;
                             } else {
-                                let _e717 = hits[_e714];
-                                let _e720 = ((_e717 >> bitcast<u32>(10i)) & 3u);
-                                let _e728 = names[((_e720 * 32u) + (_e717 & 31u))];
-                                let _e731 = firsts[(2u * _e720)];
-                                let _e732 = (_e731 + ((_e717 >> bitcast<u32>(5i)) & 31u));
-                                let _e736 = firsts[((2u * _e720) + 1u)];
-                                let _e737 = (_e736 + _e728);
-                                if ((_e71.member_1 & 512u) != 0u) {
-                                    let _e743 = ends.member[(((_e732 / 32u) * 96u) + (_e732 % 32u))];
-                                    let _e751 = ends.member[(((((_e732 / 32u) * 3u) + 1u) * 32u) + (_e732 % 32u))];
-                                    let _e767 = ends.member[(((((_e732 / 32u) * 3u) + 2u) * 32u) + (_e732 % 32u))];
-                                    let _e777 = ends.member[(((_e737 / 32u) * 96u) + (_e737 % 32u))];
-                                    let _e785 = ends.member[(((((_e737 / 32u) * 3u) + 1u) * 32u) + (_e737 % 32u))];
-                                    let _e801 = ends.member[(((((_e737 / 32u) * 3u) + 2u) * 32u) + (_e737 % 32u))];
-                                    let _e812 = (((_e71.member_5 + (2f * _e71.member_4)) * 1.0001f) + (8f * 0.000000000000000000000000000000000000011754944f));
-                                    phi_1499_ = !(((((((_e743.x - _e777.w) > _e812) && ((_e751.z - _e801.y) > _e812)) || (((_e777.x - _e743.w) > _e812) && ((_e785.z - _e767.y) > _e812))) || ((((_e743.y - _e785.x) > _e812) && ((_e751.w - _e801.z) > _e812)) || (((_e777.y - _e751.x) > _e812) && ((_e785.w - _e767.z) > _e812)))) || ((((_e743.z - _e785.y) > _e812) && ((_e767.x - _e801.w) > _e812)) || (((_e777.z - _e751.y) > _e812) && ((_e801.x - _e767.w) > _e812)))));
+                                let _e715 = hits[_e712];
+                                let _e718 = ((_e715 >> bitcast<u32>(10i)) & 3u);
+                                let _e726 = names[((_e718 * 32u) + (_e715 & 31u))];
+                                let _e729 = firsts[(2u * _e718)];
+                                let _e730 = (_e729 + ((_e715 >> bitcast<u32>(5i)) & 31u));
+                                let _e734 = firsts[((2u * _e718) + 1u)];
+                                let _e735 = (_e734 + _e726);
+                                if ((_e100.member_1 & 512u) != 0u) {
+                                    let _e741 = ends.member[(((_e730 / 32u) * 96u) + (_e730 % 32u))];
+                                    let _e749 = ends.member[(((((_e730 / 32u) * 3u) + 1u) * 32u) + (_e730 % 32u))];
+                                    let _e765 = ends.member[(((((_e730 / 32u) * 3u) + 2u) * 32u) + (_e730 % 32u))];
+                                    let _e775 = ends.member[(((_e735 / 32u) * 96u) + (_e735 % 32u))];
+                                    let _e783 = ends.member[(((((_e735 / 32u) * 3u) + 1u) * 32u) + (_e735 % 32u))];
+                                    let _e799 = ends.member[(((((_e735 / 32u) * 3u) + 2u) * 32u) + (_e735 % 32u))];
+                                    phi_1472_ = !(((((((_e741.x - _e775.w) > _e113) && ((_e749.z - _e799.y) > _e113)) || (((_e775.x - _e741.w) > _e113) && ((_e783.z - _e765.y) > _e113))) || ((((_e741.y - _e783.x) > _e113) && ((_e749.w - _e799.z) > _e113)) || (((_e775.y - _e749.x) > _e113) && ((_e783.w - _e765.z) > _e113)))) || ((((_e741.z - _e783.y) > _e113) && ((_e765.x - _e799.w) > _e113)) || (((_e775.z - _e749.y) > _e113) && ((_e799.x - _e765.w) > _e113)))));
                                 } else {
-                                    phi_1499_ = true;
+                                    phi_1472_ = true;
                                 }
-                                let _e850 = phi_1499_;
-                                if _e850 {
-                                    phi_1575_ = true;
+                                let _e841 = phi_1472_;
+                                if select(false, true, _e841) {
+                                    let _e844 = leaves.member[_e730];
+                                    let _e848 = leaves.member[_e735];
+                                    if ((_e100.member_1 & 1u) != 0u) {
+                                        if (_e103 == 0u) {
+                                            phi_1552_ = ((select((_e848.x == _e844.x), true, (_e848.x == _e844.x)) || select((_e848.y == _e844.x), true, (_e848.y == _e844.x))) || select((_e848.z == _e844.x), true, (_e848.z == _e844.x)));
+                                        } else {
+                                            phi_1552_ = (select((_e848.x == _e844.y), true, (_e848.x == _e844.x)) || select((_e848.y == _e844.y), true, (_e848.y == _e844.x)));
+                                        }
+                                        let _e875 = phi_1552_;
+                                        phi_1553_ = _e875;
+                                    } else {
+                                        phi_1553_ = false;
+                                    }
+                                    let _e877 = phi_1553_;
+                                    let _e878 = !(_e877);
+                                    if _e878 {
+                                    } else {
+                                        let _e880 = atomicAdd((&counters[7u]), 4294967295u);
+                                    }
+                                    phi_1571_ = select(_e694, select(_e694, (_e694 | (1u << bitcast<u32>((_e708 & 31u)))), _e841), _e878);
                                 } else {
-                                    if ((_e71.member_1 & 2u) != 0u) {
-                                        phi_1570_ = false;
-                                    } else {
-                                        if ((_e71.member_1 & 32u) != 0u) {
-                                            let _e858 = nodes.member[_e732];
-                                            let _e872 = nodes.member[_e737];
-                                            phi_1569_ = (((((_e858.member_1.y - _e872.member.x) > _e71.member_6) && ((_e872.member_1.y - _e858.member.x) > _e71.member_6)) && (((_e858.member_2.x - _e872.member.y) > _e71.member_6) && ((_e872.member_2.x - _e858.member.y) > _e71.member_6))) && (((_e858.member_2.y - _e872.member_1.x) > _e71.member_6) && ((_e872.member_2.y - _e858.member_1.x) > _e71.member_6)));
-                                        } else {
-                                            phi_1569_ = true;
-                                        }
-                                        let _e904 = phi_1569_;
-                                        phi_1570_ = _e904;
-                                    }
-                                    let _e906 = phi_1570_;
-                                    phi_1575_ = select(true, false, _e906);
+                                    phi_1571_ = _e694;
                                 }
-                                let _e909 = phi_1575_;
-                                if _e909 {
-                                    let _e911 = leaves.member[_e732];
-                                    let _e917 = leaves.member[_e737];
-                                    if ((_e71.member_1 & 32u) != 0u) {
-                                        let _e926 = nodes.member[_e732];
-                                        let _e943 = nodes.member[_e737];
-                                        phi_1665_ = array<type_29, 2>(type_29(array<f32, 3>(_e926.member.x, _e926.member.y, _e926.member_1.x), array<f32, 3>(_e926.member_1.y, _e926.member_2.x, _e926.member_2.y)), type_29(array<f32, 3>(_e943.member.x, _e943.member.y, _e943.member_1.x), array<f32, 3>(_e943.member_1.y, _e943.member_2.x, _e943.member_2.y)));
-                                    } else {
-                                        phi_1665_ = array<type_29, 2>(type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)), type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)));
-                                    }
-                                    let _e961 = phi_1665_;
-                                    if ((_e71.member_1 & 1u) != 0u) {
-                                        if (_e74 == 0u) {
-                                            phi_1709_ = ((select((_e917.x == _e911.x), true, (_e917.x == _e911.x)) || select((_e917.y == _e911.x), true, (_e917.y == _e911.x))) || select((_e917.z == _e911.x), true, (_e917.z == _e911.x)));
-                                        } else {
-                                            phi_1709_ = (select((_e917.x == _e911.y), true, (_e917.x == _e911.x)) || select((_e917.y == _e911.y), true, (_e917.y == _e911.x)));
-                                        }
-                                        let _e985 = phi_1709_;
-                                        phi_1714_ = select(true, false, _e985);
-                                    } else {
-                                        phi_1714_ = true;
-                                    }
-                                    let _e988 = phi_1714_;
-                                    if _e988 {
-                                        if ((_e71.member_1 & 2u) != 0u) {
-                                            let _e993 = bodies.member[_e911.x];
-                                            let _e995 = bodies.member[_e917.x];
-                                            if select(false, (((_e993 & _e995) & 1u) == 0u), select(select(true, false, ((_e993 & 2u) == 0u)), true, ((_e993 / 4u) != (_e995 / 4u)))) {
-                                                if ((_e71.member_1 & 4u) != 0u) {
-                                                    let _e1013 = bodies.member[_e71.member[0]];
-                                                    let _e1016 = bodies.member[(_e71.member[0] + 1u)];
-                                                    let _e1021 = ((_e71.member[0] + 4u) + (2u * (_e993 >> bitcast<u32>(2i))));
-                                                    let _e1026 = ((_e71.member[0] + 4u) + (2u * (_e995 >> bitcast<u32>(2i))));
-                                                    let _e1028 = bodies.member[_e1021];
-                                                    let _e1030 = bodies.member[_e1026];
-                                                    let _e1039 = bodies.member[((((_e71.member[0] + 4u) + (2u * _e1013)) + (_e1028 * _e1016)) + (_e1030 / 32u))];
-                                                    let _e1042 = bodies.member[(_e1021 + 1u)];
-                                                    let _e1045 = bodies.member[(_e1026 + 1u)];
-                                                    if (_e1042 == _e1045) {
-                                                        phi_1878_ = select(((_e993 >> bitcast<u32>(2i)) == (_e995 >> bitcast<u32>(2i))), true, (((_e1039 >> bitcast<u32>(((_e1030 % 32u) & 31u))) & 1u) == 1u));
-                                                    } else {
-                                                        phi_1878_ = false;
-                                                    }
-                                                    let _e1060 = phi_1878_;
-                                                    if _e1060 {
-                                                        let _e1063 = bodies.member[(_e71.member[0] + 2u)];
-                                                        let _e1066 = bodies.member[(_e71.member[0] + 3u)];
-                                                        let _e1067 = (_e1066 + _e71.member[0]);
-                                                        let _e1068 = (_e74 == 1u);
-                                                        let _e1069 = (_e917.w < _e911.w);
-                                                        let _e1072 = select(_e917.w, select(_e917.w, _e911.w, _e1069), _e1068);
-                                                        let _e1073 = select(_e911.w, select(_e911.w, _e917.w, _e1069), _e1068);
-                                                        phi_1919_ = type_15(0i, 32i);
-                                                        phi_1922_ = _e1063;
-                                                        phi_1924_ = 0u;
-                                                        loop {
-                                                            let _e1075 = phi_1919_;
-                                                            let _e1077 = phi_1922_;
-                                                            let _e1079 = phi_1924_;
-                                                            local_2 = _e1079;
-                                                            local_3 = _e1079;
-                                                            if (_e1075.member < _e1075.member_1) {
-                                                                let _e1086 = (_e1075.member + 1i);
-                                                                phi_1920_ = type_15(select(_e1086, type_16().member_1, select(false, true, ((false == (_e1086 > _e1075.member)) != false))), _e1075.member_1);
-                                                                phi_1965_ = type_16(1u, _e1075.member);
-                                                            } else {
-                                                                phi_1920_ = _e1075;
-                                                                phi_1965_ = type_16(0u, type_16().member_1);
-                                                            }
-                                                            let _e1097 = phi_1920_;
-                                                            let _e1099 = phi_1965_;
-                                                            if (bitcast<i32>(_e1099.member) != 0i) {
-                                                                if (_e1079 >= _e1077) {
-                                                                    phi_2048_ = u32();
-                                                                    phi_2049_ = u32();
-                                                                    phi_2050_ = false;
-                                                                } else {
-                                                                    let _e1106 = (_e1079 + ((_e1077 - _e1079) / 2u));
-                                                                    let _e1108 = (_e1067 + (3u * _e1106));
-                                                                    let _e1110 = bodies.member[_e1108];
-                                                                    let _e1113 = bodies.member[(_e1108 + 1u)];
-                                                                    let _e1116 = bodies.member[(_e1108 + 2u)];
-                                                                    if (_e1110 < _e74) {
-                                                                        phi_2041_ = true;
-                                                                    } else {
-                                                                        phi_2041_ = select(true, false, select(true, select(select(true, select(true, false, (_e1116 < _e1072)), (_e1113 == _e1073)), false, (_e1113 < _e1073)), (_e1110 == _e74)));
-                                                                    }
-                                                                    let _e1128 = phi_2041_;
-                                                                    phi_2048_ = select(_e1106, _e1077, _e1128);
-                                                                    phi_2049_ = select(_e1079, (_e1106 + 1u), _e1128);
-                                                                    phi_2050_ = true;
-                                                                }
-                                                                let _e1133 = phi_2048_;
-                                                                let _e1135 = phi_2049_;
-                                                                let _e1137 = phi_2050_;
-                                                                phi_1923_ = _e1133;
-                                                                phi_1925_ = _e1135;
-                                                                phi_2051_ = _e1137;
-                                                            } else {
-                                                                phi_1923_ = u32();
-                                                                phi_1925_ = u32();
-                                                                phi_2051_ = false;
-                                                            }
-                                                            let _e1139 = phi_1923_;
-                                                            let _e1141 = phi_1925_;
-                                                            let _e1143 = phi_2051_;
-                                                            continue;
-                                                            continuing {
-                                                                phi_1919_ = _e1097;
-                                                                phi_1922_ = _e1139;
-                                                                phi_1924_ = _e1141;
-                                                                break if !(_e1143);
-                                                            }
-                                                        }
-                                                        let _e1146 = local_2;
-                                                        if (_e1146 < _e1063) {
-                                                            let _e1149 = local_3;
-                                                            let _e1151 = (_e1067 + (3u * _e1149));
-                                                            let _e1153 = bodies.member[_e1151];
-                                                            if (_e1153 == _e74) {
-                                                                let _e1157 = bodies.member[(_e1151 + 1u)];
-                                                                if (_e1157 == _e1073) {
-                                                                    let _e1161 = bodies.member[(_e1151 + 2u)];
-                                                                    phi_2099_ = (_e1161 == _e1072);
-                                                                    phi_2100_ = false;
-                                                                } else {
-                                                                    phi_2099_ = bool();
-                                                                    phi_2100_ = true;
-                                                                }
-                                                                let _e1164 = phi_2099_;
-                                                                let _e1166 = phi_2100_;
-                                                                phi_2101_ = _e1164;
-                                                                phi_2102_ = _e1166;
-                                                            } else {
-                                                                phi_2101_ = bool();
-                                                                phi_2102_ = true;
-                                                            }
-                                                            let _e1168 = phi_2101_;
-                                                            let _e1170 = phi_2102_;
-                                                            phi_2107_ = select(_e1168, false, _e1170);
-                                                        } else {
-                                                            phi_2107_ = false;
-                                                        }
-                                                        let _e1173 = phi_2107_;
-                                                        phi_2111_ = _e1173;
-                                                    } else {
-                                                        phi_2111_ = true;
-                                                    }
-                                                    let _e1175 = phi_2111_;
-                                                    phi_2116_ = select(true, false, _e1175);
-                                                } else {
-                                                    phi_2116_ = true;
-                                                }
-                                                let _e1178 = phi_2116_;
-                                                phi_2121_ = select(true, false, _e1178);
-                                            } else {
-                                                phi_2121_ = true;
-                                            }
-                                            let _e1181 = phi_2121_;
-                                            phi_2126_ = select(true, false, _e1181);
-                                        } else {
-                                            phi_2126_ = true;
-                                        }
-                                        let _e1184 = phi_2126_;
-                                        if _e1184 {
-                                            if ((_e71.member_1 & 32u) != 0u) {
-                                                let _e1241 = (((((_e961[0].member_1[0] - _e961[1].member[0]) > _e71.member_6) && ((_e961[1].member_1[0] - _e961[0].member[0]) > _e71.member_6)) && (((_e961[0].member_1[1] - _e961[1].member[1]) > _e71.member_6) && ((_e961[1].member_1[1] - _e961[0].member[1]) > _e71.member_6))) && (((_e961[0].member_1[2] - _e961[1].member[2]) > _e71.member_6) && ((_e961[1].member_1[2] - _e961[0].member[2]) > _e71.member_6)));
-                                                if _e1241 {
-                                                    phi_2702_ = bool();
-                                                } else {
-                                                    let _e1243 = keys.member[_e911.x];
-                                                    let _e1246 = keys.member[_e911.y];
-                                                    let _e1248 = function_5(_e1243[0], _e1246[0]);
-                                                    let _e1250 = keys.member[_e911.z];
-                                                    let _e1252 = function_5(_e1248, _e1250[0]);
-                                                    let _e1254 = keys.member[_e917.x];
-                                                    let _e1257 = keys.member[_e917.y];
-                                                    let _e1259 = function_4(_e1254[3], _e1257[3]);
-                                                    let _e1261 = keys.member[_e917.z];
-                                                    let _e1263 = function_4(_e1259, _e1261[3]);
-                                                    let _e1277 = keys.member[_e917.x];
-                                                    let _e1280 = keys.member[_e917.y];
-                                                    let _e1282 = function_5(_e1277[0], _e1280[0]);
-                                                    let _e1284 = keys.member[_e917.z];
-                                                    let _e1286 = function_5(_e1282, _e1284[0]);
-                                                    let _e1288 = keys.member[_e911.x];
-                                                    let _e1291 = keys.member[_e911.y];
-                                                    let _e1293 = function_4(_e1288[3], _e1291[3]);
-                                                    let _e1295 = keys.member[_e911.z];
-                                                    let _e1297 = function_4(_e1293, _e1295[3]);
-                                                    let _e1312 = keys.member[_e911.x];
-                                                    let _e1315 = keys.member[_e911.y];
-                                                    let _e1317 = function_3(_e1312[1], _e1315[1]);
-                                                    let _e1319 = keys.member[_e911.z];
-                                                    let _e1321 = function_3(_e1317, _e1319[1]);
-                                                    let _e1323 = keys.member[_e917.x];
-                                                    let _e1326 = keys.member[_e917.y];
-                                                    let _e1328 = function_2(_e1323[4], _e1326[4]);
-                                                    let _e1330 = keys.member[_e917.z];
-                                                    let _e1332 = function_2(_e1328, _e1330[4]);
-                                                    let _e1346 = keys.member[_e917.x];
-                                                    let _e1349 = keys.member[_e917.y];
-                                                    let _e1351 = function_3(_e1346[1], _e1349[1]);
-                                                    let _e1353 = keys.member[_e917.z];
-                                                    let _e1355 = function_3(_e1351, _e1353[1]);
-                                                    let _e1357 = keys.member[_e911.x];
-                                                    let _e1360 = keys.member[_e911.y];
-                                                    let _e1362 = function_2(_e1357[4], _e1360[4]);
-                                                    let _e1364 = keys.member[_e911.z];
-                                                    let _e1366 = function_2(_e1362, _e1364[4]);
-                                                    let _e1382 = keys.member[_e911.x];
-                                                    let _e1385 = keys.member[_e911.y];
-                                                    let _e1387 = function_1(_e1382[2], _e1385[2]);
-                                                    let _e1389 = keys.member[_e911.z];
-                                                    let _e1391 = function_1(_e1387, _e1389[2]);
-                                                    let _e1393 = keys.member[_e917.x];
-                                                    let _e1396 = keys.member[_e917.y];
-                                                    let _e1398 = function_(_e1393[5], _e1396[5]);
-                                                    let _e1400 = keys.member[_e917.z];
-                                                    let _e1402 = function_(_e1398, _e1400[5]);
-                                                    let _e1416 = keys.member[_e917.x];
-                                                    let _e1419 = keys.member[_e917.y];
-                                                    let _e1421 = function_1(_e1416[2], _e1419[2]);
-                                                    let _e1423 = keys.member[_e917.z];
-                                                    let _e1425 = function_1(_e1421, _e1423[2]);
-                                                    let _e1427 = keys.member[_e911.x];
-                                                    let _e1430 = keys.member[_e911.y];
-                                                    let _e1432 = function_(_e1427[5], _e1430[5]);
-                                                    let _e1434 = keys.member[_e911.z];
-                                                    let _e1436 = function_(_e1432, _e1434[5]);
-                                                    phi_2702_ = (((!(select(select(false, (_e1252[0] > _e1263[0]), (_e1252[1] == _e1263[1])), true, (_e1252[1] > _e1263[1]))) && !(select(select(false, (_e1286[0] > _e1297[0]), (_e1286[1] == _e1297[1])), true, (_e1286[1] > _e1297[1])))) && (!(select(select(false, (_e1321[0] > _e1332[0]), (_e1321[1] == _e1332[1])), true, (_e1321[1] > _e1332[1]))) && !(select(select(false, (_e1355[0] > _e1366[0]), (_e1355[1] == _e1366[1])), true, (_e1355[1] > _e1366[1]))))) && (!(select(select(false, (_e1391[0] > _e1402[0]), (_e1391[1] == _e1402[1])), true, (_e1391[1] > _e1402[1]))) && !(select(select(false, (_e1425[0] > _e1436[0]), (_e1425[1] == _e1436[1])), true, (_e1425[1] > _e1436[1])))));
-                                                }
-                                                let _e1452 = phi_2702_;
-                                                phi_2703_ = _e1452;
-                                                phi_2704_ = _e1241;
-                                            } else {
-                                                phi_2703_ = bool();
-                                                phi_2704_ = true;
-                                            }
-                                            let _e1454 = phi_2703_;
-                                            let _e1456 = phi_2704_;
-                                            phi_2709_ = _e1454;
-                                            phi_2710_ = select(true, false, _e1456);
-                                        } else {
-                                            phi_2709_ = false;
-                                            phi_2710_ = true;
-                                        }
-                                        let _e1459 = phi_2709_;
-                                        let _e1461 = phi_2710_;
-                                        phi_2711_ = _e1459;
-                                        phi_2712_ = _e1461;
-                                    } else {
-                                        phi_2711_ = false;
-                                        phi_2712_ = true;
-                                    }
-                                    let _e1463 = phi_2711_;
-                                    let _e1465 = phi_2712_;
-                                    let _e1466 = select(true, _e1463, _e1465);
-                                    if _e1466 {
-                                    } else {
-                                        let _e1468 = atomicAdd((&counters[7u]), 4294967295u);
-                                    }
-                                    phi_2734_ = select(_e696, select(_e696, (_e696 | (1u << bitcast<u32>((_e710 & 31u)))), _e850), _e1466);
-                                } else {
-                                    phi_2734_ = _e696;
-                                }
-                                let _e1476 = phi_2734_;
-                                phi_2736_ = _e1476;
-                                phi_2737_ = true;
+                                let _e888 = phi_1571_;
+                                phi_1572_ = _e888;
+                                phi_1573_ = true;
                             }
-                            let _e1478 = phi_2736_;
-                            let _e1480 = phi_2737_;
-                            phi_1277_ = _e1478;
-                            phi_2738_ = _e1480;
+                            let _e890 = phi_1572_;
+                            let _e892 = phi_1573_;
+                            phi_1256_ = _e890;
+                            phi_1574_ = _e892;
                         } else {
-                            phi_1277_ = u32();
-                            phi_2738_ = false;
+                            phi_1256_ = u32();
+                            phi_1574_ = false;
                         }
-                        let _e1482 = phi_1277_;
-                        let _e1484 = phi_2738_;
+                        let _e894 = phi_1256_;
+                        let _e896 = phi_1574_;
                         continue;
                         continuing {
-                            phi_1271_ = type_9(select(_e694.member, (_e694.member + 1u), _e699), select(_e694.member_1, _e694.member_1, _e699));
-                            phi_1276_ = _e1482;
-                            break if !(_e1484);
+                            phi_1252_ = type_9(select(_e692.member, (_e692.member + 1u), _e697), select(_e692.member_1, _e692.member_1, _e697));
+                            phi_1255_ = _e894;
+                            break if !(_e896);
                         }
                     }
-                    let _e1488 = params.member.member_1.member_3;
-                    let _e1490 = local_4;
-                    let _e1493 = atomicAdd((&counters[5u]), countOneBits(_e1490));
+                    let _e900 = params.member.member_1.member_3;
+                    let _e902 = local_2;
+                    let _e905 = atomicAdd((&counters[5u]), countOneBits(_e902));
                     workgroupBarrier();
-                    if (_e53 == 0u) {
-                        let _e1496 = atomicLoad((&counters[5u]));
-                        if (_e1496 > 0u) {
-                            let _e1500 = params.member.member.member_1;
-                            if ((_e1500 & 1024u) != 0u) {
-                                let _e1510 = atomicAdd((&output.member[0u]), _e1496);
-                                let _e1511 = (_e1510 + _e1496);
-                                let _e1513 = select(_e1511, 4294967295u, (_e1511 < _e1510));
-                                let _e1516 = params.member.member_1.member_3;
-                                if (_e1513 > _e1516) {
-                                    let _e1519 = atomicMax((&output.member[2u]), _e1513);
+                    if (_e46 == 0u) {
+                        let _e908 = atomicLoad((&counters[5u]));
+                        if (_e908 > 0u) {
+                            let _e912 = params.member.member.member_1;
+                            if ((_e912 & 1024u) != 0u) {
+                                let _e922 = atomicAdd((&output.member[0u]), _e908);
+                                let _e923 = (_e922 + _e908);
+                                let _e925 = select(_e923, 4294967295u, (_e923 < _e922));
+                                let _e928 = params.member.member_1.member_3;
+                                if (_e925 > _e928) {
+                                    let _e931 = atomicMax((&output.member[2u]), _e925);
                                 }
-                                phi_2797_ = _e1510;
+                                phi_1633_ = _e922;
                             } else {
-                                let _e1504 = atomicAdd((&output.member[0u]), _e1496);
-                                if ((_e1504 + _e1496) < _e1504) {
-                                    let _e1508 = atomicAdd((&output.member[2u]), 1u);
+                                let _e916 = atomicAdd((&output.member[0u]), _e908);
+                                if ((_e916 + _e908) < _e916) {
+                                    let _e920 = atomicAdd((&output.member[2u]), 1u);
                                 }
-                                phi_2797_ = _e1504;
+                                phi_1633_ = _e916;
                             }
-                            let _e1521 = phi_2797_;
-                            atomicStore((&counters[6u]), _e1521);
+                            let _e933 = phi_1633_;
+                            atomicStore((&counters[6u]), _e933);
                         }
                         atomicStore((&counters[5u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e1525 = atomicLoad((&counters[6u]));
-                    phi_2805_ = type_9(0u, 4u);
-                    phi_2808_ = (_e1493 + _e1525);
+                    let _e937 = atomicLoad((&counters[6u]));
+                    phi_1641_ = type_9(0u, 4u);
+                    phi_1644_ = (_e905 + _e937);
                     loop {
-                        let _e1528 = phi_2805_;
-                        let _e1530 = phi_2808_;
-                        let _e1533 = (_e1528.member < _e1528.member_1);
-                        let _e1544 = select(type_9().member_1, _e1528.member, _e1533);
-                        let _e1546 = (bitcast<i32>(select(0u, 1u, _e1533)) != 0i);
-                        if _e1546 {
-                            let _e1549 = local_5;
-                            if (((_e1549 >> bitcast<u32>((_e1544 & 31u))) & 1u) == 1u) {
-                                let _e1557 = hits[(_e53 + (_e1544 * 128u))];
-                                let _e1560 = ((_e1557 >> bitcast<u32>(10i)) & 3u);
-                                let _e1568 = names[((_e1560 * 32u) + (_e1557 & 31u))];
-                                let _e1571 = firsts[(2u * _e1560)];
-                                let _e1576 = firsts[((2u * _e1560) + 1u)];
-                                let _e1579 = leaves.member[(_e1571 + ((_e1557 >> bitcast<u32>(5i)) & 31u))];
-                                let _e1582 = leaves.member[(_e1576 + _e1568)];
-                                if (_e74 == 1u) {
-                                    let _e1586 = (_e1579.w < _e1582.w);
-                                    phi_2906_ = type_9(select(_e1582.w, _e1579.w, _e1586), select(_e1579.w, _e1582.w, _e1586));
+                        let _e940 = phi_1641_;
+                        let _e942 = phi_1644_;
+                        let _e945 = (_e940.member < _e940.member_1);
+                        let _e956 = select(type_9().member_1, _e940.member, _e945);
+                        let _e958 = (bitcast<i32>(select(0u, 1u, _e945)) != 0i);
+                        if _e958 {
+                            let _e961 = local_3;
+                            if (((_e961 >> bitcast<u32>((_e956 & 31u))) & 1u) == 1u) {
+                                let _e969 = hits[(_e46 + (_e956 * 128u))];
+                                let _e972 = ((_e969 >> bitcast<u32>(10i)) & 3u);
+                                let _e980 = names[((_e972 * 32u) + (_e969 & 31u))];
+                                let _e983 = firsts[(2u * _e972)];
+                                let _e988 = firsts[((2u * _e972) + 1u)];
+                                let _e991 = leaves.member[(_e983 + ((_e969 >> bitcast<u32>(5i)) & 31u))];
+                                let _e994 = leaves.member[(_e988 + _e980)];
+                                if (_e103 == 1u) {
+                                    let _e998 = (_e991.w < _e994.w);
+                                    phi_1742_ = type_9(select(_e994.w, _e991.w, _e998), select(_e991.w, _e994.w, _e998));
                                 } else {
-                                    phi_2906_ = type_9(_e1579.w, _e1582.w);
+                                    phi_1742_ = type_9(_e991.w, _e994.w);
                                 }
-                                let _e1591 = phi_2906_;
-                                if (_e1530 < _e1488) {
-                                    let _e1595 = (2u * _e1530);
-                                    atomicStore((&output.member[(4u + _e1595)]), _e1591.member);
-                                    atomicStore((&output.member[(_e1595 + 5u)]), _e1591.member_1);
+                                let _e1003 = phi_1742_;
+                                if (_e942 < _e900) {
+                                    let _e1007 = (2u * _e942);
+                                    atomicStore((&output.member[(4u + _e1007)]), _e1003.member);
+                                    atomicStore((&output.member[(_e1007 + 5u)]), _e1003.member_1);
                                 }
-                                phi_2921_ = (_e1530 + 1u);
+                                phi_1757_ = (_e942 + 1u);
                             } else {
-                                phi_2921_ = _e1530;
+                                phi_1757_ = _e942;
                             }
-                            let _e1602 = phi_2921_;
-                            phi_2809_ = _e1602;
+                            let _e1014 = phi_1757_;
+                            phi_1645_ = _e1014;
                         } else {
-                            phi_2809_ = u32();
+                            phi_1645_ = u32();
                         }
-                        let _e1604 = phi_2809_;
+                        let _e1016 = phi_1645_;
                         continue;
                         continuing {
-                            phi_2805_ = type_9(select(_e1528.member, (_e1528.member + 1u), _e1533), select(_e1528.member_1, _e1528.member_1, _e1533));
-                            phi_2808_ = _e1604;
-                            break if !(_e1546);
+                            phi_1641_ = type_9(select(_e940.member, (_e940.member + 1u), _e945), select(_e940.member_1, _e940.member_1, _e945));
+                            phi_1644_ = _e1016;
+                            break if !(_e958);
                         }
                     }
                     workgroupBarrier();
                 }
                 continue;
                 continuing {
-                    phi_1084_ = type_9(select(_e584.member, (_e584.member + 1u), _e587), select(_e584.member_1, _e584.member_1, _e587));
-                    break if !(_e600);
+                    phi_1067_ = type_9(select(_e582.member, (_e582.member + 1u), _e585), select(_e582.member_1, _e582.member_1, _e585));
+                    break if !(_e598);
                 }
             }
-            phi_272_ = (_e119 + (_e52.x * _e52.y));
+            phi_251_ = (_e117 + (_e45.x * _e45.y));
         } else {
-            phi_272_ = u32();
+            phi_251_ = u32();
         }
-        let _e1608 = phi_272_;
+        let _e1020 = phi_251_;
         continue;
         continuing {
-            phi_271_ = _e1608;
-            break if !(_e125);
+            phi_250_ = _e1020;
+            break if !(_e123);
         }
     }
-    if (_e53 == 0u) {
-        let _e1612 = atomicLoad((&counters[7u]));
-        if (_e1612 > 0u) {
-            let _e1615 = atomicAdd((&output.member[1u]), _e1612);
-            if ((_e1615 + _e1612) < _e1615) {
-                let _e1619 = atomicAdd((&output.member[3u]), 1u);
+    if (_e46 == 0u) {
+        let _e1024 = atomicLoad((&counters[7u]));
+        if (_e1024 > 0u) {
+            let _e1027 = atomicAdd((&output.member[1u]), _e1024);
+            if ((_e1027 + _e1024) < _e1027) {
+                let _e1031 = atomicAdd((&output.member[3u]), 1u);
             }
         }
     }
@@ -922,5 +577,5 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(128, 1, 1) 
 fn list_candidates(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_6(id, n, lane);
+    function_(id, n, lane);
 }

@@ -68,22 +68,18 @@ struct type_22 {
     member: type_21,
 }
 
-struct type_25 {
-    member: array<array<array<u32, 2>, 6>>,
-}
-
-struct type_26 {
+struct type_23 {
     member: u32,
     member_1: array<u32, 4>,
 }
 
-struct type_30 {
+struct type_27 {
     member: array<atomic<u32>>,
 }
 
 var<workgroup> counters: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
-var<storage, read_write> output: type_30;
+var<storage, read_write> output: type_27;
 @group(0) @binding(0) 
 var<storage> params: type_22;
 @group(0) @binding(1) 
@@ -93,7 +89,7 @@ var<storage> elements: type_11;
 @group(0) @binding(3) 
 var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_25;
+var<storage> keys: type_11;
 @group(0) @binding(5) 
 var<storage> input: type_11;
 
@@ -107,70 +103,53 @@ fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
     return array<u32, 2>(select(param_2[0], param_3[0], _e14), select(param_2[1], param_3[1], _e14));
 }
 
-fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    let _e14 = select(select(false, (param_4[0] > param_5[0]), (param_4[1] == param_5[1])), true, (param_4[1] > param_5[1]));
-    return array<u32, 2>(select(param_4[0], param_5[0], _e14), select(param_4[1], param_5[1], _e14));
-}
-
-fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    let _e14 = select(select(false, (param_7[0] > param_6[0]), (param_7[1] == param_6[1])), true, (param_7[1] > param_6[1]));
-    return array<u32, 2>(select(param_6[0], param_7[0], _e14), select(param_6[1], param_7[1], _e14));
-}
-
-fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    let _e14 = select(select(false, (param_8[0] > param_9[0]), (param_8[1] == param_9[1])), true, (param_8[1] > param_9[1]));
-    return array<u32, 2>(select(param_8[0], param_9[0], _e14), select(param_8[1], param_9[1], _e14));
-}
-
-fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    let _e14 = select(select(false, (param_11[0] > param_10[0]), (param_11[1] == param_10[1])), true, (param_11[1] > param_10[1]));
-    return array<u32, 2>(select(param_10[0], param_11[0], _e14), select(param_10[1], param_11[1], _e14));
-}
-
-fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_291_: u32;
-    var phi_336_: u32;
-    var phi_339_: type_9;
-    var phi_502_: type_26;
-    var phi_539_: array<u32, 2>;
-    var phi_615_: bool;
-    var phi_620_: bool;
-    var phi_789_: bool;
-    var phi_830_: type_14;
-    var phi_833_: u32;
-    var phi_835_: u32;
-    var phi_831_: type_14;
-    var phi_876_: type_15;
-    var phi_952_: bool;
-    var phi_959_: u32;
-    var phi_960_: u32;
-    var phi_961_: bool;
-    var phi_834_: u32;
-    var phi_836_: u32;
-    var phi_962_: bool;
+fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
+    var phi_194_: u32;
+    var phi_239_: u32;
+    var phi_242_: type_9;
+    var phi_405_: type_23;
+    var phi_442_: array<u32, 2>;
+    var phi_518_: bool;
+    var phi_519_: bool;
+    var phi_688_: bool;
+    var phi_729_: type_14;
+    var phi_732_: u32;
+    var phi_730_: type_14;
+    var phi_773_: type_15;
+    var phi_852_: u32;
+    var phi_733_: u32;
     var local: u32;
     var local_1: u32;
-    var phi_1010_: bool;
-    var phi_1011_: bool;
-    var phi_1012_: bool;
-    var phi_1013_: bool;
-    var phi_1018_: bool;
-    var phi_1022_: bool;
-    var phi_1027_: bool;
-    var phi_1032_: bool;
-    var phi_1037_: bool;
-    var phi_1651_: bool;
-    var phi_1652_: bool;
-    var phi_1653_: bool;
-    var phi_1658_: bool;
-    var phi_1659_: bool;
-    var phi_1660_: bool;
-    var phi_1661_: bool;
-    var phi_1671_: u32;
-    var phi_1672_: u32;
-    var phi_1673_: bool;
-    var phi_1674_: type_9;
-    var phi_1724_: u32;
+    var phi_900_: bool;
+    var phi_901_: bool;
+    var phi_902_: bool;
+    var phi_903_: bool;
+    var phi_908_: bool;
+    var phi_912_: bool;
+    var phi_917_: bool;
+    var phi_922_: bool;
+    var phi_927_: bool;
+    var phi_974_: type_9;
+    var phi_1433_: bool;
+    var phi_1434_: bool;
+    var phi_1435_: bool;
+    var phi_1436_: bool;
+    var phi_1437_: bool;
+    var local_2: bool;
+    var local_3: bool;
+    var local_4: bool;
+    var phi_1454_: bool;
+    var phi_1455_: bool;
+    var phi_1456_: bool;
+    var phi_1461_: bool;
+    var phi_1462_: bool;
+    var phi_1463_: bool;
+    var phi_1464_: bool;
+    var phi_1474_: u32;
+    var phi_1475_: u32;
+    var phi_1476_: bool;
+    var phi_1477_: type_9;
+    var phi_1527_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -178,406 +157,410 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e33 = id_2;
-    let _e34 = n_2;
-    let _e35 = lane_2;
-    let _e47 = ((_e33.y * _e34.x) + _e33.x);
-    let _e50 = (_e34.x * _e34.y);
-    let _e54 = params.member.member_2.member;
-    let _e56 = params.member.member_1.member_2;
-    let _e58 = input.member[0u];
-    let _e60 = select(_e58, _e56, (_e56 < _e58));
-    let _e62 = params.member.member_1.member_1;
-    if (_e60 > _e62) {
-        let _e65 = params.member.member_1.member_1;
-        phi_291_ = (_e60 - _e65);
+    let _e36 = id_2;
+    let _e37 = n_2;
+    let _e38 = lane_2;
+    let _e50 = ((_e36.y * _e37.x) + _e36.x);
+    let _e53 = (_e37.x * _e37.y);
+    let _e57 = params.member.member_2.member;
+    let _e59 = params.member.member_1.member_2;
+    let _e61 = input.member[0u];
+    let _e63 = select(_e61, _e59, (_e59 < _e61));
+    let _e65 = params.member.member_1.member_1;
+    if (_e63 > _e65) {
+        let _e68 = params.member.member_1.member_1;
+        phi_194_ = (_e63 - _e68);
     } else {
-        phi_291_ = 0u;
+        phi_194_ = 0u;
     }
-    let _e68 = phi_291_;
-    let _e70 = params.member.member_1.member;
-    let _e72 = select(_e68, _e70, (_e70 < _e68));
-    let _e73 = (_e72 / 128u);
-    let _e77 = select(_e73, (_e73 + 1u), ((_e72 % 128u) > 0u));
-    if (_e77 > _e47) {
-        let _e79 = (_e77 - _e47);
-        if (_e50 == 0u) {
+    let _e71 = phi_194_;
+    let _e73 = params.member.member_1.member;
+    let _e75 = select(_e71, _e73, (_e73 < _e71));
+    let _e76 = (_e75 / 128u);
+    let _e80 = select(_e76, (_e76 + 1u), ((_e75 % 128u) > 0u));
+    if (_e80 > _e50) {
+        let _e82 = (_e80 - _e50);
+        if (_e53 == 0u) {
             return;
         }
-        let _e81 = (_e79 / _e50);
-        if (_e50 == 0u) {
+        let _e84 = (_e82 / _e53);
+        if (_e53 == 0u) {
             return;
         }
-        phi_336_ = select(_e81, (_e81 + 1u), ((_e79 % _e50) > 0u));
+        phi_239_ = select(_e84, (_e84 + 1u), ((_e82 % _e53) > 0u));
     } else {
-        phi_336_ = 0u;
+        phi_239_ = 0u;
     }
-    let _e88 = phi_336_;
-    phi_339_ = type_9(0u, _e88);
+    let _e91 = phi_239_;
+    phi_242_ = type_9(0u, _e91);
     loop {
-        let _e91 = phi_339_;
-        let _e94 = (_e91.member < _e91.member_1);
-        let _e107 = (bitcast<i32>(select(0u, 1u, _e94)) != 0i);
-        if _e107 {
-            let _e111 = (((_e47 + (select(type_9().member_1, _e91.member, _e94) * _e50)) * 128u) + _e35);
-            if (_e35 == 0u) {
+        let _e94 = phi_242_;
+        let _e97 = (_e94.member < _e94.member_1);
+        let _e110 = (bitcast<i32>(select(0u, 1u, _e97)) != 0i);
+        if _e110 {
+            let _e114 = (((_e50 + (select(type_9().member_1, _e94.member, _e97) * _e53)) * 128u) + _e38);
+            if (_e38 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if (_e111 < _e72) {
-                let _e116 = params.member.member_1.member_1;
-                let _e118 = (2u * (_e116 + _e111));
-                let _e121 = input.member[(4u + _e118)];
-                let _e124 = input.member[(_e118 + 5u)];
-                if (_e54 == 0u) {
-                    let _e144 = params.member.member.member[1u];
-                    let _e147 = ((2u * _e144) + (3u * _e124));
-                    let _e149 = elements.member[_e147];
-                    let _e152 = elements.member[(_e147 + 1u)];
-                    let _e155 = elements.member[(_e147 + 2u)];
-                    phi_502_ = type_26(0u, array<u32, 4>(_e121, _e149, _e152, _e155));
+            if (_e114 < _e75) {
+                let _e119 = params.member.member_1.member_1;
+                let _e121 = (2u * (_e119 + _e114));
+                let _e124 = input.member[(4u + _e121)];
+                let _e127 = input.member[(_e121 + 5u)];
+                if (_e57 == 0u) {
+                    let _e147 = params.member.member.member[1u];
+                    let _e150 = ((2u * _e147) + (3u * _e127));
+                    let _e152 = elements.member[_e150];
+                    let _e155 = elements.member[(_e150 + 1u)];
+                    let _e158 = elements.member[(_e150 + 2u)];
+                    phi_405_ = type_23(0u, array<u32, 4>(_e124, _e152, _e155, _e158));
                 } else {
-                    let _e128 = (2u * _e121);
-                    let _e130 = elements.member[_e128];
-                    let _e133 = elements.member[(_e128 + 1u)];
-                    let _e134 = (2u * _e124);
-                    let _e136 = elements.member[_e134];
-                    let _e139 = elements.member[(_e134 + 1u)];
-                    phi_502_ = type_26(1u, array<u32, 4>(_e130, _e133, _e136, _e139));
+                    let _e131 = (2u * _e124);
+                    let _e133 = elements.member[_e131];
+                    let _e136 = elements.member[(_e131 + 1u)];
+                    let _e137 = (2u * _e127);
+                    let _e139 = elements.member[_e137];
+                    let _e142 = elements.member[(_e137 + 1u)];
+                    phi_405_ = type_23(1u, array<u32, 4>(_e133, _e136, _e139, _e142));
                 }
-                let _e159 = phi_502_;
-                let _e165 = (_e54 == 0u);
-                let _e166 = select(_e159.member_1[2], _e159.member_1[1], _e165);
-                let _e167 = select(_e159.member_1[3], _e159.member_1[2], _e165);
-                let _e168 = select(_e159.member_1[1], _e159.member_1[0], _e165);
-                let _e169 = select(_e159.member_1[1], _e159.member_1[0], _e165);
-                if (_e54 == 0u) {
-                    let _e183 = params.member.member.member_2[2u];
-                    phi_539_ = array<u32, 2>(_e121, (_e183 + _e124));
+                let _e162 = phi_405_;
+                let _e168 = (_e57 == 0u);
+                let _e169 = select(_e162.member_1[2], _e162.member_1[1], _e168);
+                let _e170 = select(_e162.member_1[3], _e162.member_1[2], _e168);
+                let _e171 = select(_e162.member_1[1], _e162.member_1[0], _e168);
+                let _e172 = select(_e162.member_1[1], _e162.member_1[0], _e168);
+                if (_e57 == 0u) {
+                    let _e186 = params.member.member.member_2[2u];
+                    phi_442_ = array<u32, 2>(_e124, (_e186 + _e127));
                 } else {
-                    let _e174 = params.member.member.member_2[1u];
-                    let _e178 = params.member.member.member_2[1u];
-                    phi_539_ = array<u32, 2>((_e174 + _e121), (_e178 + _e124));
+                    let _e177 = params.member.member.member_2[1u];
+                    let _e181 = params.member.member.member_2[1u];
+                    phi_442_ = array<u32, 2>((_e177 + _e124), (_e181 + _e127));
                 }
-                let _e187 = phi_539_;
-                let _e191 = boxes.member[_e187[0]];
-                let _e193 = boxes.member[_e187[1]];
-                let _e196 = params.member.member.member_1;
-                if ((_e196 & 1u) != 0u) {
-                    if (_e54 == 0u) {
-                        phi_615_ = ((select((_e166 == _e159.member_1[0]), true, (_e166 == _e159.member_1[0])) || select((_e167 == _e159.member_1[0]), true, (_e167 == _e159.member_1[0]))) || select((_e159.member_1[3] == _e159.member_1[0]), true, (_e159.member_1[3] == _e159.member_1[0])));
+                let _e190 = phi_442_;
+                let _e194 = boxes.member[_e190[0]];
+                let _e196 = boxes.member[_e190[1]];
+                let _e199 = params.member.member.member_1;
+                if ((_e199 & 1u) != 0u) {
+                    if (_e57 == 0u) {
+                        phi_518_ = ((select((_e169 == _e162.member_1[0]), true, (_e169 == _e162.member_1[0])) || select((_e170 == _e162.member_1[0]), true, (_e170 == _e162.member_1[0]))) || select((_e162.member_1[3] == _e162.member_1[0]), true, (_e162.member_1[3] == _e162.member_1[0])));
                     } else {
-                        phi_615_ = (select((_e166 == _e168), true, (_e166 == _e159.member_1[0])) || select((_e167 == _e168), true, (_e167 == _e159.member_1[0])));
+                        phi_518_ = (select((_e169 == _e171), true, (_e169 == _e162.member_1[0])) || select((_e170 == _e171), true, (_e170 == _e162.member_1[0])));
                     }
-                    let _e219 = phi_615_;
-                    phi_620_ = select(true, false, _e219);
+                    let _e222 = phi_518_;
+                    phi_519_ = _e222;
                 } else {
-                    phi_620_ = true;
+                    phi_519_ = false;
                 }
-                let _e222 = phi_620_;
-                if _e222 {
-                    let _e224 = params.member.member.member_1;
-                    if ((_e224 & 2u) != 0u) {
-                        let _e228 = bodies.member[_e159.member_1[0]];
-                        let _e230 = bodies.member[_e166];
-                        if select(false, (((_e228 & _e230) & 1u) == 0u), select(select(true, false, ((_e228 & 2u) == 0u)), true, ((_e228 / 4u) != (_e230 / 4u)))) {
-                            let _e243 = params.member.member.member_1;
-                            if ((_e243 & 4u) != 0u) {
-                                let _e248 = params.member.member.member[0u];
-                                let _e250 = bodies.member[_e248];
-                                let _e253 = bodies.member[(_e248 + 1u)];
-                                let _e258 = ((_e248 + 4u) + (2u * (_e228 >> bitcast<u32>(2i))));
-                                let _e263 = ((_e248 + 4u) + (2u * (_e230 >> bitcast<u32>(2i))));
-                                let _e265 = bodies.member[_e258];
-                                let _e267 = bodies.member[_e263];
-                                let _e276 = bodies.member[((((_e248 + 4u) + (2u * _e250)) + (_e265 * _e253)) + (_e267 / 32u))];
-                                let _e279 = bodies.member[(_e258 + 1u)];
-                                let _e282 = bodies.member[(_e263 + 1u)];
-                                if (_e279 == _e282) {
-                                    phi_789_ = select(((_e228 >> bitcast<u32>(2i)) == (_e230 >> bitcast<u32>(2i))), true, (((_e276 >> bitcast<u32>(((_e267 % 32u) & 31u))) & 1u) == 1u));
+                let _e224 = phi_519_;
+                if _e224 {
+                    phi_1463_ = false;
+                    phi_1464_ = true;
+                } else {
+                    let _e226 = params.member.member.member_1;
+                    if ((_e226 & 2u) != 0u) {
+                        let _e230 = bodies.member[_e162.member_1[0]];
+                        let _e232 = bodies.member[_e169];
+                        if select(false, (((_e230 & _e232) & 1u) == 0u), select(select(true, false, ((_e230 & 2u) == 0u)), true, ((_e230 / 4u) != (_e232 / 4u)))) {
+                            let _e245 = params.member.member.member_1;
+                            if ((_e245 & 4u) != 0u) {
+                                let _e250 = params.member.member.member[0u];
+                                let _e252 = bodies.member[_e250];
+                                let _e255 = bodies.member[(_e250 + 1u)];
+                                let _e260 = ((_e250 + 4u) + (2u * (_e230 >> bitcast<u32>(2i))));
+                                let _e265 = ((_e250 + 4u) + (2u * (_e232 >> bitcast<u32>(2i))));
+                                let _e267 = bodies.member[_e260];
+                                let _e269 = bodies.member[_e265];
+                                let _e278 = bodies.member[((((_e250 + 4u) + (2u * _e252)) + (_e267 * _e255)) + (_e269 / 32u))];
+                                let _e281 = bodies.member[(_e260 + 1u)];
+                                let _e284 = bodies.member[(_e265 + 1u)];
+                                if (_e281 == _e284) {
+                                    phi_688_ = select(((_e230 >> bitcast<u32>(2i)) == (_e232 >> bitcast<u32>(2i))), true, (((_e278 >> bitcast<u32>(((_e269 % 32u) & 31u))) & 1u) == 1u));
                                 } else {
-                                    phi_789_ = false;
+                                    phi_688_ = false;
                                 }
-                                let _e297 = phi_789_;
-                                if _e297 {
-                                    let _e300 = bodies.member[(_e248 + 2u)];
-                                    let _e303 = bodies.member[(_e248 + 3u)];
-                                    let _e304 = (_e303 + _e248);
-                                    let _e305 = (_e54 == 1u);
-                                    let _e306 = (_e124 < _e121);
-                                    let _e309 = select(_e124, select(_e124, _e121, _e306), _e305);
-                                    let _e310 = select(_e121, select(_e121, _e124, _e306), _e305);
-                                    phi_830_ = type_14(0i, 32i);
-                                    phi_833_ = _e300;
-                                    phi_835_ = 0u;
+                                let _e299 = phi_688_;
+                                if _e299 {
+                                    let _e302 = bodies.member[(_e250 + 2u)];
+                                    let _e305 = bodies.member[(_e250 + 3u)];
+                                    let _e306 = (_e305 + _e250);
+                                    let _e307 = (_e57 == 1u);
+                                    let _e308 = (_e127 < _e124);
+                                    let _e311 = select(_e127, select(_e127, _e124, _e308), _e307);
+                                    let _e312 = select(_e124, select(_e124, _e127, _e308), _e307);
+                                    phi_729_ = type_14(0i, 32i);
+                                    phi_732_ = 0u;
                                     loop {
-                                        let _e312 = phi_830_;
-                                        let _e314 = phi_833_;
-                                        let _e316 = phi_835_;
+                                        let _e314 = phi_729_;
+                                        let _e316 = phi_732_;
                                         local = _e316;
                                         local_1 = _e316;
-                                        if (_e312.member < _e312.member_1) {
-                                            let _e323 = (_e312.member + 1i);
-                                            phi_831_ = type_14(select(_e323, type_15().member_1, select(false, true, ((false == (_e323 > _e312.member)) != false))), _e312.member_1);
-                                            phi_876_ = type_15(1u, _e312.member);
+                                        if (_e314.member < _e314.member_1) {
+                                            let _e323 = (_e314.member + 1i);
+                                            phi_730_ = type_14(select(_e323, type_15().member_1, select(false, true, ((false == (_e323 > _e314.member)) != false))), _e314.member_1);
+                                            phi_773_ = type_15(1u, _e314.member);
                                         } else {
-                                            phi_831_ = _e312;
-                                            phi_876_ = type_15(0u, type_15().member_1);
+                                            phi_730_ = _e314;
+                                            phi_773_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e334 = phi_831_;
-                                        let _e336 = phi_876_;
-                                        if (bitcast<i32>(_e336.member) != 0i) {
-                                            if (_e316 >= _e314) {
-                                                phi_959_ = u32();
-                                                phi_960_ = u32();
-                                                phi_961_ = false;
+                                        let _e334 = phi_730_;
+                                        let _e336 = phi_773_;
+                                        let _e340 = (bitcast<i32>(_e336.member) != 0i);
+                                        if _e340 {
+                                            let _e345 = (_e316 | (1u << bitcast<u32>(((31i - _e336.member_1) & 31i))));
+                                            if (_e345 <= _e302) {
+                                                let _e349 = (_e306 + (3u * (_e345 - 1u)));
+                                                let _e351 = bodies.member[_e349];
+                                                let _e354 = bodies.member[(_e349 + 1u)];
+                                                let _e357 = bodies.member[(_e349 + 2u)];
+                                                phi_852_ = select(_e316, _e345, select(select(false, select(select(false, (_e357 < _e311), (_e354 == _e312)), true, (_e354 < _e312)), (_e351 == _e57)), true, (_e351 < _e57)));
                                             } else {
-                                                let _e343 = (_e316 + ((_e314 - _e316) / 2u));
-                                                let _e345 = (_e304 + (3u * _e343));
-                                                let _e347 = bodies.member[_e345];
-                                                let _e350 = bodies.member[(_e345 + 1u)];
-                                                let _e353 = bodies.member[(_e345 + 2u)];
-                                                if (_e347 < _e54) {
-                                                    phi_952_ = true;
-                                                } else {
-                                                    phi_952_ = select(true, false, select(true, select(select(true, select(true, false, (_e353 < _e309)), (_e350 == _e310)), false, (_e350 < _e310)), (_e347 == _e54)));
-                                                }
-                                                let _e365 = phi_952_;
-                                                phi_959_ = select(_e343, _e314, _e365);
-                                                phi_960_ = select(_e316, (_e343 + 1u), _e365);
-                                                phi_961_ = true;
+                                                phi_852_ = _e316;
                                             }
-                                            let _e370 = phi_959_;
-                                            let _e372 = phi_960_;
-                                            let _e374 = phi_961_;
-                                            phi_834_ = _e370;
-                                            phi_836_ = _e372;
-                                            phi_962_ = _e374;
+                                            let _e369 = phi_852_;
+                                            phi_733_ = _e369;
                                         } else {
-                                            phi_834_ = u32();
-                                            phi_836_ = u32();
-                                            phi_962_ = false;
+                                            phi_733_ = u32();
                                         }
-                                        let _e376 = phi_834_;
-                                        let _e378 = phi_836_;
-                                        let _e380 = phi_962_;
+                                        let _e371 = phi_733_;
                                         continue;
                                         continuing {
-                                            phi_830_ = _e334;
-                                            phi_833_ = _e376;
-                                            phi_835_ = _e378;
-                                            break if !(_e380);
+                                            phi_729_ = _e334;
+                                            phi_732_ = _e371;
+                                            break if !(_e340);
                                         }
                                     }
-                                    let _e383 = local;
-                                    if (_e383 < _e300) {
-                                        let _e386 = local_1;
-                                        let _e388 = (_e304 + (3u * _e386));
-                                        let _e390 = bodies.member[_e388];
-                                        if (_e390 == _e54) {
-                                            let _e394 = bodies.member[(_e388 + 1u)];
-                                            if (_e394 == _e310) {
-                                                let _e398 = bodies.member[(_e388 + 2u)];
-                                                phi_1010_ = (_e398 == _e309);
-                                                phi_1011_ = false;
+                                    let _e374 = local;
+                                    if (_e374 < _e302) {
+                                        let _e377 = local_1;
+                                        let _e379 = (_e306 + (3u * _e377));
+                                        let _e381 = bodies.member[_e379];
+                                        if (_e381 == _e57) {
+                                            let _e385 = bodies.member[(_e379 + 1u)];
+                                            if (_e385 == _e312) {
+                                                let _e389 = bodies.member[(_e379 + 2u)];
+                                                phi_900_ = (_e389 == _e311);
+                                                phi_901_ = false;
                                             } else {
-                                                phi_1010_ = bool();
-                                                phi_1011_ = true;
+                                                phi_900_ = bool();
+                                                phi_901_ = true;
                                             }
-                                            let _e401 = phi_1010_;
-                                            let _e403 = phi_1011_;
-                                            phi_1012_ = _e401;
-                                            phi_1013_ = _e403;
+                                            let _e392 = phi_900_;
+                                            let _e394 = phi_901_;
+                                            phi_902_ = _e392;
+                                            phi_903_ = _e394;
                                         } else {
-                                            phi_1012_ = bool();
-                                            phi_1013_ = true;
+                                            phi_902_ = bool();
+                                            phi_903_ = true;
                                         }
-                                        let _e405 = phi_1012_;
-                                        let _e407 = phi_1013_;
-                                        phi_1018_ = select(_e405, false, _e407);
+                                        let _e396 = phi_902_;
+                                        let _e398 = phi_903_;
+                                        phi_908_ = select(_e396, false, _e398);
                                     } else {
-                                        phi_1018_ = false;
+                                        phi_908_ = false;
                                     }
-                                    let _e410 = phi_1018_;
-                                    phi_1022_ = _e410;
+                                    let _e401 = phi_908_;
+                                    phi_912_ = _e401;
                                 } else {
-                                    phi_1022_ = true;
+                                    phi_912_ = true;
                                 }
-                                let _e412 = phi_1022_;
-                                phi_1027_ = select(true, false, _e412);
+                                let _e403 = phi_912_;
+                                phi_917_ = select(true, false, _e403);
                             } else {
-                                phi_1027_ = true;
+                                phi_917_ = true;
                             }
-                            let _e415 = phi_1027_;
-                            phi_1032_ = select(true, false, _e415);
+                            let _e406 = phi_917_;
+                            phi_922_ = select(true, false, _e406);
                         } else {
-                            phi_1032_ = true;
+                            phi_922_ = true;
                         }
-                        let _e418 = phi_1032_;
-                        phi_1037_ = select(true, false, _e418);
+                        let _e409 = phi_922_;
+                        phi_927_ = select(true, false, _e409);
                     } else {
-                        phi_1037_ = true;
+                        phi_927_ = true;
                     }
-                    let _e421 = phi_1037_;
-                    if _e421 {
-                        let _e423 = params.member.member.member_1;
-                        if ((_e423 & 32u) != 0u) {
-                            let _e427 = params.member.member.member_6;
-                            let _e468 = (((((_e191.member_1[0] - _e193.member[0]) > _e427) && ((_e193.member_1[0] - _e191.member[0]) > _e427)) && (((_e191.member_1[1] - _e193.member[1]) > _e427) && ((_e193.member_1[1] - _e191.member[1]) > _e427))) && (((_e191.member_1[2] - _e193.member[2]) > _e427) && ((_e193.member_1[2] - _e191.member[2]) > _e427)));
-                            if _e468 {
-                                phi_1651_ = bool();
+                    let _e412 = phi_927_;
+                    if _e412 {
+                        let _e414 = params.member.member.member_1;
+                        if ((_e414 & 32u) != 0u) {
+                            let _e418 = params.member.member.member_6;
+                            let _e459 = (((((_e194.member_1[0] - _e196.member[0]) > _e418) && ((_e196.member_1[0] - _e194.member[0]) > _e418)) && (((_e194.member_1[1] - _e196.member[1]) > _e418) && ((_e196.member_1[1] - _e194.member[1]) > _e418))) && (((_e194.member_1[2] - _e196.member[2]) > _e418) && ((_e196.member_1[2] - _e194.member[2]) > _e418)));
+                            if _e459 {
+                                phi_1454_ = bool();
                             } else {
-                                let _e470 = keys.member[_e159.member_1[0]];
-                                let _e473 = keys.member[_e168];
-                                let _e475 = function_(_e470[0], _e473[0]);
-                                let _e477 = keys.member[_e169];
-                                let _e479 = function_(_e475, _e477[0]);
-                                let _e481 = keys.member[_e166];
-                                let _e484 = keys.member[_e167];
-                                let _e486 = function_1(_e481[3], _e484[3]);
-                                let _e488 = keys.member[_e159.member_1[3]];
-                                let _e490 = function_1(_e486, _e488[3]);
-                                let _e504 = keys.member[_e166];
-                                let _e507 = keys.member[_e167];
-                                let _e509 = function_(_e504[0], _e507[0]);
-                                let _e511 = keys.member[_e159.member_1[3]];
-                                let _e513 = function_(_e509, _e511[0]);
-                                let _e515 = keys.member[_e159.member_1[0]];
-                                let _e518 = keys.member[_e168];
-                                let _e520 = function_1(_e515[3], _e518[3]);
-                                let _e522 = keys.member[_e169];
-                                let _e524 = function_1(_e520, _e522[3]);
-                                let _e539 = keys.member[_e159.member_1[0]];
-                                let _e542 = keys.member[_e168];
-                                let _e544 = function_2(_e539[1], _e542[1]);
-                                let _e546 = keys.member[_e169];
-                                let _e548 = function_2(_e544, _e546[1]);
-                                let _e550 = keys.member[_e166];
-                                let _e553 = keys.member[_e167];
-                                let _e555 = function_3(_e550[4], _e553[4]);
-                                let _e557 = keys.member[_e159.member_1[3]];
-                                let _e559 = function_3(_e555, _e557[4]);
-                                let _e573 = keys.member[_e166];
-                                let _e576 = keys.member[_e167];
-                                let _e578 = function_2(_e573[1], _e576[1]);
-                                let _e580 = keys.member[_e159.member_1[3]];
-                                let _e582 = function_2(_e578, _e580[1]);
-                                let _e584 = keys.member[_e159.member_1[0]];
-                                let _e587 = keys.member[_e168];
-                                let _e589 = function_3(_e584[4], _e587[4]);
-                                let _e591 = keys.member[_e169];
-                                let _e593 = function_3(_e589, _e591[4]);
-                                let _e609 = keys.member[_e159.member_1[0]];
-                                let _e612 = keys.member[_e168];
-                                let _e614 = function_4(_e609[2], _e612[2]);
-                                let _e616 = keys.member[_e169];
-                                let _e618 = function_4(_e614, _e616[2]);
-                                let _e620 = keys.member[_e166];
-                                let _e623 = keys.member[_e167];
-                                let _e625 = function_5(_e620[5], _e623[5]);
-                                let _e627 = keys.member[_e159.member_1[3]];
-                                let _e629 = function_5(_e625, _e627[5]);
-                                let _e643 = keys.member[_e166];
-                                let _e646 = keys.member[_e167];
-                                let _e648 = function_4(_e643[2], _e646[2]);
-                                let _e650 = keys.member[_e159.member_1[3]];
-                                let _e652 = function_4(_e648, _e650[2]);
-                                let _e654 = keys.member[_e159.member_1[0]];
-                                let _e657 = keys.member[_e168];
-                                let _e659 = function_5(_e654[5], _e657[5]);
-                                let _e661 = keys.member[_e169];
-                                let _e663 = function_5(_e659, _e661[5]);
-                                phi_1651_ = (((!(select(select(false, (_e479[0] > _e490[0]), (_e479[1] == _e490[1])), true, (_e479[1] > _e490[1]))) && !(select(select(false, (_e513[0] > _e524[0]), (_e513[1] == _e524[1])), true, (_e513[1] > _e524[1])))) && (!(select(select(false, (_e548[0] > _e559[0]), (_e548[1] == _e559[1])), true, (_e548[1] > _e559[1]))) && !(select(select(false, (_e582[0] > _e593[0]), (_e582[1] == _e593[1])), true, (_e582[1] > _e593[1]))))) && (!(select(select(false, (_e618[0] > _e629[0]), (_e618[1] == _e629[1])), true, (_e618[1] > _e629[1]))) && !(select(select(false, (_e652[0] > _e663[0]), (_e652[1] == _e663[1])), true, (_e652[1] > _e663[1])))));
+                                phi_974_ = type_9(0u, 3u);
+                                loop {
+                                    let _e461 = phi_974_;
+                                    let _e464 = (_e461.member < _e461.member_1);
+                                    let _e475 = select(type_9().member_1, _e461.member, _e464);
+                                    if (bitcast<i32>(select(0u, 1u, _e464)) != 0i) {
+                                        let _e479 = ((6u * _e162.member_1[0]) + _e475);
+                                        let _e482 = keys.member[(2u * _e479)];
+                                        let _e486 = keys.member[((2u * _e479) + 1u)];
+                                        let _e489 = ((6u * _e171) + _e475);
+                                        let _e492 = keys.member[(2u * _e489)];
+                                        let _e496 = keys.member[((2u * _e489) + 1u)];
+                                        let _e498 = function_(array<u32, 2>(_e482, _e486), array<u32, 2>(_e492, _e496));
+                                        let _e500 = ((6u * _e172) + _e475);
+                                        let _e503 = keys.member[(2u * _e500)];
+                                        let _e507 = keys.member[((2u * _e500) + 1u)];
+                                        let _e509 = function_(_e498, array<u32, 2>(_e503, _e507));
+                                        let _e512 = (((6u * _e169) + 3u) + _e475);
+                                        let _e515 = keys.member[(2u * _e512)];
+                                        let _e519 = keys.member[((2u * _e512) + 1u)];
+                                        let _e523 = (((6u * _e170) + 3u) + _e475);
+                                        let _e526 = keys.member[(2u * _e523)];
+                                        let _e530 = keys.member[((2u * _e523) + 1u)];
+                                        let _e532 = function_1(array<u32, 2>(_e515, _e519), array<u32, 2>(_e526, _e530));
+                                        let _e535 = (((6u * _e162.member_1[3]) + 3u) + _e475);
+                                        let _e538 = keys.member[(2u * _e535)];
+                                        let _e542 = keys.member[((2u * _e535) + 1u)];
+                                        let _e544 = function_1(_e532, array<u32, 2>(_e538, _e542));
+                                        let _e555 = select(select(false, (_e509[0] > _e544[0]), (_e509[1] == _e544[1])), true, (_e509[1] > _e544[1]));
+                                        if _e555 {
+                                            phi_1433_ = false;
+                                            phi_1434_ = false;
+                                        } else {
+                                            let _e557 = ((6u * _e169) + _e475);
+                                            let _e560 = keys.member[(2u * _e557)];
+                                            let _e564 = keys.member[((2u * _e557) + 1u)];
+                                            let _e567 = ((6u * _e170) + _e475);
+                                            let _e570 = keys.member[(2u * _e567)];
+                                            let _e574 = keys.member[((2u * _e567) + 1u)];
+                                            let _e576 = function_(array<u32, 2>(_e560, _e564), array<u32, 2>(_e570, _e574));
+                                            let _e578 = ((6u * _e162.member_1[3]) + _e475);
+                                            let _e581 = keys.member[(2u * _e578)];
+                                            let _e585 = keys.member[((2u * _e578) + 1u)];
+                                            let _e587 = function_(_e576, array<u32, 2>(_e581, _e585));
+                                            let _e590 = (((6u * _e162.member_1[0]) + 3u) + _e475);
+                                            let _e593 = keys.member[(2u * _e590)];
+                                            let _e597 = keys.member[((2u * _e590) + 1u)];
+                                            let _e601 = (((6u * _e171) + 3u) + _e475);
+                                            let _e604 = keys.member[(2u * _e601)];
+                                            let _e608 = keys.member[((2u * _e601) + 1u)];
+                                            let _e610 = function_1(array<u32, 2>(_e593, _e597), array<u32, 2>(_e604, _e608));
+                                            let _e613 = (((6u * _e172) + 3u) + _e475);
+                                            let _e616 = keys.member[(2u * _e613)];
+                                            let _e620 = keys.member[((2u * _e613) + 1u)];
+                                            let _e622 = function_1(_e610, array<u32, 2>(_e616, _e620));
+                                            let _e633 = select(select(false, (_e587[0] > _e622[0]), (_e587[1] == _e622[1])), true, (_e587[1] > _e622[1]));
+                                            phi_1433_ = select(true, false, _e633);
+                                            phi_1434_ = _e633;
+                                        }
+                                        let _e636 = phi_1433_;
+                                        let _e638 = phi_1434_;
+                                        phi_1435_ = _e636;
+                                        phi_1436_ = _e555;
+                                        phi_1437_ = _e638;
+                                    } else {
+                                        phi_1435_ = false;
+                                        phi_1436_ = false;
+                                        phi_1437_ = false;
+                                    }
+                                    let _e640 = phi_1435_;
+                                    let _e642 = phi_1436_;
+                                    let _e644 = phi_1437_;
+                                    local_2 = _e642;
+                                    local_3 = _e644;
+                                    local_4 = _e642;
+                                    continue;
+                                    continuing {
+                                        phi_974_ = type_9(select(_e461.member, (_e461.member + 1u), _e464), select(_e461.member_1, _e461.member_1, _e464));
+                                        break if !(_e640);
+                                    }
+                                }
+                                let _e647 = local_2;
+                                let _e649 = local_3;
+                                let _e652 = local_4;
+                                phi_1454_ = select(false, true, select(true, false, select(_e652, true, select(_e649, false, _e647))));
                             }
-                            let _e679 = phi_1651_;
-                            phi_1652_ = _e679;
-                            phi_1653_ = _e468;
+                            let _e657 = phi_1454_;
+                            phi_1455_ = _e657;
+                            phi_1456_ = _e459;
                         } else {
-                            phi_1652_ = bool();
-                            phi_1653_ = true;
+                            phi_1455_ = bool();
+                            phi_1456_ = true;
                         }
-                        let _e681 = phi_1652_;
-                        let _e683 = phi_1653_;
-                        phi_1658_ = _e681;
-                        phi_1659_ = select(true, false, _e683);
+                        let _e659 = phi_1455_;
+                        let _e661 = phi_1456_;
+                        phi_1461_ = _e659;
+                        phi_1462_ = select(true, false, _e661);
                     } else {
-                        phi_1658_ = false;
-                        phi_1659_ = true;
+                        phi_1461_ = false;
+                        phi_1462_ = true;
                     }
-                    let _e686 = phi_1658_;
-                    let _e688 = phi_1659_;
-                    phi_1660_ = _e686;
-                    phi_1661_ = _e688;
-                } else {
-                    phi_1660_ = false;
-                    phi_1661_ = true;
+                    let _e664 = phi_1461_;
+                    let _e666 = phi_1462_;
+                    phi_1463_ = _e664;
+                    phi_1464_ = _e666;
                 }
-                let _e690 = phi_1660_;
-                let _e692 = phi_1661_;
-                let _e693 = select(true, _e690, _e692);
-                if _e693 {
-                    let _e695 = atomicAdd((&counters[0u]), 1u);
-                    phi_1671_ = _e695;
+                let _e668 = phi_1463_;
+                let _e670 = phi_1464_;
+                let _e671 = select(true, _e668, _e670);
+                if _e671 {
+                    let _e673 = atomicAdd((&counters[0u]), 1u);
+                    phi_1474_ = _e673;
                 } else {
-                    phi_1671_ = 0u;
+                    phi_1474_ = 0u;
                 }
-                let _e697 = phi_1671_;
-                phi_1672_ = _e697;
-                phi_1673_ = _e693;
-                phi_1674_ = type_9(_e121, _e124);
+                let _e675 = phi_1474_;
+                phi_1475_ = _e675;
+                phi_1476_ = _e671;
+                phi_1477_ = type_9(_e124, _e127);
             } else {
-                phi_1672_ = 0u;
-                phi_1673_ = false;
-                phi_1674_ = type_9(0u, 0u);
+                phi_1475_ = 0u;
+                phi_1476_ = false;
+                phi_1477_ = type_9(0u, 0u);
             }
-            let _e699 = phi_1672_;
-            let _e701 = phi_1673_;
-            let _e703 = phi_1674_;
+            let _e677 = phi_1475_;
+            let _e679 = phi_1476_;
+            let _e681 = phi_1477_;
             workgroupBarrier();
-            if (_e35 == 0u) {
-                let _e706 = atomicLoad((&counters[0u]));
-                if (_e706 > 0u) {
-                    let _e710 = params.member.member.member_1;
-                    if ((_e710 & 1024u) != 0u) {
-                        let _e720 = atomicAdd((&output.member[0u]), _e706);
-                        let _e721 = (_e720 + _e706);
-                        let _e723 = select(_e721, 4294967295u, (_e721 < _e720));
-                        let _e726 = params.member.member_1.member_3;
-                        if (_e723 > _e726) {
-                            let _e729 = atomicMax((&output.member[2u]), _e723);
+            if (_e38 == 0u) {
+                let _e684 = atomicLoad((&counters[0u]));
+                if (_e684 > 0u) {
+                    let _e688 = params.member.member.member_1;
+                    if ((_e688 & 1024u) != 0u) {
+                        let _e698 = atomicAdd((&output.member[0u]), _e684);
+                        let _e699 = (_e698 + _e684);
+                        let _e701 = select(_e699, 4294967295u, (_e699 < _e698));
+                        let _e704 = params.member.member_1.member_3;
+                        if (_e701 > _e704) {
+                            let _e707 = atomicMax((&output.member[2u]), _e701);
                         }
-                        phi_1724_ = _e720;
+                        phi_1527_ = _e698;
                     } else {
-                        let _e714 = atomicAdd((&output.member[0u]), _e706);
-                        if ((_e714 + _e706) < _e714) {
-                            let _e718 = atomicAdd((&output.member[2u]), 1u);
+                        let _e692 = atomicAdd((&output.member[0u]), _e684);
+                        if ((_e692 + _e684) < _e692) {
+                            let _e696 = atomicAdd((&output.member[2u]), 1u);
                         }
-                        phi_1724_ = _e714;
+                        phi_1527_ = _e692;
                     }
-                    let _e731 = phi_1724_;
-                    atomicStore((&counters[1u]), _e731);
-                    let _e734 = atomicAdd((&output.member[1u]), _e706);
-                    if ((_e734 + _e706) < _e734) {
-                        let _e738 = atomicAdd((&output.member[3u]), 1u);
+                    let _e709 = phi_1527_;
+                    atomicStore((&counters[1u]), _e709);
+                    let _e712 = atomicAdd((&output.member[1u]), _e684);
+                    if ((_e712 + _e684) < _e712) {
+                        let _e716 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
             workgroupBarrier();
-            if _e701 {
-                let _e740 = params.member.member_1.member_3;
-                let _e742 = atomicLoad((&counters[1u]));
-                let _e743 = (_e742 + _e699);
-                if (_e743 < _e740) {
-                    let _e747 = (2u * _e743);
-                    atomicStore((&output.member[(4u + _e747)]), _e703.member);
-                    atomicStore((&output.member[(_e747 + 5u)]), _e703.member_1);
+            if _e679 {
+                let _e718 = params.member.member_1.member_3;
+                let _e720 = atomicLoad((&counters[1u]));
+                let _e721 = (_e720 + _e677);
+                if (_e721 < _e718) {
+                    let _e725 = (2u * _e721);
+                    atomicStore((&output.member[(4u + _e725)]), _e681.member);
+                    atomicStore((&output.member[(_e725 + 5u)]), _e681.member_1);
                 }
             }
         }
         continue;
         continuing {
-            phi_339_ = type_9(select(_e91.member, (_e91.member + 1u), _e94), select(_e91.member_1, _e91.member_1, _e94));
-            break if !(_e107);
+            phi_242_ = type_9(select(_e94.member, (_e94.member + 1u), _e97), select(_e94.member_1, _e94.member_1, _e97));
+            break if !(_e110);
         }
     }
     return;
@@ -585,5 +568,5 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
 
 @compute @workgroup_size(128, 1, 1) 
 fn list_listed(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    function_6(id, n, lane);
+    function_2(id, n, lane);
 }

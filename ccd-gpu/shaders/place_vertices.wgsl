@@ -64,26 +64,26 @@ struct type_24 {
 }
 
 struct type_27 {
-    member: array<array<array<u32, 2>, 6>>,
-}
-
-struct type_30 {
     member: array<array<f64, 3>>,
 }
 
-struct type_31 {
+struct type_28 {
     member: array<f64, 3>,
     member_1: array<f64, 3>,
+}
+
+struct type_31 {
+    member: array<array<array<u32, 2>, 6>>,
 }
 
 @group(0) @binding(0) 
 var<storage> params: type_24;
 @group(0) @binding(1) 
-var<storage> positions: type_30;
+var<storage> positions: type_27;
 @group(0) @binding(2) 
 var<storage, read_write> paths: type_17;
 @group(0) @binding(3) 
-var<storage, read_write> keys: type_27;
+var<storage, read_write> keys: type_31;
 @group(0) @binding(4) 
 var<storage, read_write> boxes: type_21;
 
@@ -93,11 +93,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_2: array<f64, 3>;
     var local_3: array<f64, 3>;
     var local_4: type_15;
-    var local_5: type_31;
+    var local_5: type_28;
     var local_6: array<f64, 3>;
     var local_7: array<f64, 3>;
-    var local_8: type_31;
-    var local_9: type_31;
+    var local_8: type_28;
+    var local_9: type_28;
     var phi_194_: type_9;
     var phi_333_: type_9;
     var phi_493_: type_9;

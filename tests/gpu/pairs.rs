@@ -5,7 +5,7 @@ use crate::emulated::methods;
 use crate::scenes::check_pairs;
 use crate::support::{bytes, capacity, entries, list, paths, read, run, twin};
 use crate::twin::Twin;
-use ccd::gpu::bind::{FilterPairs, ListCandidates, NodePairs};
+use ccd::gpu::bind::{FilterPairs, ListCandidates, ListWanted, NodePairs};
 use ccd::gpu::{BroadPhase, Device};
 use ccd::method::BroadPhaseMethod;
 use ccd::{Aabb, Pair, Verdict};
@@ -66,15 +66,13 @@ fn check_node_pairs(device: &Device) {
     }
 }
 
-/// The kernel that lists candidates, without bodies and keys.
+/// The kernel that lists candidates.
 fn lister(twin: &Twin, blocks: &[Pair], output: Vec<u8>) -> ListCandidates<Vec<u8>> {
     let (nodes, leaves) = (bytes(&twin.nodes), bytes(&twin.leaves));
     ListCandidates {
         nodes,
         leaves,
         ends: if twin.ends.is_empty() { vec![0; 16] } else { bytes(&twin.ends) },
-        bodies: vec![0; 16],
-        keys: vec![0; 48],
         input: list(blocks),
         output,
     }
@@ -120,7 +118,14 @@ fn check_candidates(device: &Device) {
         let want = candidates(&twin, &step, kind);
         let blocks = twin.node_pairs(1, kind);
         let kernel = lister(&twin, &blocks, capacity(100_000));
-        let done = run(device, kernel, &twin.pass(kind, 1, blocks.len(), 100_000), 9);
+        let pass = twin.pass(kind, 1, blocks.len(), 100_000);
+        // With rules, of which there are none, they are the same.
+        let ListCandidates { nodes, leaves, ends, input, output } = kernel.clone();
+        let (bodies, keys) = (vec![0; 16], vec![0; 48]);
+        let by_rules = ListWanted { nodes, leaves, ends, bodies, keys, input, output };
+        let by_rules = run(device, by_rules, &pass, 9).output;
+        check_pairs("wanted candidates", want.clone(), entries(&by_rules));
+        let done = run(device, kernel, &pass, 9);
         check_pairs("candidates", want, entries(&done.output));
     }
     // So many hits at once that the pool of a workgroup overflows: every box overlaps every other.

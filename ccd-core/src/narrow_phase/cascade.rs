@@ -30,17 +30,13 @@ pub fn near_on_axes<P: Stored<Path>>(
     !axis_separated(&a0, &a1, &b0, &b1, needed_gap(error, min_distance))
 }
 
-/// The same of features `a` and `b` by their boxes at the start and at the end of the step.
+/// The same of features `a` and `b` by their boxes at the start and at the end of the step, with
+/// the [`needed_gap`].
 #[inline(always)]
-pub fn near_at_ends(
-    (a0, a1): (Aabb, Aabb),
-    (b0, b1): (Aabb, Aabb),
-    error: f32,
-    min_distance: f32,
-) -> bool {
+pub fn near_at_ends((a0, a1): (Aabb, Aabb), (b0, b1): (Aabb, Aabb), gap: f32) -> bool {
     let (a0, a1) = ([a0.min, a0.max], [a1.min, a1.max]);
     let (b0, b1) = ([b0.min, b0.max], [b1.min, b1.max]);
-    !axis_separated(&a0, &a1, &b0, &b1, needed_gap(error, min_distance))
+    !axis_separated(&a0, &a1, &b0, &b1, gap)
 }
 
 /// The gap along an axis that keeps features apart. 1.0001 covers the rounding of this line and of
@@ -175,7 +171,7 @@ mod tests {
             Patch::Parallelogram => [[0, 1, 1], [2, 3, 3]],
         };
         let [a, b] = [a, b].map(|of| boxes_at_ends(of, &paths));
-        assert_eq!(near_at_ends(a, b, e, d), left);
+        assert_eq!(near_at_ends(a, b, needed_gap(e, d)), left);
         left
     }
 

@@ -3,10 +3,38 @@
 use super::block_bvh::{ALL, Features, Pass, Tree};
 use super::pair_source::{PairSource, Search};
 use super::scheduled::Scheduled;
-use crate::bind::ListCandidates;
+use crate::bind::{ListCandidates, ListWanted};
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::backend::layout::Frame;
+
+impl Tree {
+    /// Candidates of the pairs of blocks that a pass looks at. `bodies`, and keys of exact boxes:
+    /// any buffers where a frame asks for neither.
+    pub fn list(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        pass: &Pass,
+        [bodies, keys]: [&wgpu::Buffer; 2],
+        list: &List,
+    ) {
+        let (nodes, leaves, ends) = (&self.nodes, &self.leaves, self.ends());
+        let pairs = self.block_pairs(pass.kind as usize);
+        let (input, output) = (pairs.buffer(), list.buffer());
+        let groups = self.groups.min(pairs.capacity());
+        let by_rules = frame.has(Frame::FLAG_BODIES | Frame::FLAG_CONFIRM);
+        self.each_part(frame, pass, pairs, list, |p| {
+            if by_rules {
+                let kernel = ListWanted { nodes, leaves, ends, bodies, keys, input, output };
+                recorder.dispatch(&kernel, p, groups);
+            } else {
+                let kernel = ListCandidates { nodes, leaves, ends, input, output };
+                recorder.dispatch(&kernel, p, groups);
+            }
+        });
+    }
+}
 
 impl PairSource for Tree {
     fn boxes(&self) -> &wgpu::Buffer {
@@ -34,15 +62,8 @@ impl PairSource for Tree {
         self.descend(recorder, frame, search.kinds, search.keeps_order);
         recorder.stage("pairs");
         for &kind in search.kinds {
-            let (pairs, list) = (self.block_pairs(kind as usize), search.pairs[kind as usize]);
-            let (nodes, leaves) = (&self.nodes, &self.leaves);
-            let (input, output) = (pairs.buffer(), list.buffer());
-            let (ends, bodies, keys) = (self.ends(), none, none);
-            let kernel = ListCandidates { nodes, leaves, ends, bodies, keys, input, output };
             let pass = Pass { kind, level: 1, step: 1, range: ALL };
-            self.each_part(frame, &pass, pairs, list, |p| {
-                recorder.dispatch(&kernel, p, self.groups.min(pairs.capacity()));
-            });
+            self.list(recorder, frame, &pass, [none, none], search.pairs[kind as usize]);
         }
     }
 

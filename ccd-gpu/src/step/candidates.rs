@@ -7,7 +7,7 @@ use super::Goal;
 use super::buffers::Buffers;
 use super::part_limits::MOST;
 use super::source::Source;
-use crate::bind::{FilterPairs, ListCandidates, ListListed};
+use crate::bind::{FilterPairs, ListListed};
 use crate::broad_phase::block_bvh::{ALL, Pass};
 use crate::device::Device;
 use crate::error::Error;
@@ -115,20 +115,14 @@ impl Buffers {
         range: Range<u32>,
     ) {
         let (bodies, keys, list) = (&self.bodies, &self.positions.keys, &self.candidates[kind]);
-        let output = list.buffer();
         match &self.source {
             Source::Blocks(tree) => {
-                let (nodes, leaves, pairs) = (&tree.nodes, &tree.leaves, tree.block_pairs(kind));
-                let (ends, input) = (tree.ends(), pairs.buffer());
-                let kernel = ListCandidates { nodes, leaves, ends, bodies, keys, input, output };
                 let pass = Pass { kind: kind as u32, level: 1, step, range };
-                tree.each_part(frame, &pass, pairs, list, |p| {
-                    recorder.dispatch(&kernel, p, tree.groups.min(pairs.capacity()));
-                });
+                tree.list(recorder, frame, &pass, [bodies, keys], list);
             }
             Source::Features(_, listed) | Source::Triangles(_, listed) => {
                 let (boxes, input) = (self.source.finder().boxes(), listed.pairs[kind].buffer());
-                let elements = &self.elements;
+                let (elements, output) = (&self.elements, list.buffer());
                 let kernel = ListListed { boxes, elements, bodies, keys, input, output };
                 listed.each_part(frame, kind, range, list, |p, groups| {
                     recorder.dispatch(&kernel, p, groups);

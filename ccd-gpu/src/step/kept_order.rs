@@ -8,10 +8,10 @@
 //! there is no better time; however it grows, the cost is at most twice the best.
 
 /// Pairs of blocks that take as long as a sort: so many, and one for so many boxes. On an NVIDIA
-/// H200 a pair takes 2.7 ns (cloth-funnel) to 4.2 ns (cloth-ball) from its descent to its filters,
-/// codes and a sort 80 us (20 thousand boxes) to 97 us (280 thousand).
-const SORT_PAIRS: u64 = 1 << 14;
-const BOXES_A_PAIR: u64 = 32;
+/// H200 a pair takes 2.4 ns (rod-twist) to 2.9 ns (cloth-ball) from its descent to its filters,
+/// codes, a sort and halves 107 us (100 thousand boxes) to 175 us (277 thousand).
+const SORT_PAIRS: u64 = 1 << 15;
+const BOXES_A_PAIR: u64 = 8;
 
 /// Steps after which the next one sorts in any case: pairs may have become fewer for other reasons
 /// than a good order, small meshes have as many in any order, and some methods do not count them.
@@ -81,7 +81,10 @@ mod tests {
         let (half, all) = (SORT_PAIRS / 2, SORT_PAIRS);
         let pairs = [7, 7 + half, 3, 7 + half - 1, 8, 9, 9 + all, 9];
         assert_eq!(kept_of(0, &pairs), [false, true, true, true, true, false, true, false]);
-        assert_eq!(kept_of(32, &pairs), [false, true, true, true, true, true, false, true]);
+        assert_eq!(
+            kept_of(BOXES_A_PAIR as u32, &pairs),
+            [false, true, true, true, true, true, false, true]
+        );
     }
 
     #[test]

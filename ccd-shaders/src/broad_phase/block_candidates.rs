@@ -1,5 +1,8 @@
 //! From pairs of blocks to candidates: pairs of boxes as in `block_pairs`, then one hit a thread.
 //!
+//! A kernel of its own serves steps in which bodies select pairs, or boxes were rounded: what the
+//! other does without costs all pairs registers and time.
+//!
 //! Where a step has boxes at both ends, what an axis keeps apart there is counted and not listed: a
 //! third to three quarters of the candidates of real scenes. Neither their leaves nor their paths
 //! are read.
@@ -12,7 +15,7 @@ use crate::records::{BoxWords, box_at, ends_at, leaf_at};
 use crate::workgroup::{add_shared, barrier, count, get, set, write_pair};
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{POOL, TEAMS, THREADS, WIDTH, sets, slot};
-use ccd_core::backend::broad_phase::candidate::{overlap_surely, wanted};
+use ccd_core::backend::broad_phase::candidate::{are_neighbours, overlap_surely, wanted};
 use ccd_core::backend::layout::{EDGE_EDGE, Frame, Pair};
 use ccd_core::narrow_phase::cascade;
 use spirv_std::glam::{UVec4, Vec4};
@@ -43,19 +46,23 @@ impl<const N: usize> Teams<'_, N> {
     /// Whether two leaves of a hit, which was counted, are a candidate; if not, it is no longer
     /// counted.
     #[inline(always)]
-    fn is_candidate(
+    fn is_candidate<const RULES: bool>(
         &mut self,
         [p, q]: [usize; 2],
         leaves: &[UVec4],
         (frame, kind): (&Frame, u32),
-        (bodies, keys): (&[u32], &[[[u32; 2]; 6]]),
+        (bodies, keys): (&[u32], &[u32]),
     ) -> bool {
         let (a, b) = (leaf_at(leaves, p), leaf_at(leaves, q));
-        let mut both = [Aabb::EMPTY; 2];
-        if frame.has(Frame::FLAG_CONFIRM) {
-            both = [box_at(self.nodes, p), box_at(self.nodes, q)];
-        }
-        let is_wanted = wanted(frame, kind, &a, &b, [&both[0], &both[1]], bodies, keys);
+        let is_wanted = if RULES {
+            let mut both = [Aabb::EMPTY; 2];
+            if frame.has(Frame::FLAG_CONFIRM) {
+                both = [box_at(self.nodes, p), box_at(self.nodes, q)];
+            }
+            wanted(frame, kind, &a, &b, [&both[0], &both[1]], bodies, keys)
+        } else {
+            !are_neighbours(frame, kind, &a, &b)
+        };
         if !is_wanted {
             add_shared(self.counters, WANTED, u32::MAX);
         }
@@ -65,10 +72,11 @@ impl<const N: usize> Teams<'_, N> {
     /// Whether two leaves that are apart at both ends are a candidate for certain, without a look
     /// at them: two that are apart share no vertex.
     #[inline(always)]
-    fn counts_apart(&self, [p, q]: [usize; 2], frame: &Frame) -> bool {
-        !frame.has(Frame::FLAG_BODIES)
-            && (!frame.has(Frame::FLAG_CONFIRM)
-                || overlap_surely(&box_at(self.nodes, p), &box_at(self.nodes, q), frame.slack))
+    fn counts_apart<const RULES: bool>(&self, [p, q]: [usize; 2], frame: &Frame) -> bool {
+        !RULES
+            || !frame.has(Frame::FLAG_BODIES)
+                && (!frame.has(Frame::FLAG_CONFIRM)
+                    || overlap_surely(&box_at(self.nodes, p), &box_at(self.nodes, q), frame.slack))
     }
 
     /// Appends the hits of the pool that were kept to `list`, as pairs of ids. `kept`: which of its
@@ -103,53 +111,80 @@ impl<const N: usize> Teams<'_, N> {
     }
 }
 
-kernel! {
-    /// From pairs of nodes of level 1 to candidates, as pairs of ids; with `FLAG_ENDS` those that
-    /// are near at an end.
-    list_candidates[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
-        ranges: [u32; 1], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512],
-        firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4], ends: [Vec4], bodies: [u32],
-        keys: [[[u32; 2]; 6]], input: [u32], mut output: [u32]) {
+impl Teams<'_, 1> {
+    /// From pairs of nodes of level 1 to candidates. `RULES`: bodies and exact boxes are looked at.
+    #[inline(always)]
+    fn list<const RULES: bool>(
+        mut self,
+        leaves: &[UVec4],
+        ends: &[Vec4],
+        rules: (&[u32], &[u32]),
+        input: &[u32],
+        output: &mut [u32],
+    ) {
         // A copy: what is read of the record in a loop would be read again and again.
-        let (frame, kind) = (&{ params.frame }, params.args.kind);
+        let (frame, kind) = (&{ self.params.frame }, self.params.args.kind);
         let has_ends = frame.has(Frame::FLAG_ENDS);
-        let n = entries(params, input);
-        let mut teams =
-            Teams { t, params, n, nodes, columns, names, ranges, counters, n_hits, hits, firsts };
-        if t.lane == 0 {
-            set(teams.counters, WANTED, 0);
+        let gap = cascade::needed_gap(frame.path_error, frame.min_distance);
+        if self.t.lane == 0 {
+            set(self.counters, WANTED, 0);
         }
-        let mut four = t.group;
-        while four < n.div_ceil(TEAMS) {
-            let pair = teams.pair(input, four);
-            let mut found = teams.hits_of_leaves(kind, pair);
-            four += t.groups;
-            let passes = teams.number(&mut found);
-            if t.lane == 0 {
-                let n = get(teams.counters, WANTED) + get(teams.n_hits, 0);
-                set(teams.counters, WANTED, n);
+        let mut four = self.t.group;
+        while four < self.n.div_ceil(TEAMS) {
+            let pair = self.pair(input, four);
+            let mut found = self.hits_of_leaves(kind, pair);
+            four += self.t.groups;
+            let passes = self.number(&mut found);
+            if self.t.lane == 0 {
+                let n = get(self.counters, WANTED) + get(self.n_hits, 0);
+                set(self.counters, WANTED, n);
             }
             for pass in 0..passes {
-                let n = teams.fill(&found, pass);
+                let n = self.fill(&found, pass);
                 let mut kept = 0;
                 for share in 0..POOL / THREADS {
-                    let h = t.lane + share * THREADS;
+                    let h = self.t.lane + share * THREADS;
                     if h >= n {
                         break;
                     }
-                    let places = teams.places(h);
-                    let is_near = !has_ends || is_near(places, frame, ends);
-                    if (is_near || !teams.counts_apart(places, frame))
-                        && teams.is_candidate(places, leaves, (frame, kind), (bodies, keys))
+                    let places = self.places(h);
+                    let is_near = !has_ends || is_near(places, gap, ends);
+                    if (is_near || !self.counts_apart::<RULES>(places, frame))
+                        && self.is_candidate::<RULES>(places, leaves, (frame, kind), rules)
                         && is_near
                     {
                         kept |= 1 << share;
                     }
                 }
-                teams.write_kept(kind, kept, leaves, output);
+                self.write_kept(kind, kept, leaves, output);
             }
         }
-        teams.count_candidates(output);
+        self.count_candidates(output);
+    }
+}
+
+kernel! {
+    /// From pairs of nodes of level 1 to candidates, as pairs of ids; with `FLAG_ENDS` those that
+    /// are near at an end. Without bodies, of exact boxes.
+    list_candidates[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
+        ranges: [u32; 1], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512],
+        firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4], ends: [Vec4], input: [u32],
+        mut output: [u32]) {
+        let n = entries(params, input);
+        Teams { t, params, n, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
+            .list::<false>(leaves, ends, (input, input), input, output);
+    }
+}
+
+kernel! {
+    /// The same, where bodies or keys of exact boxes have a say.
+    list_wanted[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
+        ranges: [u32; 1], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512],
+        firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4], ends: [Vec4], bodies: [u32],
+        keys: [u32], input: [u32], mut output: [u32]) {
+        let n = entries(params, input);
+        Teams { t, params, n, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
+            .list::<true>(leaves, ends, (bodies, keys), input, output);
     }
 }
 
@@ -161,7 +196,7 @@ fn ids(one_set: bool, a: u32, b: u32) -> Pair {
 
 /// Whether the boxes of two leaves at both ends leave them.
 #[inline(always)]
-fn is_near([p, q]: [usize; 2], frame: &Frame, ends: &[Vec4]) -> bool {
+fn is_near([p, q]: [usize; 2], gap: f32, ends: &[Vec4]) -> bool {
     let (a, b) = (ends_at(ends, p), ends_at(ends, q));
-    cascade::near_at_ends(a, b, frame.path_error, frame.min_distance)
+    cascade::near_at_ends(a, b, gap)
 }

@@ -23,7 +23,7 @@ const BASE: u32 = 1;
 kernel! {
     /// Thread `i` looks at the `i`-th pair: is it a candidate?
     list_listed[128](t; params: Listing; counters: [u32; 2]; boxes: [Aabb], elements: [u32],
-        bodies: [u32], keys: [[[u32; 2]; 6]], input: [u32], mut output: [u32]) {
+        bodies: [u32], keys: [u32], input: [u32], mut output: [u32]) {
         let (frame, dispatch, kind) = (&params.frame, &params.dispatch, params.args.kind);
         let len = part(input, dispatch);
         for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {

@@ -51,11 +51,15 @@ pub fn overlap_surely<N: Num>(a: &Aabb<N>, b: &Aabb<N>, slack: N) -> N::Mask {
     x & y & z
 }
 
+/// Bounds of a box.
+const BOUNDS: u32 = 6;
+
 /// Whether two leaves of a device's trees, whose boxes overlap, are a candidate. `kind` 0: a vertex
 /// and a face, 1: two edges.
 ///
 /// `bodies`: a word per vertex, then, with [`Frame::FLAG_RULES`], the table of rules.
-/// `keys`: per vertex the bounds of its exact box, see [`bound_key`].
+/// `keys`: per vertex the six bounds of its exact box, lower ones first, two words each, see
+/// [`bound_key`].
 #[inline(always)]
 pub fn wanted(
     frame: &Frame,
@@ -64,18 +68,11 @@ pub fn wanted(
     b: &Leaf,
     boxes: [&Aabb<f32>; 2],
     bodies: &[u32],
-    keys: &[[[u32; 2]; 6]],
+    keys: &[u32],
 ) -> bool {
     let (p, q) = (&a.vertices, &b.vertices);
-    if frame.has(Frame::FLAG_TOPOLOGY) {
-        let neighbours = if kind == VERTEX_FACE {
-            is_corner(p[0], *q)
-        } else {
-            share_vertex([p[0], p[1]], [q[0], q[1]])
-        };
-        if neighbours {
-            return false;
-        }
+    if are_neighbours(frame, kind, a, b) {
+        return false;
     }
     if frame.has(Frame::FLAG_BODIES) {
         let (body_a, body_b) = (at(bodies, p[0] as usize), at(bodies, q[0] as usize));
@@ -97,21 +94,30 @@ pub fn wanted(
     true
 }
 
-/// Whether the exact boxes of two features overlap.
+/// Whether two leaves have a common vertex, as far as a frame has a topology.
 #[inline(always)]
-fn overlap_exactly(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
-    overlap_on::<0, 3>(p, q, keys) & overlap_on::<1, 4>(p, q, keys) & overlap_on::<2, 5>(p, q, keys)
+pub fn are_neighbours(frame: &Frame, kind: u32, a: &Leaf, b: &Leaf) -> bool {
+    let (p, q) = (&a.vertices, &b.vertices);
+    frame.has(Frame::FLAG_TOPOLOGY)
+        && if kind == VERTEX_FACE {
+            is_corner(p[0], *q)
+        } else {
+            share_vertex([p[0], p[1]], [q[0], q[1]])
+        }
 }
 
-/// Whether they overlap on an axis whose bounds are the keys `MIN` and `MAX` of a vertex.
+/// Whether the exact boxes of two features overlap. A loop, because few pairs come here and all wait
+/// for registers.
 #[inline(always)]
-fn overlap_on<const MIN: usize, const MAX: usize>(
-    p: &[u32; 3],
-    q: &[u32; 3],
-    keys: &[[[u32; 2]; 6]],
-) -> bool {
-    !above(least::<MIN>(p, keys), greatest::<MAX>(q, keys))
-        & !above(least::<MIN>(q, keys), greatest::<MAX>(p, keys))
+fn overlap_exactly(p: &[u32; 3], q: &[u32; 3], keys: &[u32]) -> bool {
+    for axis in 0..3 {
+        if above(least(p, axis, keys), greatest(q, axis, keys))
+            || above(least(q, axis, keys), greatest(p, axis, keys))
+        {
+            return false;
+        }
+    }
+    true
 }
 
 /// Whether the number of key `a` is greater than that of key `b`.
@@ -120,17 +126,25 @@ pub fn above(a: [u32; 2], b: [u32; 2]) -> bool {
     a[1] > b[1] || (a[1] == b[1] && a[0] > b[0])
 }
 
+/// Key `i` among those of all vertices.
 #[inline(always)]
-fn least<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u32; 2] {
+fn key_at(keys: &[u32], i: u32) -> [u32; 2] {
+    [at(keys, 2 * i as usize), at(keys, 2 * i as usize + 1)]
+}
+
+/// The key of the least lower bound of vertices on an axis.
+#[inline(always)]
+fn least(vertices: &[u32; 3], axis: u32, keys: &[u32]) -> [u32; 2] {
     let lesser = |a: [u32; 2], b: [u32; 2]| if above(a, b) { b } else { a };
-    let key = |i: u32| at(keys, i as usize)[KEY];
+    let key = |i: u32| key_at(keys, BOUNDS * i + axis);
     lesser(lesser(key(vertices[0]), key(vertices[1])), key(vertices[2]))
 }
 
+/// The key of the greatest upper bound.
 #[inline(always)]
-fn greatest<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u32; 2] {
+fn greatest(vertices: &[u32; 3], axis: u32, keys: &[u32]) -> [u32; 2] {
     let greater = |a: [u32; 2], b: [u32; 2]| if above(b, a) { b } else { a };
-    let key = |i: u32| at(keys, i as usize)[KEY];
+    let key = |i: u32| key_at(keys, BOUNDS * i + 3 + axis);
     greater(greater(key(vertices[0]), key(vertices[1])), key(vertices[2]))
 }
 

@@ -81,6 +81,9 @@ macro_rules! kernels {
                 { nodes: Read, worlds: Read, input: Read, output: Write }
             /// Pairs of blocks to candidates.
             ListCandidates = list_candidates(128 threads, 9 barriers, f32, Params<Blocks>)
+                { nodes: Read, leaves: Read, ends: Read, input: Read, output: Write }
+            /// The same by bodies and exact boxes.
+            ListWanted = list_wanted(128 threads, 9 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, ends: Read, bodies: Read, keys: Read, input: Read,
                   output: Write }
             /// Candidates to those that may touch.
