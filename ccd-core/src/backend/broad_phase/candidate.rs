@@ -51,7 +51,7 @@ pub fn overlap_surely<N: Num>(a: &Aabb<N>, b: &Aabb<N>, slack: N) -> N::Mask {
     x & y & z
 }
 
-/// Bounds of a box.
+/// Keys of a vertex.
 const BOUNDS: u32 = 6;
 
 /// Whether two leaves of a device's trees, whose boxes overlap, are a candidate. `kind` 0: a vertex
@@ -106,8 +106,8 @@ pub fn are_neighbours(frame: &Frame, kind: u32, a: &Leaf, b: &Leaf) -> bool {
         }
 }
 
-/// Whether the exact boxes of two features overlap. A loop, because few pairs come here and all wait
-/// for registers.
+/// Whether the exact boxes of two features overlap. A loop, not three times its code: few pairs
+/// come here.
 #[inline(always)]
 fn overlap_exactly(p: &[u32; 3], q: &[u32; 3], keys: &[u32]) -> bool {
     for axis in 0..3 {

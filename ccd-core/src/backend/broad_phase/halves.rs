@@ -1,8 +1,8 @@
 //! Sort: boxes that follow each other along a curve, in order by halves.
 //!
 //! A run of [`RUN`] boxes is halved at the median of that axis whose halves have the least surface,
-//! and so is each half, down to blocks. A curve goes by cells of a grid; this looks at the boxes,
-//! also at how far they move, and a block of its order overlaps a fifth to a third fewer others.
+//! and so is each half, down to blocks. A curve sees centres in cells of a grid; halves see whole
+//! boxes, which are long where something moves. Pairs of blocks are a sixth to a quarter fewer.
 
 use super::block_bvh::{PADDING, WIDTH};
 use super::morton_key::order_key;
