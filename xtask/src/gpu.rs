@@ -46,7 +46,7 @@ pub fn run(
          Floor: bytes that must move, at 4.3 TB/s. \
          A session steps one frame again and again, so that boxes keep their order, and trees are \
          refitted, as in a sequence: where there is no stage `sort`, a step that sorts takes some \
-         0.08 more: libraries that build in every step are to be compared with that.\n",
+         0.2 more: libraries that build in every step are to be compared with that.\n",
         this_run(root)
     );
     // What was measured before a failure is kept.

@@ -1,7 +1,8 @@
 //! Runs of boxes in order by halves, a run a workgroup; see
 //! `ccd_core::backend::broad_phase::halves`.
 //!
-//! Twin: none on a CPU, where the order takes longer than it spares.
+//! Twin: none on a CPU, where it takes a fifth to a third of a first step, and spares little of
+//! those that keep the order.
 
 use crate::entry::kernel;
 use crate::records::{BoxWords, box_at};
