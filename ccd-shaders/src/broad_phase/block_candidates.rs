@@ -1,7 +1,7 @@
 //! From pairs of blocks to candidates: pairs of boxes as in `block_pairs`, then one hit a thread.
 //!
-//! A kernel of its own serves steps in which bodies select pairs, or boxes were rounded: what the
-//! other does without costs all pairs registers and time.
+//! Two kernels have this body. `list_wanted` also looks at bodies and at exact boxes; a step that
+//! needs neither runs `list_candidates`, which is faster without them.
 //!
 //! Where a step has boxes at both ends, what an axis keeps apart there is counted and not listed: a
 //! third to three quarters of the candidates of real scenes. Neither their leaves nor their paths
@@ -165,7 +165,7 @@ impl Teams<'_, 1> {
 
 kernel! {
     /// From pairs of nodes of level 1 to candidates, as pairs of ids; with `FLAG_ENDS` those that
-    /// are near at an end. Without bodies, of exact boxes.
+    /// are near at an end. For exact boxes, without bodies.
     list_candidates[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
         ranges: [u32; 1], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512],
         firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4], ends: [Vec4], input: [u32],
@@ -177,7 +177,7 @@ kernel! {
 }
 
 kernel! {
-    /// The same, where bodies or keys of exact boxes have a say.
+    /// The same where bodies select pairs or boxes were rounded.
     list_wanted[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
         ranges: [u32; 1], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512],
         firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4], ends: [Vec4], bodies: [u32],

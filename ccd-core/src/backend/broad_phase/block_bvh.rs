@@ -1,7 +1,7 @@
 //! Emit: pairs of blocks and of boxes, from a tree of blocks of 32 boxes that is descended one
 //! level a pass.
 //!
-//! Boxes sorted along the Morton curve are taken 32 at a time; so are the blocks, up to the top. A
+//! Boxes in the order of a curve are taken 32 at a time; so are the blocks, up to the top. A
 //! workgroup takes a pair of nodes, keeps of either side the children that reach into the other's
 //! box, and tests those against each other. No stack, no order between workgroups, and reads of
 //! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see

@@ -52,7 +52,7 @@ pub fn overlap_surely<N: Num>(a: &Aabb<N>, b: &Aabb<N>, slack: N) -> N::Mask {
 }
 
 /// Keys of a vertex.
-const BOUNDS: u32 = 6;
+const KEYS: u32 = 6;
 
 /// Whether two leaves of a device's trees, whose boxes overlap, are a candidate. `kind` 0: a vertex
 /// and a face, 1: two edges.
@@ -136,7 +136,7 @@ fn key_at(keys: &[u32], i: u32) -> [u32; 2] {
 #[inline(always)]
 fn least(vertices: &[u32; 3], axis: u32, keys: &[u32]) -> [u32; 2] {
     let lesser = |a: [u32; 2], b: [u32; 2]| if above(a, b) { b } else { a };
-    let key = |i: u32| key_at(keys, BOUNDS * i + axis);
+    let key = |i: u32| key_at(keys, KEYS * i + axis);
     lesser(lesser(key(vertices[0]), key(vertices[1])), key(vertices[2]))
 }
 
@@ -144,7 +144,7 @@ fn least(vertices: &[u32; 3], axis: u32, keys: &[u32]) -> [u32; 2] {
 #[inline(always)]
 fn greatest(vertices: &[u32; 3], axis: u32, keys: &[u32]) -> [u32; 2] {
     let greater = |a: [u32; 2], b: [u32; 2]| if above(b, a) { b } else { a };
-    let key = |i: u32| key_at(keys, BOUNDS * i + 3 + axis);
+    let key = |i: u32| key_at(keys, KEYS * i + 3 + axis);
     greater(greater(key(vertices[0]), key(vertices[1])), key(vertices[2]))
 }
 

@@ -35,8 +35,8 @@ pub fn classes_meet(a: u32, b: u32, table: &[u32], first: usize) -> bool {
 /// Whether a pair of features is excluded by itself; `kind` 0: a vertex and a face, 1: two edges,
 /// in any order.
 ///
-/// A binary search that finds the number of lesser entries bit by bit: one number is carried from
-/// step to step, because registers of this rare case are missing to all threads of a device.
+/// A binary search that finds the number of lesser entries bit by bit. It carries one number from
+/// step to step, so that on a device it takes few registers from the kernel around it.
 #[inline(always)]
 pub fn is_excluded(kind: u32, a: u32, b: u32, table: &[u32], first: usize) -> bool {
     let n = at(table, first + 2);

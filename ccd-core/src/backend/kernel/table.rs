@@ -82,7 +82,7 @@ macro_rules! kernels {
             /// Pairs of blocks to candidates.
             ListCandidates = list_candidates(128 threads, 9 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, ends: Read, input: Read, output: Write }
-            /// The same by bodies and exact boxes.
+            /// The same where bodies select pairs or boxes were rounded.
             ListWanted = list_wanted(128 threads, 9 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, ends: Read, bodies: Read, keys: Read, input: Read,
                   output: Write }

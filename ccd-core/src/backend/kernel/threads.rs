@@ -1,7 +1,9 @@
 //! Threads of a workgroup that bodies count on, as the table has them.
 
 use super::Id;
-use crate::broad_phase::{block_bvh, key_intervals, nearest_pair, pair_workers, ploc, wide_nodes};
+use crate::broad_phase::{
+    block_bvh, halves, key_intervals, nearest_pair, pair_workers, ploc, wide_nodes,
+};
 
 const _: () = assert!(Id::SortCount.threads() == super::sort::THREADS);
 const _: () = assert!(Id::SortScatter.threads() == super::sort::THREADS);
@@ -19,6 +21,7 @@ const _: () = assert!(Id::ResumeFront.threads() == pair_workers::THREADS);
 const _: () = assert!(Id::BlockWorkers.threads() == block_bvh::THREADS);
 const _: () = assert!(Id::BlockWorkers.threads() == pair_workers::THREADS);
 const _: () = assert!(Id::StealBlockPairs.threads() == pair_workers::THREADS);
+const _: () = assert!(Id::HalveRuns.threads() == halves::RUN);
 const _: () = assert!(Id::NodePairs.threads() == block_bvh::THREADS);
 const _: () = assert!(Id::NodePairsOfWorlds.threads() == block_bvh::THREADS);
 const _: () = assert!(Id::ListCandidates.threads() == block_bvh::THREADS);
