@@ -9,8 +9,8 @@ use std::iter::repeat_n;
 use std::process;
 use std::sync::{Mutex, OnceLock};
 
-/// Threads that copy: more wait for memory.
-const MOST: usize = 8;
+/// Threads that copy: more wait for memory, or for the one that wakes them.
+const MOST: usize = 12;
 
 /// How many threads there are for a step, the calling one too.
 fn available() -> usize {
@@ -21,6 +21,12 @@ fn available() -> usize {
 /// the time to wake a thread: some tens of microseconds.
 pub fn copy<P: Send>(parts: impl ExactSizeIterator<Item = P> + Send, work: impl Fn(P) + Sync) {
     on_threads(MOST.min(available()), parts, work);
+}
+
+/// How many of `n` things a thread takes at once, so that each comes eight times: to be one after
+/// the other in taking thousands would take longer than most work.
+pub fn share(n: usize) -> usize {
+    n.div_ceil(8 * available()).max(1)
 }
 
 /// As [`copy`], for work that mostly computes: by all threads.

@@ -10,11 +10,8 @@ use ccd_core::model::contact::{Contact, Kind, State};
 use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
 
-/// Pairs that are worth another thread: what a device leaves open are mostly ties, which take some
-/// ten microseconds each.
-const TIES: usize = 4;
 /// Contacts of a device's list that are worth another thread.
-const TOUCHES: usize = 8192;
+const TOUCHES: usize = 2048;
 /// Exact times that are: each takes a third of a microsecond.
 const TIMES: usize = 512;
 
@@ -133,7 +130,8 @@ impl<T: Real> Host<'_, T> {
     fn settle(&self, (contacts, summary): Listed) {
         let open = std::mem::take(&mut summary.undecided);
         let mut settled = vec![None; open.len()];
-        let parts = open.chunks(TIES).zip(settled.chunks_mut(TIES));
+        let share = threads::share(open.len());
+        let parts = open.chunks(share).zip(settled.chunks_mut(share));
         threads::each(parts, |(open, settled)| {
             for (&at, settled) in open.iter().zip(settled) {
                 let Contact { kind, a, b, .. } = contacts[at as usize];
@@ -158,8 +156,9 @@ impl<T: Real> Host<'_, T> {
     /// Decides pairs and appends those that touch or stay undecided.
     fn decide(&self, kind: Kind, pairs: &[Pair], (contacts, summary): Listed) {
         let before = contacts.len();
-        let mut parts = vec![Vec::new(); pairs.len().div_ceil(TIES)];
-        threads::each(pairs.chunks(TIES).zip(&mut parts), |(pairs, found)| {
+        let share = threads::share(pairs.len());
+        let mut parts = vec![Vec::new(); pairs.len().div_ceil(share)];
+        threads::each(pairs.chunks(share).zip(&mut parts), |(pairs, found)| {
             found.extend(pairs.iter().filter_map(|&pair| self.contact(kind, pair)));
         });
         parts.iter().for_each(|found| contacts.extend_from_slice(found));
