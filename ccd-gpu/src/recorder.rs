@@ -6,14 +6,17 @@ use crate::bind::{Bind, PARAMS_BYTES};
 use crate::device::Device;
 use crate::error::Error;
 use crate::readback::{Part, Reading};
+use ahead::Encoded;
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::layout::Params;
 use encoding::Encoding;
 use std::collections::HashMap;
 
+mod ahead;
 mod encoding;
 mod times;
 
+pub use ahead::{submit, submit_frame};
 pub use times::Times;
 
 /// Bytes between the parameters of two dispatches.
@@ -58,6 +61,8 @@ pub struct Bench {
     /// Dispatches for which there are parameters.
     most: u64,
     groups: HashMap<(Id, Vec<wgpu::Buffer>), wgpu::BindGroup>,
+    /// What the next frame is likely to do, by its goal.
+    ahead: HashMap<u32, Encoded>,
     timing: Timing,
     timer: Option<Timer>,
     /// Workgroups of a row of the grid, at most.
@@ -84,6 +89,7 @@ impl Bench {
             params,
             most,
             groups: HashMap::new(),
+            ahead: HashMap::new(),
             timing: Timing::Off,
             timer: None,
             fold: device.info().limits.max_compute_workgroups_per_dimension.min(65_535),
@@ -97,6 +103,7 @@ impl Bench {
 
     /// Sets what is timed; where there are no timestamps, nothing is.
     pub fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
+        self.ahead.clear();
         self.timing = if self.device.info().timestamps { timing } else { Timing::Off };
         if self.timing == Timing::Off || self.timer.is_some() {
             return Ok(());
@@ -118,9 +125,10 @@ impl Bench {
         Ok(())
     }
 
-    /// Forgets bind groups: call when a buffer was replaced.
+    /// Forgets bind groups and commands: call when a buffer was replaced.
     pub fn forget(&mut self) {
         self.groups.clear();
+        self.ahead.clear();
     }
 
     /// The bind groups of the kernels among commands, in their order.
@@ -140,21 +148,33 @@ impl Bench {
         made
     }
 
-    /// Starts recording into `encoder`.
-    pub fn record<'a>(&'a mut self, encoder: &'a mut wgpu::CommandEncoder) -> Recorder<'a> {
-        Recorder { bench: self, encoder, commands: Vec::new(), params: Vec::new() }
+    /// Encodes commands whose kernels are compiled, with their bind groups. Returns the stages.
+    fn encode(
+        &self,
+        commands: &[Command],
+        groups: Vec<wgpu::BindGroup>,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Vec<&'static str> {
+        let mut encoding = Encoding::new(self, groups, encoder);
+        encoding.encode(commands);
+        encoding.finish()
+    }
+
+    /// Starts a recording.
+    pub fn record(&mut self) -> Recorder<'_> {
+        Recorder { bench: self, commands: Vec::new(), params: Vec::new() }
     }
 }
 
 /// One recording.
 pub struct Recorder<'a> {
     bench: &'a mut Bench,
-    encoder: &'a mut wgpu::CommandEncoder,
     commands: Vec<Command>,
     params: Vec<u8>,
 }
 
 /// A recorded command.
+#[derive(PartialEq)]
 enum Command {
     /// A stage begins.
     Stage(&'static str),
@@ -312,11 +332,21 @@ impl Recorder<'_> {
         self.commands.push(Command::Run { id, buffers, groups });
     }
 
-    /// Ends the recording: compiles what is not compiled yet, encodes the commands and uploads the
-    /// parameters. Returns the stages.
-    pub fn finish(mut self) -> Result<Vec<&'static str>, Error> {
+    /// Ends the recording: encodes its commands. Returns the stages.
+    pub fn finish(
+        mut self,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<Vec<&'static str>, Error> {
+        let commands = self.prepare()?;
+        // Before anything is encoded, so that the encoder is a caller's as it was if one fails.
+        let groups = self.bench.bind_groups(&commands)?;
+        Ok(self.bench.encode(&commands, groups, encoder))
+    }
+
+    /// Compiles what is not compiled yet and uploads the parameters. Returns the commands.
+    fn prepare(&mut self) -> Result<Vec<Command>, Error> {
         self.end_of_work();
-        let Self { bench, encoder, commands, params } = self;
+        let Self { bench, commands, params } = self;
         let bytes = params.len() as u64;
         let limit = PARAMS_STRIDE * bench.most;
         if bytes > limit {
@@ -326,31 +356,9 @@ impl Recorder<'_> {
             Command::Run { id, .. } => Some(*id),
             _ => None,
         }))?;
-        bench.device.write("parameters of dispatches", &bench.params, 0, &params)?;
-        // Before anything is encoded, so that the encoder is a caller's as it was if one fails.
-        let groups = bench.bind_groups(&commands)?;
-        let mut encoding = Encoding::new(bench, groups, encoder);
-        encoding.encode(&commands);
-        Ok(encoding.finish())
+        bench.device.write("parameters of dispatches", &bench.params, 0, params)?;
+        Ok(std::mem::take(commands))
     }
-}
-
-/// Records with `work`, submits, and returns the stages.
-pub fn submit(
-    device: &Device,
-    bench: &mut Bench,
-    work: impl FnOnce(&mut Recorder),
-) -> Result<Vec<&'static str>, Error> {
-    device.guarded("a frame", 0, || {
-        let mut encoder = device
-            .wgpu()
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ccd") });
-        let mut recorder = bench.record(&mut encoder);
-        work(&mut recorder);
-        let stages = recorder.finish()?;
-        device.queue().submit([encoder.finish()]);
-        Ok(stages)
-    })?
 }
 
 /// The bindings of a kernel: its parameters, at the offset of a dispatch, and its buffers.

@@ -40,6 +40,12 @@ struct Mapped {
     is_free: Arc<AtomicBool>,
 }
 
+/// Whether so many bytes go through a buffer that stays mapped.
+pub fn is_staged(bytes: u64) -> bool {
+    // A browser maps a buffer when it likes to.
+    bytes >= LEAST && BLOCKS
+}
+
 /// Items that a buffer is to have.
 pub struct Write<'a> {
     /// What an error calls them.
@@ -83,20 +89,23 @@ impl<T: Pod, F: Fn(usize) -> T + Sync> Items for Each<F> {
 }
 
 impl Write<'_> {
-    fn bytes(&self) -> u64 {
+    pub fn bytes(&self) -> u64 {
         (self.numbers.len() * self.items.size()) as u64
+    }
+
+    /// Whether it goes through a buffer that stays mapped.
+    pub fn is_staged(&self) -> bool {
+        is_staged(self.bytes())
     }
 }
 
 impl Staging {
     /// Writes to buffers; all is there after [`Staging::submit`].
     pub fn write(&mut self, device: &Device, writes: &[Write]) -> Result<(), Error> {
-        // A browser maps a buffer when it likes to.
-        let is_large = |write: &&Write| write.bytes() >= LEAST && BLOCKS;
-        for write in writes.iter().filter(|write| !is_large(write)) {
+        for write in writes.iter().filter(|write| !write.is_staged()) {
             write_once(device, write)?;
         }
-        let large: Vec<&Write> = writes.iter().filter(is_large).collect();
+        let large: Vec<&Write> = writes.iter().filter(|write| write.is_staged()).collect();
         let Some(first) = large.first() else { return Ok(()) };
         let bytes = large.iter().map(|write| write.bytes()).sum();
         device.run_callbacks();
@@ -139,6 +148,14 @@ impl Staging {
                 });
             }
         })
+    }
+
+    /// Forgets what was staged since the last submission.
+    pub fn forget(&mut self) {
+        self.copies = None;
+        for filled in self.filled.drain(..) {
+            self.ring.retain(|mapped| mapped.buffer != filled.buffer);
+        }
     }
 
     /// A mapped buffer that is large enough and none of these.

@@ -3,18 +3,20 @@
 
 use crate::emulated::is_thin;
 use crate::moving_bodies;
+use crate::support::read_back;
 use ccd::gpu::{Device, Error, Session, wgpu};
 use ccd::method::{
     BroadPhaseMethod, Front, Pipeline, Scheduler, Scheduling, Traversal, TreeOptions,
     TriangleOptions,
 };
 use ccd::scenes::{Step, crumpled_sheet, triangle_soup};
-use ccd::{Bodies, BodyMotion, Digest, Mesh, Options};
+use ccd::{Bodies, BodyMotion, Coordinate, Digest, Mesh, Options};
 use ccd_core::backend::layout::Path;
 
 pub const TESTS: crate::Tests = &[
     ("changes_between_steps", check_changes),
     ("changes_that_are_refused", check_refused),
+    ("positions_on_their_way", check_on_their_way),
     ("paths_that_were_written", check_written),
     ("paths_written_in_flight", check_written_in_flight),
 ];
@@ -110,6 +112,113 @@ fn check_refused(device: &Device) {
     assert!(matches!(why, Error::Input(ccd::Error::Method { .. })), "{why}");
     assert_eq!((session.options(), &**session.mesh()), (&before, &small.mesh));
     assert_eq!(check("after", device, &mut session, &small), n);
+}
+
+/// Positions of many vertices are sent before anybody has looked at them, in the form that those of
+/// the step before had. Each step has its own all the same, and what is refused does not arrive.
+fn check_on_their_way(device: &Device) {
+    let step = triangle_soup(3000, 0.03, 5);
+    let of: Vec<u32> = (0..9000).map(|v| v / 180).collect();
+    let options = Options::default().with_bodies(Bodies::new(&of));
+    let mut both = Both {
+        device: Session::new(device, &step.mesh, options.clone()).expect("a session"),
+        cpu: ccd::Session::new(step.mesh.clone(), options).expect("a session"),
+        seen: Vec::new(),
+    };
+    let given = [&step.x0, &step.x1];
+    let wide = given.map(|x| sheared(x, |[x, y, z]| [x, y + 0.3 * x, z]));
+    let larger = given.map(|x| sheared(x, |[x, y, z]| [900.0 * x + 7.7, 900.0 * (y - x), z]));
+    let narrow = step.rounded();
+    let leaning = narrow.each_ref().map(|x| sheared(x, |[x, y, z]| [x, y, 0.5 * (z + y)]));
+    both.check("f32", &narrow);
+    both.check("f32 again", &leaning);
+    both.check("f64 after f32", &wide);
+    both.check("f64 again, with other bounds", &larger);
+    let mut bad = larger.clone();
+    bad[1][8000][2] = f64::NAN;
+    both.refuse(&bad);
+    let last = narrow.each_ref().map(|x| sheared(x, |[x, y, z]| [x + 0.4 * y, y, z]));
+    both.check("f32 after f64", &last);
+
+    // What a caller records reads the paths of the last step that was not refused.
+    let n = both.recorded(device);
+    both.device.step(&last[0], &last[1]).expect("a step");
+    let mut bad = narrow.clone();
+    bad[1][8000][2] = f32::NAN;
+    both.refuse(&bad);
+    assert_eq!(both.recorded(device), n);
+    both.check(
+        "f32 after what was refused",
+        &leaning.map(|x| sheared(&x, |[x, y, z]| [x, y, z - x])),
+    );
+
+    // Bodies move, after a step of all positions. Coordinates are exact in `f32`, then those of
+    // most bodies at rest are not, and some differ by less than it resolves.
+    let exact: Vec<[f64; 3]> = narrow[0].iter().map(|p| p.map(f64::from)).collect();
+    let lattice = |p: &[f64; 3], v: usize| match (v, v / 3 % 2) {
+        (..2048, _) => p.map(|c| 0.125 * (60.0 * c).round()),
+        (_, 0) => p.map(|c| 0.1 * (60.0 * c).round()),
+        _ => p.map(|c| (60.0 * c).round() / 10.0),
+    };
+    let inexact: Vec<[f64; 3]> = step.x0.iter().zip(0..).map(|(p, v)| lattice(p, v)).collect();
+    for x in [&exact, &inexact] {
+        both.device.set_positions(x).expect("positions");
+        both.cpu.set_positions(x).expect("positions");
+        for name in [3, 4, 3] {
+            let from = &x[180 * name..180 * (name + 1)];
+            let by = if name == 4 { 2.0 } else { 0.25 };
+            let to = sheared(from, |[x, y, z]| [x + by, y, z]);
+            let motion = [BodyMotion::new(name as u32, from, &to)];
+            let report = both.cpu.step_bodies(&motion).expect("a step");
+            let want = (report.candidates, report.contacts.len());
+            assert!(want.1 > 10, "{name}: {want:?}");
+            let report = both.device.step_bodies(&motion).expect("a step");
+            assert_eq!((report.candidates, report.contacts.len()), want, "{name}");
+        }
+    }
+}
+
+/// Other boxes overlap then; scaled along axes, the same would.
+fn sheared<T: Coordinate>(x: &[[T; 3]], f: impl Fn([T; 3]) -> [T; 3]) -> Vec<[T; 3]> {
+    x.iter().map(|&p| f(p)).collect()
+}
+
+/// A session on a device and one on a CPU that have the same steps.
+struct Both {
+    device: Session,
+    cpu: ccd::Session,
+    seen: Vec<[Digest; 2]>,
+}
+
+impl Both {
+    /// Both find the same candidates, and others than ever before.
+    fn check<T: Coordinate>(&mut self, what: &str, [x0, x1]: &[Vec<[T; 3]>; 2]) {
+        let found = self.device.candidates(x0, x1).expect("candidates");
+        let found = [Digest::of(0, found.vf.into_iter()), Digest::of(1, found.ee.into_iter())];
+        let want = self.cpu.candidates(x0, x1).expect("candidates");
+        let want = [Digest::of(0, want.vf.iter()), Digest::of(1, want.ee.iter())];
+        assert_eq!(found, want, "{what}");
+        assert!(!self.seen.contains(&want), "{what}: the candidates of another step");
+        self.seen.push(want);
+    }
+
+    fn refuse<T: Coordinate>(&mut self, [x0, x1]: &[Vec<[T; 3]>; 2]) {
+        let found = self.device.step(x0, x1).map(|report| report.contacts.len());
+        let is_refused = matches!(
+            found,
+            Err(Error::Input(ccd::Error::Coordinate { time: 1, vertex: 8000, axis: 2, .. }))
+        );
+        assert!(is_refused, "{found:?}");
+    }
+
+    /// How many pairs a frame lists that is recorded from the paths that are there.
+    fn recorded(&mut self, device: &Device) -> [u32; 2] {
+        let mut encoder = device.wgpu().create_command_encoder(&Default::default());
+        let found = self.device.record(&mut encoder).expect("recorded");
+        let lists = [(found.contacts.buffer(), 4), (found.undecided.buffer(), 4)];
+        let words = read_back(device, encoder, &lists);
+        [words[0][0], words[1][0]]
+    }
 }
 
 /// Whoever has the buffer of paths may write it at any time, and record no frame: the next step has

@@ -27,8 +27,9 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, Header, List, Runs, read_header, read_pairs};
 use crate::readback::{Part, Plan, Readback};
-use crate::recorder::{Bench, Timing, submit};
-use crate::staging::{Each, Staging, Write};
+use crate::recorder::{Bench, Timing, submit, submit_frame};
+use crate::staging::{Staging, Write, is_staged};
+use box_check::Checked;
 use ccd_core::Aabb;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::method::BroadPhaseMethod;
@@ -66,6 +67,9 @@ pub struct BroadPhase {
     pairs: List,
     stages: Vec<(&'static str, f64)>,
 }
+
+/// The goal of all frames, see [`submit_frame`].
+const SEARCH: u32 = 0;
 
 /// A source for certain numbers of boxes.
 struct Buffers {
@@ -214,8 +218,13 @@ impl BroadPhase {
     }
 
     fn send(&mut self, sets: [&[Aabb<f32>]; 3]) -> Result<(), Error> {
-        for boxes in sets {
-            box_check::check(boxes)?;
+        let [a, b, c] = sets.map(Checked::new);
+        let items = [a?, b?, c?];
+        for (boxes, items) in sets.iter().zip(&items) {
+            // What is not staged could not be forgotten if a box is bad.
+            if !is_staged(size_of_val(*boxes) as u64) {
+                items.check_all()?;
+            }
         }
         let count = sets.map(|boxes| boxes.len() as u32);
         let device = &self.device;
@@ -236,7 +245,6 @@ impl BroadPhase {
                 slot.insert(Buffers { count, source })
             }
         };
-        let items = sets.map(|boxes| Each(|i: usize| boxes[i]));
         let mut at = 0;
         let writes = [0, 1, 2].map(|k| {
             let to = (buffers.source.boxes(), at);
@@ -244,9 +252,13 @@ impl BroadPhase {
             Write { what: "boxes", to, numbers: 0..sets[k].len(), items: &items[k] }
         });
         let written = self.staging.write(device, &writes);
-        // Also what was written before something failed: nothing is left for the next call.
+        let checked = items.iter().try_for_each(Checked::result);
+        let sent = written.and(checked.map_err(Error::from));
+        if sent.is_err() {
+            self.staging.forget();
+        }
         self.staging.submit(device)?;
-        written?;
+        sent?;
         self.is_sent = true;
         Ok(())
     }
@@ -279,7 +291,7 @@ impl BroadPhase {
             let of_counters: Vec<_> =
                 counters.iter().map(|(_, range)| plan.part(range.end - range.start)).collect();
             let reading = readback.prepare(device, plan)?;
-            let stages = submit(device, bench, |recorder| {
+            let stages = submit_frame(device, bench, SEARCH, |recorder| {
                 let lists = source.lists();
                 for list in lists.iter().chain([&&*pairs]) {
                     recorder.clear(list.buffer(), HEADER_BYTES);

@@ -68,9 +68,9 @@ impl Geometry {
         bench.forget();
         let frame = buffers.describe(options, super::WHOLE);
         device.guarded("geometry of contacts", 0, || -> Result<(), Error> {
-            let mut recorder = bench.record(encoder);
+            let mut recorder = bench.record();
             dispatch(&mut recorder, buffers, &frame, buffer, device.info().wide);
-            recorder.finish().map(|_| ())
+            recorder.finish(encoder).map(|_| ())
         })??;
         Ok(buffer)
     }

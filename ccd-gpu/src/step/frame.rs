@@ -39,6 +39,8 @@ pub struct Frames {
     /// Contacts that the device found in the last step: about as many are read with the results of
     /// the next.
     expected: u32,
+    /// How many were asked for.
+    guessed: u32,
     /// Whether edges and faces on the device may be those of a mesh that was not taken.
     stale: bool,
     /// Calls for which the earliest time is looked for at once, because a sample did not pay the
@@ -85,6 +87,7 @@ impl Frames {
             stages: Vec::new(),
             grown: 0,
             expected: 0,
+            guessed: 0,
             stale: false,
             at_once: 0,
             order: KeptOrder::default(),
@@ -144,10 +147,10 @@ impl Frames {
         let (bench, buffers) = (&mut self.bench, &self.buffers);
         let frame = buffers.describe(options, WHOLE);
         device.guarded("a frame", 0, || -> Result<(), Error> {
-            let mut recorder = bench.record(encoder);
+            let mut recorder = bench.record();
             buffers.lists().map(|list| recorder.clear(list.buffer(), HEADER_BYTES));
             buffers.record(&mut recorder, &frame, Goal::Contacts, device.info().wide);
-            recorder.finish().map(|_| ())
+            recorder.finish(encoder).map(|_| ())
         })??;
         self.geometry.listed = true;
         Ok(buffers)

@@ -4,7 +4,6 @@
 use crate::device::Device;
 use crate::error::Error;
 use crate::staging::{Each, Items, Staging, Write};
-use crate::threads;
 use ccd_core::backend::broad_phase::{placement, swept_box};
 use ccd_core::backend::layout::{Frame, Path, Placing, split};
 use ccd_core::backend::quantization::{Scan, Table, margin};
@@ -13,10 +12,13 @@ use ccd_core::model::positions::Chosen;
 use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::session::Moved;
 use ccd_core::{Aabb, Coordinate};
+use items::{Scanned, Sent, both_ends, either_end, narrow, path, scan_chunks, wide};
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering::Relaxed;
 use wgpu::BufferUsages as U;
+
+mod items;
 
 /// Positions on the device.
 pub struct Positions {
@@ -68,8 +70,6 @@ impl<'a> Input<'a> {
 
 /// Vertices that are scanned together.
 const CHUNK: usize = 2048;
-/// Chunks that are worth another thread.
-const SHARE: usize = 4;
 /// From this many runs on, one copy of all paths takes less than one of each.
 const MANY_RUNS: usize = 64;
 
@@ -161,7 +161,9 @@ impl Positions {
             Precision::F32(x) => self.take(device, (x, chosen), runs, min_distance, boxes),
             Precision::F64(x) => self.take(device, (x, chosen), runs, min_distance, boxes),
         };
-        // Also what was written before something failed: what is written next comes behind it.
+        if replaced.is_err() {
+            self.staging.forget();
+        }
         self.staging.submit(device)?;
         let replaced = replaced?;
         self.call = moved.map(|moved| moved.call);
@@ -182,7 +184,13 @@ impl Positions {
         boxes: &wgpu::Buffer,
     ) -> Result<bool, Error> {
         let n = chosen.map_or(x[0].len(), |chosen| chosen.vertices.len());
-        let scan = chosen.map_or_else(|| self.scan(x, runs), |chosen| *chosen.scan);
+        let is_whole = chosen.is_none() && runs.is_none();
+        let ahead = if is_whole { self.send_as_before(device, x)? } else { None };
+        let scan = match (chosen, ahead) {
+            (Some(chosen), _) => *chosen.scan,
+            (_, Some((_, scan))) => scan,
+            _ => self.scan(x, runs),
+        };
         let bounds = [scan.bounds.min, scan.bounds.max].map(|corner| corner.map(T::from_f64));
         let sent = Sent { x, chosen: chosen.map(|chosen| chosen.vertices), bounds };
         scan.check(x[0], x[1])?;
@@ -213,14 +221,13 @@ impl Positions {
             let bytes = (n * size_of::<[[u32; 2]; 6]>()) as u64;
             replaced |= reserve(device, "keys of exact boxes", &mut self.keys, bytes)?;
         }
+        if ahead.is_some_and(|(boxes, _)| boxes == self.boxes) {
+            return Ok(replaced);
+        }
 
         let given = Each(|i: usize| wide(if i < n { sent.at(0, i) } else { sent.at(1, i - n) }));
         // Two loops, because without arithmetic one takes half of the time.
-        let paths_as_given = Each(|v| {
-            path(sent.ends(v), |p| {
-                [p[0].to_f64() as f32, p[1].to_f64() as f32, p[2].to_f64() as f32]
-            })
-        });
+        let paths_as_given = Each(|v| path(sent.ends(v), narrow));
         let paths_in_table = Each(|v| path(sent.ends(v), |p| table.place(wide(p))));
         let paths: &dyn Items = if self.exact { &paths_as_given } else { &paths_in_table };
         let margin: T = margin(min_distance);
@@ -254,11 +261,48 @@ impl Positions {
         Ok(replaced)
     }
 
+    /// Sends positions, or paths, in one pass with their scan, if what is sent does not depend on
+    /// what the scan finds where boxes are made as in the step before. Returns how those are made,
+    /// and the scan.
+    fn send_as_before<T: Coordinate>(
+        &mut self,
+        device: &Device,
+        x: [&[[T; 3]]; 2],
+    ) -> Result<Option<(Boxes, Scan)>, Error> {
+        let n = x[0].len();
+        let end = |i: usize| wide(if i < n { x[0][i] } else { x[1][i - n] });
+        let positions = Scanned::new(x, either_end, end);
+        let paths = Scanned::new(x, both_ends, |v: usize| path([x[0][v], x[1][v]], narrow));
+        let is_apart = !*self.lends.get_mut() && !self.of_caller;
+        let (what, scan);
+        let write = match self.boxes {
+            Boxes::OfPositions => {
+                (what, scan) = ("positions in f64", &positions.scan);
+                Write { what, to: (&self.wide, 0), numbers: 0..2 * n, items: &positions }
+            }
+            Boxes::OfPaths if self.exact && is_apart => {
+                (what, scan) = ("paths", &paths.scan);
+                Write { what, to: (&self.own, 0), numbers: 0..n, items: &paths }
+            }
+            _ => return Ok(None),
+        };
+        // What is not staged could not be forgotten if the scan finds what is refused.
+        if !write.is_staged() || write.bytes() > write.to.0.size() {
+            return Ok(None);
+        }
+        self.staging.write(device, &[write])?;
+        // Those of chunks are not known.
+        self.scans.clear();
+        Ok(Some((self.boxes, *scan.lock().unwrap_or_else(|e| e.into_inner()))))
+    }
+
     /// What all positions say together. `runs`: vertices that may be elsewhere than when this was
     /// last asked; none: all may.
     fn scan<T: Coordinate>(&mut self, x: [&[[T; 3]]; 2], runs: Option<&[Range<u32>]>) -> Scan {
         let all = 0..x[0].len() as u32;
-        self.scans.resize(x[0].len().div_ceil(CHUNK), Scan::NONE);
+        let n_chunks = x[0].len().div_ceil(CHUNK);
+        let runs = runs.filter(|_| self.scans.len() == n_chunks);
+        self.scans.resize(n_chunks, Scan::NONE);
         for run in runs.unwrap_or(std::slice::from_ref(&all)) {
             let chunks = run.start as usize / CHUNK..(run.end as usize).div_ceil(CHUNK);
             scan_chunks(chunks.start, &mut self.scans[chunks], x);
@@ -301,59 +345,6 @@ impl Positions {
         frame.flags |= if self.exact { Frame::FLAG_EXACT } else { 0 };
         frame.flags |= if self.slack > 0.0 { Frame::FLAG_CONFIRM } else { 0 };
     }
-}
-
-/// Positions of both ends of a step, as they are sent.
-///
-/// What is done for each vertex is inlined by force, and without `array::map`, which is not
-/// inlined: otherwise the loops take twice as long.
-#[derive(Clone, Copy)]
-struct Sent<'a, T> {
-    x: [&'a [[T; 3]]; 2],
-    /// Which of them, if not all.
-    chosen: Option<&'a [u32]>,
-    /// What chosen ones are in, or are brought into: kernels meet no NaN, and nothing larger than
-    /// what their bounds of rounding are for, also in a step that is forgotten once its positions
-    /// were looked at.
-    bounds: [[T; 3]; 2],
-}
-
-impl<T: Real> Sent<'_, T> {
-    #[inline(always)]
-    fn at(&self, end: usize, v: usize) -> [T; 3] {
-        let Some(chosen) = self.chosen else { return self.x[end][v] };
-        let (p, [min, max]) = (self.x[end][chosen[v] as usize], self.bounds);
-        let inside = |k: usize| if p[k] >= min[k] && p[k] <= max[k] { p[k] } else { min[k] };
-        [inside(0), inside(1), inside(2)]
-    }
-
-    #[inline(always)]
-    fn ends(&self, v: usize) -> [[T; 3]; 2] {
-        [self.at(0, v), self.at(1, v)]
-    }
-}
-
-/// The path between two ends, each made a place by `end`.
-#[inline(always)]
-fn path<T>([p, q]: [[T; 3]; 2], end: impl Fn([T; 3]) -> [f32; 3]) -> Path {
-    let [p, q] = [end(p), end(q)];
-    Path { t0: [p[0], p[1], p[2], 0.0], t1: [q[0], q[1], q[2], 0.0] }
-}
-
-#[inline(always)]
-fn wide<T: Real>(p: [T; 3]) -> [f64; 3] {
-    [p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]
-}
-
-/// Scans chunks of vertices, of which the first has this number.
-fn scan_chunks<T: Coordinate>(first: usize, scans: &mut [Scan], [x0, x1]: [&[[T; 3]]; 2]) {
-    threads::copy(scans.chunks_mut(SHARE).enumerate(), |(part, scans)| {
-        for (scan, i) in scans.iter_mut().zip(first + part * SHARE..) {
-            let chunk = i * CHUNK..((i + 1) * CHUNK).min(x0.len());
-            *scan = Scan::NONE;
-            scan.take_all(&x0[chunk.clone()], &x1[chunk]);
-        }
-    });
 }
 
 /// Replaces a buffer that is too small. Returns whether it was.
