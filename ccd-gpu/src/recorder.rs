@@ -103,8 +103,11 @@ impl Bench {
 
     /// Sets what is timed; where there are no timestamps, nothing is.
     pub fn set_timing(&mut self, timing: Timing) -> Result<(), Error> {
-        self.ahead.clear();
-        self.timing = if self.device.info().timestamps { timing } else { Timing::Off };
+        let timing = if self.device.info().timestamps { timing } else { Timing::Off };
+        if timing != self.timing {
+            self.ahead.clear();
+        }
+        self.timing = timing;
         if self.timing == Timing::Off || self.timer.is_some() {
             return Ok(());
         }
