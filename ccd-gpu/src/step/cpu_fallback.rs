@@ -53,8 +53,9 @@ pub fn take_touches<R: Pod>(
     const NONE: Contact = Contact::new(Kind::VertexFace, State::Hit, 0, 0, 0.0);
     let mut out = std::mem::take(spare);
     out.resize(n, NONE);
-    let mut summaries = vec![Summary::default(); out.len().div_ceil(TOUCHES)];
-    let parts = out.chunks_mut(TOUCHES).zip(bytes.chunks(TOUCHES * size_of::<R>()));
+    let share = threads::share(n).max(TOUCHES);
+    let mut summaries = vec![Summary::default(); out.len().div_ceil(share)];
+    let parts = out.chunks_mut(share).zip(bytes.chunks(share * size_of::<R>()));
     threads::copy(parts.zip(&mut summaries).enumerate(), |(part, ((out, bytes), summary))| {
         // Several minima, because each of a chain of them waits for the one before.
         let (mut least, mut any_open) = ([f64::INFINITY; 4], false);
@@ -66,7 +67,7 @@ pub fn take_touches<R: Pod>(
             any_open |= is_open;
         }
         if any_open {
-            summary.add(part * TOUCHES, out);
+            summary.add(part * share, out);
         }
         summary.toi = least.into_iter().fold(summary.toi, f64::min);
     });
@@ -111,7 +112,8 @@ impl<T: Real> Host<'_, T> {
     /// Puts exact times into contacts of which a device is certain. Those whose time `f64` does not
     /// find are undecided again.
     fn time(&self, (contacts, summary): Listed) {
-        threads::each(contacts.chunks_mut(TIMES), |contacts| {
+        let share = threads::share(contacts.len()).max(TIMES);
+        threads::each(contacts.chunks_mut(share), |contacts| {
             for contact in contacts {
                 if contact.state == State::Hit {
                     match self.decider.with_exact_time(self.mesh, contact, self.x) {
