@@ -89,18 +89,24 @@ fn check_degenerate(device: &Device) {
         let x0: Vec<[f64; 3]> = (0..3 * n).map(|_| corner()).collect();
         let x1: Vec<[f64; 3]> =
             x0.iter().map(|p| if p[0] > unit { corner() } else { *p }).collect();
+        let apart: Vec<[f64; 3]> = x1.iter().map(|p| [p[0], p[1] + 0.3, p[2] + 0.1]).collect();
         let faces: Vec<[u32; 3]> = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         let mesh = ccd::Mesh::new(3 * n as usize, &faces).unwrap();
-        let cpu = ccd::step(&mesh, &x0, &x1, &Options::default()).unwrap();
         let mut session = Session::new(device, mesh.clone(), Options::default()).unwrap();
-        let gpu = session.step(&x0, &x1).unwrap();
-        assert_eq!(gpu.candidates, cpu.candidates);
-        let key = |c: &Contact| (c.kind, c.a, c.b, c.state);
-        let [of_gpu, of_cpu] = [&gpu.contacts, &cpu.contacts];
-        assert_eq!(
-            of_gpu.iter().map(key).collect::<Vec<_>>(),
-            of_cpu.iter().map(key).collect::<Vec<_>>()
-        );
+        let keys = |contacts: &[Contact]| -> Vec<_> {
+            contacts.iter().map(|c| (c.kind, c.a, c.b, c.state)).collect()
+        };
+        // Where pairs are left open, those of later steps are read with their results, if they are
+        // no more than expected: as many, none, more.
+        for [x0, x1] in [[&x0, &x1], [&x0, &x1], [&x1, &apart], [&x0, &x1]] {
+            let cpu = ccd::step(&mesh, x0, x1, &Options::default()).unwrap();
+            let gpu = session.step(x0, x1).unwrap();
+            assert_eq!(gpu.candidates, cpu.candidates);
+            assert_eq!(keys(&gpu.contacts), keys(&cpu.contacts));
+            assert_eq!(gpu.undecided, 0);
+        }
+        let cpu = ccd::step(&mesh, &x0, &x1, &Options::default()).unwrap();
+        let of_cpu = &cpu.contacts;
         let open = of_cpu.iter().filter(|c| {
             let ids = c.vertices(&mesh);
             let (t0, t1) = (ids.map(|v| x0[v as usize]), ids.map(|v| x1[v as usize]));
@@ -112,7 +118,7 @@ fn check_degenerate(device: &Device) {
         });
         let n_open = open.count();
         println!("degenerate, {unit}: {} contacts, {n_open} open in `f64`", of_cpu.len());
-        assert!(n_open > 100 && gpu.undecided == 0, "nothing degenerate");
+        assert!(n_open > 100, "nothing degenerate");
     }
 }
 

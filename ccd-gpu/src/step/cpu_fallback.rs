@@ -31,6 +31,12 @@ impl Default for Summary {
 }
 
 impl Summary {
+    /// Adds those of contacts that come after these.
+    fn join(&mut self, mut other: Self) {
+        self.toi = self.toi.min(other.toi);
+        self.undecided.append(&mut other.undecided);
+    }
+
     /// Adds contacts, of which the first has this place.
     fn add(&mut self, first: usize, contacts: &[Contact]) {
         for (contact, at) in contacts.iter().zip(first..) {
@@ -71,9 +77,8 @@ pub fn take_touches<R: Pod>(
         }
         summary.toi = least.into_iter().fold(summary.toi, f64::min);
     });
-    let all = summaries.into_iter().reduce(|mut all, mut part| {
-        all.toi = all.toi.min(part.toi);
-        all.undecided.append(&mut part.undecided);
+    let all = summaries.into_iter().reduce(|mut all, part| {
+        all.join(part);
         all
     });
     (out, all.unwrap_or_default())
@@ -131,28 +136,41 @@ impl<T: Real> Host<'_, T> {
     /// none.
     fn settle(&self, (contacts, summary): Listed) {
         let open = std::mem::take(&mut summary.undecided);
-        let mut settled = vec![None; open.len()];
         let share = threads::share(open.len());
-        let parts = open.chunks(share).zip(settled.chunks_mut(share));
-        threads::each(parts, |(open, settled)| {
-            for (&at, settled) in open.iter().zip(settled) {
-                let Contact { kind, a, b, .. } = contacts[at as usize];
-                *settled = self.contact(kind, Pair { a, b });
+        let mut settled = vec![(Summary::default(), Vec::new()); open.len().div_ceil(share)];
+        let (mut parts, mut rest, mut first) = (Vec::new(), &mut contacts[..], 0);
+        for (open, settled) in open.chunks(share).zip(&mut settled) {
+            // They ascend, so that each part has contacts of its own.
+            let end = open.last().map_or(first, |&last| last as usize + 1);
+            let (part, after) = rest.split_at_mut(end - first);
+            parts.push((open, part, first, settled));
+            (rest, first) = (after, end);
+        }
+        threads::each(parts.into_iter(), |(open, contacts, first, (summary, dropped))| {
+            for at in open.iter().map(|&at| at as usize) {
+                let contact = &mut contacts[at - first];
+                match self.contact(contact.kind, Pair { a: contact.a, b: contact.b }) {
+                    Some(settled) => {
+                        *contact = settled;
+                        summary.add(at, &[settled]);
+                    }
+                    None => dropped.push(at),
+                }
             }
         });
-        // In order, so that what is kept moves to a place that is free already.
-        let (mut kept, mut next) = (0, 0);
-        for (at, settled) in open.into_iter().map(|at| at as usize).zip(settled) {
-            contacts.copy_within(next..at, kept);
-            (kept, next) = (kept + at - next, at + 1);
-            if let Some(contact) = settled {
-                summary.add(kept, &[contact]);
-                contacts[kept] = contact;
-                kept += 1;
-            }
+        let mut dropped = settled.iter().flat_map(|(_, dropped)| dropped).copied().peekable();
+        if dropped.peek().is_none() {
+            settled.into_iter().for_each(|(part, _)| summary.join(part));
+            return;
         }
-        contacts.copy_within(next.., kept);
-        contacts.truncate(kept + contacts.len() - next);
+        let mut at = 0;
+        contacts.retain(|_| {
+            let is_dropped = dropped.next_if_eq(&at).is_some();
+            at += 1;
+            !is_dropped
+        });
+        *summary = Summary::default();
+        summary.add(0, contacts);
     }
 
     /// Decides pairs and appends those that touch or stay undecided.
@@ -171,4 +189,43 @@ impl<T: Real> Host<'_, T> {
 /// Puts contacts in their canonical order; it takes less if most are.
 pub fn sort(contacts: &mut [Contact]) {
     contacts.sort_by_key(|c| (c.kind, c.a, c.b));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ccd_core::model::options::{Mode, Options};
+
+    /// Vertices above a face each: every third stays there, the others fall through. Of every
+    /// second the device is certain, right or wrong.
+    #[test]
+    fn what_is_undecided_is_decided_in_its_place_or_dropped() {
+        for (n, stays) in [(1, 3), (2, 1), (50, 3), (1000, 3), (1000, 1000), (1000, 1)] {
+            let faces: Vec<[u32; 3]> = (0..n).map(|i| [4 * i, 4 * i + 1, 4 * i + 2]).collect();
+            let mesh = Mesh::new(4 * n as usize, &faces).expect("a mesh");
+            let group = |i: u32, end: f64| {
+                let y = if i.is_multiple_of(stays) { 1.0 } else { 1.0 - 2.0 * end };
+                [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.2, y, 0.2]]
+            };
+            let x = [0.0, 1.0].map(|end| (0..n).flat_map(|i| group(i, end)).collect::<Vec<_>>());
+            let state = |i| if i % 2 == 0 { State::Undecided } else { State::Hit };
+            let of = |i: u32, state, toi| Contact::new(Kind::VertexFace, state, 4 * i + 3, i, toi);
+            let mut contacts: Vec<Contact> = (0..n).map(|i| of(i, state(i), 0.25)).collect();
+            let mut summary = Summary::default();
+            summary.add(0, &contacts);
+
+            let decider =
+                &Decider::new(&Options::default().with_mode(Mode::Conservative), [0.0, 1.0]);
+            let x = x.each_ref().map(|x| &x[..]);
+            Host { mesh: &mesh, x, decider }.settle((&mut contacts, &mut summary));
+            let is_left = |&i: &u32| i % 2 == 1 || !i.is_multiple_of(stays);
+            let ids: Vec<u32> = contacts.iter().map(|contact| contact.b).collect();
+            assert_eq!(ids, (0..n).filter(is_left).collect::<Vec<u32>>(), "{n}, {stays}");
+            assert!(contacts.iter().all(|contact| contact.state == State::Hit));
+            let decided = contacts.iter().filter(|contact| contact.b % 2 == 0);
+            assert!(decided.into_iter().all(|contact| contact.toi > 0.49 && contact.toi <= 0.5));
+            let toi = contacts.iter().map(|contact| contact.toi).fold(f64::INFINITY, f64::min);
+            assert_eq!((summary.toi, summary.undecided), (toi, Vec::new()));
+        }
+    }
 }

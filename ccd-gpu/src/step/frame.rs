@@ -23,8 +23,10 @@ use ccd_core::model::report::TriangleCounts;
 
 mod attempt;
 mod changes;
+mod expected;
 mod flight;
 
+use expected::Expected;
 use flight::Flight;
 
 /// Buffers of all frames, and what one learns from the frame before.
@@ -36,11 +38,10 @@ pub struct Frames {
     pub stages: Vec<(&'static str, f64)>,
     /// How often a list was too short, so that a frame ran again.
     pub grown: u32,
-    /// Contacts that the device found in the last step: about as many are read with the results of
-    /// the next.
-    expected: u32,
-    /// How many were asked for.
-    guessed: u32,
+    /// Contacts that are read with the results of a step.
+    contacts: Expected,
+    /// Pairs that are left open, by goal.
+    open: [Expected; 4],
     /// Whether edges and faces on the device may be those of a mesh that was not taken.
     stale: bool,
     /// Calls for which the earliest time is looked for at once, because a sample did not pay the
@@ -86,8 +87,8 @@ impl Frames {
             readback: Readback::default(),
             stages: Vec::new(),
             grown: 0,
-            expected: 0,
-            guessed: 0,
+            contacts: Expected::default(),
+            open: Default::default(),
             stale: false,
             at_once: 0,
             order: KeptOrder::default(),

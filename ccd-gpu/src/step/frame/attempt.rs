@@ -19,6 +19,8 @@ use ccd_core::model::options::Options;
 pub struct Attempt {
     /// Contacts that are read with it.
     pub guess: u32,
+    /// Pairs that are left open and read with it.
+    pub guess_open: u32,
     /// The order that was kept, which holds on if the frame comes to a good end.
     pub order: KeptOrder,
     pub kept: bool,
@@ -37,23 +39,20 @@ pub struct Parts {
     pub order: Part,
     pub counters: Vec<Part>,
     pub counts: Part,
+    /// The list of pairs that are left open.
+    pub open: Part,
 }
 
 impl Frames {
     /// Makes buffers for the order of as many contacts as are expected, if they are many. Returns
     /// how many are to be read at once.
     fn plan_contacts(&mut self, device: &Device, goal: Goal) -> Result<u32, Error> {
-        let Self { buffers, bench, expected, guessed, .. } = self;
-        let n = if goal == Goal::Contacts {
-            // As many as before, while that is about right: the commands are the same then.
-            let guess = *expected + *expected / 8 + 256;
-            let fits = guess - guess / 16..=guess + guess / 8;
-            *guessed = if fits.contains(guessed) { *guessed } else { guess };
-            (*guessed).min(buffers.contacts.capacity())
-        } else {
-            0
+        let Self { buffers, bench, contacts, .. } = self;
+        let n = match goal {
+            Goal::Contacts => contacts.ask().min(buffers.contacts.capacity()),
+            _ => 0,
         };
-        buffers.to_order = if *expected >= contact_order::FEWEST { n } else { 0 };
+        buffers.to_order = if contacts.last() >= contact_order::FEWEST { n } else { 0 };
         let frame = frame_of(buffers.count);
         let fits = |order: &ContactOrder| order.fits(&frame, buffers.to_order);
         if buffers.to_order > 0 && !buffers.order.as_ref().is_some_and(fits) {
@@ -82,7 +81,7 @@ impl Frames {
         // Without an order until this frame has come to a good end.
         let order = std::mem::take(&mut self.order);
         let kept = order.holds(self.buffers.n_boxes());
-        let Self { buffers, bench, readback, .. } = self;
+        let Self { buffers, bench, readback, open, .. } = self;
         buffers.keeps_order = kept;
         let frame = buffers.describe(options, window);
         let mut plan = Plan::default();
@@ -90,7 +89,12 @@ impl Frames {
         let asked = |is: bool, bytes: u64| if is { bytes } else { 0 };
         let of_earliest = plan.part(asked(goal.is_earliest(), 4));
         let of_sample = plan.part(asked(goal == Goal::Earliest, 16));
-        let of_lists = buffers.used(goal, wide).map(|used| plan.part(asked(used, HEADER_BYTES)));
+        let used = buffers.used(goal, wide);
+        let expected = &mut open[goal as usize];
+        let has_open = used.undecided && expected.last() > 0;
+        let guess_open = if has_open { expected.ask() } else { 0 };
+        let of_open = plan.part(asked(has_open, buffers.undecided.bytes(guess_open)));
+        let of_lists = used.map(|used| plan.part(asked(used, HEADER_BYTES)));
         let is_ordered = buffers.to_order > 0;
         let of_one = if is_ordered { size_of::<PackedTouch>() } else { size_of::<Touch>() };
         let of_contacts = plan.part(guess as u64 * of_one as u64);
@@ -107,6 +111,7 @@ impl Frames {
             recorder.read(&reading, of_sample, &buffers.sample, 0);
             let lists = buffers.lists().zip(of_lists.clone());
             lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
+            recorder.read(&reading, of_open, buffers.undecided.buffer(), 0);
             for (part, (counters, range)) in of_counters.iter().zip(&counters) {
                 recorder.read(&reading, *part, counters, range.start);
             }
@@ -130,8 +135,9 @@ impl Frames {
             order: of_order,
             counters: of_counters,
             counts: of_counts,
+            open: of_open,
         };
         let (mapping, times) = (reading.begin(device)?, bench.begin_times(stages)?);
-        Ok(Attempt { guess, order, kept, parts, mapping, times })
+        Ok(Attempt { guess, guess_open, order, kept, parts, mapping, times })
     }
 }

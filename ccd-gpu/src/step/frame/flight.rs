@@ -149,7 +149,7 @@ impl Frames {
         goal: Goal,
         contacts: &mut Vec<Contact>,
     ) -> Result<End, Error> {
-        let Attempt { guess, mut order, kept, parts, mapping, times } = attempt;
+        let Attempt { guess, guess_open, mut order, kept, parts, mapping, times } = attempt;
         let Self { buffers, bench, spare, .. } = self;
         let mut found = Found { sorted: !kept, ..Found::default() };
         let mut sampled_of = 0;
@@ -179,6 +179,11 @@ impl Frames {
                 0 => take_touches(touches, n, identity, spare),
                 _ => take_touches(touches, n, |packed: PackedTouch| packed.touch(), spare),
             };
+            let n_open = headers.undecided.wanted;
+            if 0 < n_open && n_open <= guess_open {
+                let len = buffers.undecided.bytes(n_open) as usize;
+                found.open = read_by_kind(&parts.open.of(bytes)[..len]);
+            }
             found.in_order = parts.order.bytes > 0 && word(parts.order.of(bytes), 0) == 0;
             let triangles = buffers.source.triangles();
             found.triangles = triangles.map(|_| read_counts(parts.counts.of(bytes)));
@@ -226,10 +231,11 @@ impl Frames {
         let n_open = headers.undecided.wanted;
         let beyond = n_contacts > guess;
         if goal == Goal::Contacts {
-            self.expected = n_contacts;
+            self.contacts.found(n_contacts);
         }
+        self.open[goal as usize].found(n_open);
         found.in_order &= !beyond;
-        if beyond || n_open > 0 {
+        if beyond || n_open > guess_open {
             let n_contacts = if beyond { n_contacts } else { 0 };
             let rest = self.begin_rest(device, n_contacts, n_open, std::mem::take(contacts))?;
             return Ok(End::Rest(found, rest));
