@@ -23,8 +23,8 @@ pub fn copy<P: Send>(parts: impl ExactSizeIterator<Item = P> + Send, work: impl 
     on_threads(MOST.min(available()), parts, work);
 }
 
-/// How many of `n` things a thread takes at once, so that each comes eight times: to be one after
-/// the other in taking thousands would take longer than most work.
+/// How many of `n` things make a part, so that there are eight parts for each thread: where there
+/// are thousands, threads wait for each other to take the next one longer than they work.
 pub fn share(n: usize) -> usize {
     n.div_ceil(8 * available()).max(1)
 }

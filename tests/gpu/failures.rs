@@ -176,6 +176,18 @@ fn check_too_large(device: &Device) {
     let mut cpu = ccd::BroadPhase::new(1, BroadPhaseMethod::Blocks).unwrap();
     let want = cpu.self_pairs(boxes).unwrap().len();
     assert_eq!(broad.self_pairs(boxes).unwrap().len(), want);
+    // What is refused leaves the boxes of the call before, many or few.
+    for boxes in [boxes, &boxes[..500]] {
+        let want = broad.self_pairs(boxes).unwrap().len();
+        let mut bad = vec![ccd::Aabb::of_point([0.5f32; 3]); boxes.len()];
+        bad[boxes.len() - 9].min[1] = f32::NAN;
+        let error = broad.self_pairs(&bad).unwrap_err();
+        let at = boxes.len() - 9;
+        assert!(
+            matches!(error, Error::Input(ccd::Error::Box { at: named, axis: 1, .. }) if named == at)
+        );
+        assert_eq!(broad.again().unwrap() as usize, want);
+    }
 }
 
 fn check_no_adapter(_: &Device) {

@@ -220,21 +220,20 @@ impl BroadPhase {
     fn send(&mut self, sets: [&[Aabb<f32>]; 3]) -> Result<(), Error> {
         let [a, b, c] = sets.map(Checked::new);
         let items = [a?, b?, c?];
-        for (boxes, items) in sets.iter().zip(&items) {
-            // What is not staged could not be forgotten if a box is bad.
-            if !is_staged(size_of_val(*boxes) as u64) {
-                items.check_all()?;
-            }
+        // Boxes that are not staged could not be forgotten if another one is bad.
+        if !sets.iter().all(|&boxes| boxes.is_empty() || is_staged(size_of_val(boxes) as u64)) {
+            items.iter().try_for_each(Checked::check_all)?;
         }
         let count = sets.map(|boxes| boxes.len() as u32);
         let device = &self.device;
-        self.is_sent = false;
+        let was_sent = std::mem::take(&mut self.is_sent);
         if device.failed_late() {
             self.pairs = List::new(device, "pairs", 2, self.pairs.capacity())?;
             self.buffers = None;
             self.readback = Readback::default();
         }
-        if self.buffers.as_ref().is_none_or(|b| b.count != count) {
+        let are_others = self.buffers.as_ref().is_none_or(|b| b.count != count);
+        if are_others {
             self.buffers = None;
             self.bench.forget();
         }
@@ -253,12 +252,14 @@ impl BroadPhase {
         });
         let written = self.staging.write(device, &writes);
         let checked = items.iter().try_for_each(Checked::result);
-        let sent = written.and(checked.map_err(Error::from));
-        if sent.is_err() {
+        if written.is_err() || checked.is_err() {
             self.staging.forget();
+            written?;
+            // Nothing was written: the boxes of the call before are still there.
+            self.is_sent = was_sent && !are_others;
+            return Ok(checked?);
         }
         self.staging.submit(device)?;
-        sent?;
         self.is_sent = true;
         Ok(())
     }

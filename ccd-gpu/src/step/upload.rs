@@ -12,7 +12,7 @@ use ccd_core::model::positions::Chosen;
 use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::session::Moved;
 use ccd_core::{Aabb, Coordinate};
-use items::{Scanned, Sent, both_ends, either_end, narrow, path, scan_chunks, wide};
+use items::{Scanned, Sent, both_ends, either_end, path, scan_chunks, wide};
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering::Relaxed;
@@ -192,7 +192,7 @@ impl Positions {
             _ => self.scan(x, runs),
         };
         let bounds = [scan.bounds.min, scan.bounds.max].map(|corner| corner.map(T::from_f64));
-        let sent = Sent { x, chosen: chosen.map(|chosen| chosen.vertices), bounds };
+        let sent = Sent { x, chosen: chosen.map(|chosen| (chosen.vertices, bounds)) };
         scan.check(x[0], x[1])?;
         let table = scan.table(true);
         let before = std::mem::replace(&mut self.table, table);
@@ -225,9 +225,9 @@ impl Positions {
             return Ok(replaced);
         }
 
-        let given = Each(|i: usize| wide(if i < n { sent.at(0, i) } else { sent.at(1, i - n) }));
+        let given = Each(|i| sent.position(i, n));
         // Two loops, because without arithmetic one takes half of the time.
-        let paths_as_given = Each(|v| path(sent.ends(v), narrow));
+        let paths_as_given = Each(|v| sent.path(v));
         let paths_in_table = Each(|v| path(sent.ends(v), |p| table.place(wide(p))));
         let paths: &dyn Items = if self.exact { &paths_as_given } else { &paths_in_table };
         let margin: T = margin(min_distance);
@@ -269,10 +269,9 @@ impl Positions {
         device: &Device,
         x: [&[[T; 3]]; 2],
     ) -> Result<Option<(Boxes, Scan)>, Error> {
-        let n = x[0].len();
-        let end = |i: usize| wide(if i < n { x[0][i] } else { x[1][i - n] });
-        let positions = Scanned::new(x, either_end, end);
-        let paths = Scanned::new(x, both_ends, |v: usize| path([x[0][v], x[1][v]], narrow));
+        let (n, sent) = (x[0].len(), Sent { x, chosen: None });
+        let positions = Scanned::new(x, either_end, |i: usize| sent.position(i, n));
+        let paths = Scanned::new(x, both_ends, |v: usize| sent.path(v));
         let is_apart = !*self.lends.get_mut() && !self.of_caller;
         let (what, scan);
         let write = match self.boxes {
@@ -291,7 +290,7 @@ impl Positions {
             return Ok(None);
         }
         self.staging.write(device, &[write])?;
-        // Those of chunks are not known.
+        // What each chunk says by itself is not known now.
         self.scans.clear();
         Ok(Some((self.boxes, *scan.lock().unwrap_or_else(|e| e.into_inner()))))
     }

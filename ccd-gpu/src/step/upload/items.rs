@@ -21,19 +21,17 @@ const SHARE: usize = 4;
 #[derive(Clone, Copy)]
 pub struct Sent<'a, T> {
     pub x: [&'a [[T; 3]]; 2],
-    /// Which of them, if not all.
-    pub chosen: Option<&'a [u32]>,
-    /// What chosen ones are in, or are brought into: kernels meet no NaN, and nothing larger than
-    /// what their bounds of rounding are for, also in a step that is forgotten once its positions
-    /// were looked at.
-    pub bounds: [[T; 3]; 2],
+    /// Which of them, if not all, and what these are in, or are brought into: kernels meet no NaN,
+    /// and nothing larger than what their bounds of rounding are for, also in a step that is
+    /// forgotten once its positions were looked at.
+    pub chosen: Option<(&'a [u32], [[T; 3]; 2])>,
 }
 
 impl<T: Real> Sent<'_, T> {
     #[inline(always)]
     pub fn at(&self, end: usize, v: usize) -> [T; 3] {
-        let Some(chosen) = self.chosen else { return self.x[end][v] };
-        let (p, [min, max]) = (self.x[end][chosen[v] as usize], self.bounds);
+        let Some((chosen, [min, max])) = self.chosen else { return self.x[end][v] };
+        let p = self.x[end][chosen[v] as usize];
         let inside = |k: usize| if p[k] >= min[k] && p[k] <= max[k] { p[k] } else { min[k] };
         [inside(0), inside(1), inside(2)]
     }
@@ -41,6 +39,18 @@ impl<T: Real> Sent<'_, T> {
     #[inline(always)]
     pub fn ends(&self, v: usize) -> [[T; 3]; 2] {
         [self.at(0, v), self.at(1, v)]
+    }
+
+    /// Position `i` of the `n` at the start and then those at the end.
+    #[inline(always)]
+    pub fn position(&self, i: usize, n: usize) -> [f64; 3] {
+        wide(if i < n { self.at(0, i) } else { self.at(1, i - n) })
+    }
+
+    /// The path of a vertex whose coordinates are exact.
+    #[inline(always)]
+    pub fn path(&self, v: usize) -> Path {
+        path(self.ends(v), |p| [p[0].to_f64() as f32, p[1].to_f64() as f32, p[2].to_f64() as f32])
     }
 }
 
@@ -54,11 +64,6 @@ pub fn path<T>([p, q]: [[T; 3]; 2], end: impl Fn([T; 3]) -> [f32; 3]) -> Path {
 #[inline(always)]
 pub fn wide<T: Real>(p: [T; 3]) -> [f64; 3] {
     [p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]
-}
-
-#[inline(always)]
-pub fn narrow<T: Real>(p: [T; 3]) -> [f32; 3] {
-    [p[0].to_f64() as f32, p[1].to_f64() as f32, p[2].to_f64() as f32]
 }
 
 /// Items that are made of positions, which are scanned as they are written.
