@@ -100,44 +100,42 @@ var<storage> leaves: type_21;
 var<storage> ends: type_34;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_177_: u32;
-    var phi_204_: u32;
-    var phi_250_: u32;
-    var phi_558_: bool;
-    var phi_596_: type_27;
-    var phi_628_: type_9;
-    var phi_631_: u32;
-    var phi_632_: u32;
+    var phi_176_: u32;
+    var phi_203_: u32;
+    var phi_249_: u32;
+    var phi_528_: bool;
+    var phi_578_: type_9;
+    var phi_581_: u32;
+    var phi_582_: u32;
     var local: u32;
     var local_1: u32;
-    var phi_949_: type_9;
-    var phi_952_: u32;
-    var phi_953_: u32;
-    var phi_1022_: u32;
-    var phi_1067_: type_9;
-    var phi_1129_: type_9;
-    var phi_1132_: u32;
-    var phi_1133_: u32;
-    var phi_1252_: type_9;
-    var phi_1255_: u32;
-    var phi_1472_: bool;
-    var phi_1552_: bool;
-    var phi_1553_: bool;
-    var phi_1571_: u32;
-    var phi_1572_: u32;
-    var phi_1573_: bool;
-    var phi_1256_: u32;
-    var phi_1574_: bool;
+    var phi_915_: type_9;
+    var phi_981_: type_9;
+    var phi_984_: u32;
+    var phi_986_: u32;
+    var phi_988_: u32;
+    var phi_985_: u32;
+    var phi_987_: u32;
+    var phi_989_: u32;
+    var phi_1097_: type_9;
+    var phi_1100_: u32;
+    var phi_1317_: bool;
+    var phi_1397_: bool;
+    var phi_1398_: bool;
+    var phi_1416_: u32;
+    var phi_1417_: u32;
+    var phi_1418_: bool;
+    var phi_1101_: u32;
+    var phi_1419_: bool;
     var local_2: u32;
-    var phi_1633_: u32;
-    var phi_1641_: type_9;
-    var phi_1644_: u32;
+    var phi_1478_: u32;
+    var phi_1502_: type_9;
+    var phi_1505_: u32;
     var local_3: u32;
-    var phi_1742_: type_9;
-    var phi_1757_: u32;
-    var phi_1645_: u32;
-    var phi_251_: u32;
-    var local_4: u32;
+    var phi_1603_: type_9;
+    var phi_1618_: u32;
+    var phi_1506_: u32;
+    var phi_250_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -145,430 +143,406 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e44 = id_2;
-    let _e45 = n_2;
-    let _e46 = lane_2;
-    let _e63 = params.member.member_1.member_2;
-    let _e65 = input.member[0u];
-    let _e67 = select(_e65, _e63, (_e63 < _e65));
-    let _e70 = params.member.member_1.member_1;
-    if (_e67 > _e70) {
-        let _e74 = params.member.member_1.member_1;
-        phi_177_ = (_e67 - _e74);
+    let _e48 = id_2;
+    let _e49 = n_2;
+    let _e50 = lane_2;
+    let _e67 = params.member.member_1.member_2;
+    let _e69 = input.member[0u];
+    let _e71 = select(_e69, _e67, (_e67 < _e69));
+    let _e74 = params.member.member_1.member_1;
+    if (_e71 > _e74) {
+        let _e78 = params.member.member_1.member_1;
+        phi_176_ = (_e71 - _e78);
     } else {
-        phi_177_ = 0u;
+        phi_176_ = 0u;
     }
-    let _e77 = phi_177_;
-    let _e80 = params.member.member_2.member_3;
-    if (_e80 == 1u) {
-        phi_204_ = _e77;
+    let _e81 = phi_176_;
+    let _e84 = params.member.member_2.member_3;
+    if (_e84 == 1u) {
+        phi_203_ = _e81;
     } else {
-        let _e84 = params.member.member_2.member_3;
-        if (_e84 == 0u) {
+        let _e88 = params.member.member_2.member_3;
+        if (_e88 == 0u) {
             return;
         }
-        let _e86 = (_e77 / _e84);
-        if (_e84 == 0u) {
+        let _e90 = (_e81 / _e88);
+        if (_e88 == 0u) {
             return;
         }
-        phi_204_ = select(_e86, (_e86 + 1u), ((_e77 % _e84) > 0u));
+        phi_203_ = select(_e90, (_e90 + 1u), ((_e81 % _e88) > 0u));
     }
-    let _e93 = phi_204_;
-    let _e96 = params.member.member_2.member_4;
-    let _e98 = select(_e93, _e96, (_e96 < _e93));
-    let _e100 = params.member.member;
-    let _e103 = params.member.member_2.member_1;
-    let _e113 = (((_e100.member_5 + (2f * _e100.member_4)) * 1.0001f) + (8f * 0.000000000000000000000000000000000000011754944f));
-    if (_e46 == 0u) {
+    let _e97 = phi_203_;
+    let _e100 = params.member.member_2.member_4;
+    let _e102 = select(_e97, _e100, (_e100 < _e97));
+    let _e104 = params.member.member;
+    let _e107 = params.member.member_2.member_1;
+    let _e117 = (((_e104.member_5 + (2f * _e104.member_4)) * 1.0001f) + (8f * 0.000000000000000000000000000000000000011754944f));
+    if (_e50 == 0u) {
         atomicStore((&counters[7u]), 0u);
     }
-    phi_250_ = ((_e44.y * _e45.x) + _e44.x);
+    phi_249_ = ((_e48.y * _e49.x) + _e48.x);
     loop {
-        let _e117 = phi_250_;
-        let _e118 = (_e98 / 4u);
-        let _e123 = (_e117 < select(_e118, (_e118 + 1u), ((_e98 % 4u) > 0u)));
-        if _e123 {
-            let _e126 = ((_e117 * 4u) + (_e46 / 32u));
-            let _e127 = (_e126 < _e98);
-            let _e130 = params.member.member_1.member_1;
-            let _e133 = params.member.member_2.member_3;
-            let _e137 = (2u * (_e130 + select(0u, (_e126 * _e133), _e127)));
-            let _e140 = input.member[(4u + _e137)];
-            let _e143 = input.member[(_e137 + 5u)];
-            if (_e46 <= 5u) {
-                atomicStore((&counters[_e46]), 0u);
+        let _e121 = phi_249_;
+        let _e122 = (_e102 / 4u);
+        let _e127 = (_e121 < select(_e122, (_e122 + 1u), ((_e102 % 4u) > 0u)));
+        if _e127 {
+            let _e130 = ((_e121 * 4u) + (_e50 / 32u));
+            let _e131 = (_e130 < _e102);
+            let _e134 = params.member.member_1.member_1;
+            let _e137 = params.member.member_2.member_3;
+            let _e141 = (2u * (_e134 + select(0u, (_e130 * _e137), _e131)));
+            let _e144 = input.member[(4u + _e141)];
+            let _e147 = input.member[(_e141 + 5u)];
+            if (_e50 <= 5u) {
+                atomicStore((&counters[_e50]), 0u);
             }
             workgroupBarrier();
-            let _e146 = (_e103 == 0u);
-            if ((_e46 % 32u) == 0u) {
-                let _e152 = (_e46 / 32u);
-                let _e158 = params.member.member_2.member[0u][select(1u, 0u, _e146)];
-                firsts[(2u * _e152)] = (_e158 + (_e140 * 32u));
-                let _e167 = params.member.member_2.member[0u][select(1u, 2u, _e146)];
-                firsts[((2u * _e152) + 1u)] = (_e167 + (_e143 * 32u));
+            let _e150 = (_e107 == 0u);
+            if ((_e50 % 32u) == 0u) {
+                let _e156 = (_e50 / 32u);
+                let _e162 = params.member.member_2.member[0u][select(1u, 0u, _e150)];
+                firsts[(2u * _e156)] = (_e162 + (_e144 * 32u));
+                let _e171 = params.member.member_2.member[0u][select(1u, 2u, _e150)];
+                firsts[((2u * _e156) + 1u)] = (_e171 + (_e147 * 32u));
             }
-            let _e172 = params.member.member_2.member_1;
-            let _e173 = (_e172 == 0u);
-            let _e174 = select(1u, 0u, _e173);
-            let _e175 = select(1u, 2u, _e173);
-            let _e176 = (_e46 / 32u);
-            let _e177 = (_e46 % 32u);
-            let _e179 = params.member.member_2.member_2;
-            let _e183 = params.member.member_2.member[_e179][_e174];
-            let _e186 = nodes.member[(_e183 + _e140)];
-            let _e200 = params.member.member_2.member_2;
-            let _e204 = params.member.member_2.member[_e200][_e175];
-            let _e207 = nodes.member[(_e204 + _e143)];
-            let _e221 = params.member.member_2.member_2;
-            let _e228 = params.member.member_2.member[(_e221 - 1u)][_e174];
-            let _e231 = nodes.member[(_e228 + ((_e140 * 32u) + _e177))];
-            let _e248 = params.member.member_2.member_2;
-            let _e255 = params.member.member_2.member[(_e248 - 1u)][_e175];
-            let _e258 = nodes.member[(_e255 + ((_e143 * 32u) + _e177))];
-            if _e127 {
-                phi_558_ = ((((((_e231.member.x <= _e207.member_1.y) && (_e207.member.x <= _e231.member_1.y)) && (_e231.member.y <= _e207.member_2.x)) && (_e207.member.y <= _e231.member_2.x)) && (_e231.member_1.x <= _e207.member_2.y)) && (_e207.member_1.x <= _e231.member_2.y));
-            } else {
-                phi_558_ = false;
-            }
-            let _e283 = phi_558_;
-            if _e127 {
-                if ((((((_e258.member.x <= _e186.member_1.y) && (_e186.member.x <= _e258.member_1.y)) && (_e258.member.y <= _e186.member_2.x)) && (_e186.member.y <= _e258.member_2.x)) && (_e258.member_1.x <= _e186.member_2.y)) && (_e186.member_1.x <= _e258.member_2.y)) {
-                    let _e297 = atomicAdd((&counters[_e176]), 1u);
-                    let _e298 = ((_e176 * 32u) + _e297);
-                    columns[_e298] = type_27(array<f32, 3>(_e258.member.x, _e258.member.y, _e258.member_1.x), array<f32, 3>(_e258.member_1.y, _e258.member_2.x, _e258.member_2.y));
-                    names[_e298] = _e177;
-                }
-            }
-            if _e283 {
-                phi_596_ = type_27(array<f32, 3>(_e231.member.x, _e231.member.y, _e231.member_1.x), array<f32, 3>(_e231.member_1.y, _e231.member_2.x, _e231.member_2.y));
-            } else {
-                phi_596_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-            }
-            let _e305 = phi_596_;
-            workgroupBarrier();
-            let _e308 = select(false, (_e140 == _e143), (_e103 == 1u));
-            let _e309 = (_e46 / 32u);
-            let _e311 = (_e309 * 32u);
-            let _e313 = atomicLoad((&counters[_e309]));
-            let _e314 = (_e313 / 4u);
-            phi_628_ = type_9(0u, select(_e314, (_e314 + 1u), ((_e313 % 4u) > 0u)));
-            phi_631_ = 0u;
-            loop {
-                let _e321 = phi_628_;
-                let _e323 = phi_631_;
-                local = _e323;
-                local_1 = _e323;
-                let _e326 = (_e321.member < _e321.member_1);
-                let _e339 = (bitcast<i32>(select(0u, 1u, _e326)) != 0i);
-                if _e339 {
-                    let _e340 = (4u * select(type_9().member_1, _e321.member, _e326));
-                    let _e343 = columns[(_e311 + _e340)];
-                    let _e382 = columns[((_e311 + _e340) + 1u)];
-                    let _e423 = columns[((_e311 + _e340) + 2u)];
-                    let _e464 = columns[((_e311 + _e340) + 3u)];
-                    phi_632_ = (_e323 | ((((select(0u, 1u, ((((((_e305.member[0] <= _e343.member_1[0]) && (_e343.member[0] <= _e305.member_1[0])) && (_e305.member[1] <= _e343.member_1[1])) && (_e343.member[1] <= _e305.member_1[1])) && (_e305.member[2] <= _e343.member_1[2])) && (_e343.member[2] <= _e305.member_1[2]))) << bitcast<u32>((_e340 & 31u))) | (select(0u, 1u, ((((((_e305.member[0] <= _e382.member_1[0]) && (_e382.member[0] <= _e305.member_1[0])) && (_e305.member[1] <= _e382.member_1[1])) && (_e382.member[1] <= _e305.member_1[1])) && (_e305.member[2] <= _e382.member_1[2])) && (_e382.member[2] <= _e305.member_1[2]))) << bitcast<u32>(((_e340 + 1u) & 31u)))) | (select(0u, 1u, ((((((_e305.member[0] <= _e423.member_1[0]) && (_e423.member[0] <= _e305.member_1[0])) && (_e305.member[1] <= _e423.member_1[1])) && (_e423.member[1] <= _e305.member_1[1])) && (_e305.member[2] <= _e423.member_1[2])) && (_e423.member[2] <= _e305.member_1[2]))) << bitcast<u32>(((_e340 + 2u) & 31u)))) | (select(0u, 1u, ((((((_e305.member[0] <= _e464.member_1[0]) && (_e464.member[0] <= _e305.member_1[0])) && (_e305.member[1] <= _e464.member_1[1])) && (_e464.member[1] <= _e305.member_1[1])) && (_e305.member[2] <= _e464.member_1[2])) && (_e464.member[2] <= _e305.member_1[2]))) << bitcast<u32>(((_e340 + 3u) & 31u)))));
+            let _e176 = select(false, (_e144 == _e147), (_e107 == 1u));
+            let _e179 = params.member.member_2.member_1;
+            let _e180 = (_e179 == 0u);
+            let _e181 = select(1u, 0u, _e180);
+            let _e183 = (_e50 / 32u);
+            let _e184 = (_e50 % 32u);
+            let _e188 = params.member.member_2.member[1u][_e181];
+            let _e191 = nodes.member[(_e188 + _e144)];
+            let _e209 = params.member.member_2.member[0u][_e181];
+            let _e212 = nodes.member[(_e209 + ((_e144 * 32u) + _e184))];
+            let _e230 = params.member.member_2.member[0u][select(1u, 2u, _e180)];
+            let _e233 = nodes.member[(_e230 + ((_e147 * 32u) + _e184))];
+            if _e131 {
+                if _e176 {
+                    phi_528_ = true;
                 } else {
-                    phi_632_ = u32();
+                    phi_528_ = ((((((_e233.member.x <= _e191.member_1.y) && (_e191.member.x <= _e233.member_1.y)) && (_e233.member.y <= _e191.member_2.x)) && (_e191.member.y <= _e233.member_2.x)) && (_e233.member_1.x <= _e191.member_2.y)) && (_e191.member_1.x <= _e233.member_2.y));
                 }
-                let _e504 = phi_632_;
+                let _e258 = phi_528_;
+                if _e258 {
+                    let _e260 = atomicAdd((&counters[_e183]), 1u);
+                    let _e263 = ((_e183 * 32u) + select(_e260, _e184, _e176));
+                    columns[_e263] = type_27(array<f32, 3>(_e233.member.x, _e233.member.y, _e233.member_1.x), array<f32, 3>(_e233.member_1.y, _e233.member_2.x, _e233.member_2.y));
+                    names[_e263] = _e184;
+                }
+            }
+            workgroupBarrier();
+            let _e269 = (_e50 / 32u);
+            let _e271 = (_e269 * 32u);
+            let _e273 = atomicLoad((&counters[_e269]));
+            let _e274 = (_e273 / 4u);
+            phi_578_ = type_9(0u, select(_e274, (_e274 + 1u), ((_e273 % 4u) > 0u)));
+            phi_581_ = 0u;
+            loop {
+                let _e281 = phi_578_;
+                let _e283 = phi_581_;
+                local = _e283;
+                local_1 = _e283;
+                let _e286 = (_e281.member < _e281.member_1);
+                let _e299 = (bitcast<i32>(select(0u, 1u, _e286)) != 0i);
+                if _e299 {
+                    let _e300 = (4u * select(type_9().member_1, _e281.member, _e286));
+                    let _e303 = columns[(_e271 + _e300)];
+                    let _e327 = columns[((_e271 + _e300) + 1u)];
+                    let _e354 = columns[((_e271 + _e300) + 2u)];
+                    let _e381 = columns[((_e271 + _e300) + 3u)];
+                    phi_582_ = (_e283 | ((((select(0u, 1u, ((((((_e212.member.x <= _e303.member_1[0]) && (_e303.member[0] <= _e212.member_1.y)) && (_e212.member.y <= _e303.member_1[1])) && (_e303.member[1] <= _e212.member_2.x)) && (_e212.member_1.x <= _e303.member_1[2])) && (_e303.member[2] <= _e212.member_2.y))) | (select(0u, 1u, ((((((_e212.member.x <= _e327.member_1[0]) && (_e327.member[0] <= _e212.member_1.y)) && (_e212.member.y <= _e327.member_1[1])) && (_e327.member[1] <= _e212.member_2.x)) && (_e212.member_1.x <= _e327.member_1[2])) && (_e327.member[2] <= _e212.member_2.y))) << bitcast<u32>(1i))) | (select(0u, 1u, ((((((_e212.member.x <= _e354.member_1[0]) && (_e354.member[0] <= _e212.member_1.y)) && (_e212.member.y <= _e354.member_1[1])) && (_e354.member[1] <= _e212.member_2.x)) && (_e212.member_1.x <= _e354.member_1[2])) && (_e354.member[2] <= _e212.member_2.y))) << bitcast<u32>(2i))) | (select(0u, 1u, ((((((_e212.member.x <= _e381.member_1[0]) && (_e381.member[0] <= _e212.member_1.y)) && (_e212.member.y <= _e381.member_1[1])) && (_e381.member[1] <= _e212.member_2.x)) && (_e212.member_1.x <= _e381.member_1[2])) && (_e381.member[2] <= _e212.member_2.y))) << bitcast<u32>(3i))) << bitcast<u32>((_e300 & 31u))));
+                } else {
+                    phi_582_ = u32();
+                }
+                let _e410 = phi_582_;
                 continue;
                 continuing {
-                    phi_628_ = type_9(select(_e321.member, (_e321.member + 1u), _e326), select(_e321.member_1, _e321.member_1, _e326));
-                    phi_631_ = _e504;
-                    break if !(_e339);
+                    phi_578_ = type_9(select(_e281.member, (_e281.member + 1u), _e286), select(_e281.member_1, _e281.member_1, _e286));
+                    phi_581_ = _e410;
+                    break if !(_e299);
                 }
             }
-            let _e512 = local;
-            let _e515 = local_1;
-            let _e516 = select(_e515, (_e512 & ((1u << bitcast<u32>((_e313 & 31u))) - 1u)), (_e313 < 32u));
-            if _e308 {
-                phi_949_ = type_9(0u, _e313);
-                phi_952_ = _e516;
-                loop {
-                    let _e519 = phi_949_;
-                    let _e521 = phi_952_;
-                    local_4 = _e521;
-                    let _e524 = (_e519.member < _e519.member_1);
-                    let _e535 = select(type_9().member_1, _e519.member, _e524);
-                    let _e537 = (bitcast<i32>(select(0u, 1u, _e524)) != 0i);
-                    if _e537 {
-                        let _e540 = names[(_e311 + _e535)];
-                        let _e541 = ((_e46 % 32u) < _e540);
-                        phi_953_ = select(_e521, (_e521 & ~((1u << bitcast<u32>((_e535 & 31u))))), select(true, false, select(select(bool(), select(false, bool(), _e541), _e308), true, select(true, _e541, _e308))));
-                    } else {
-                        phi_953_ = u32();
-                    }
-                    let _e554 = phi_953_;
-                    continue;
-                    continuing {
-                        phi_949_ = type_9(select(_e519.member, (_e519.member + 1u), _e524), select(_e519.member_1, _e519.member_1, _e524));
-                        phi_952_ = _e554;
-                        break if !(_e537);
-                    }
-                }
-                let _e1047 = local_4;
-                phi_1022_ = _e1047;
-            } else {
-                phi_1022_ = _e516;
-            }
-            let _e557 = phi_1022_;
-            let _e561 = atomicAdd((&counters[4u]), countOneBits(_e557));
+            let _e418 = local;
+            let _e421 = local_1;
+            let _e422 = select(_e421, (_e418 & ((1u << bitcast<u32>((_e273 & 31u))) - 1u)), (_e273 < 32u));
+            let _e427 = select(_e422, (_e422 & (4294967294u << bitcast<u32>(((_e50 % 32u) & 31u)))), _e176);
+            let _e431 = atomicAdd((&counters[4u]), countOneBits(_e427));
             workgroupBarrier();
-            if (_e46 == 0u) {
-                let _e564 = atomicLoad((&counters[4u]));
-                n_hits[0u] = _e564;
+            if (_e50 == 0u) {
+                let _e434 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e434;
             }
-            let _e567 = workgroupUniformLoad((&n_hits[0u]));
-            let _e568 = (_e567 / 512u);
-            if (_e46 == 0u) {
-                let _e575 = atomicLoad((&counters[7u]));
-                let _e577 = n_hits[0u];
-                atomicStore((&counters[7u]), (_e575 + _e577));
+            let _e437 = workgroupUniformLoad((&n_hits[0u]));
+            let _e438 = (_e437 / 512u);
+            if (_e50 == 0u) {
+                let _e445 = atomicLoad((&counters[7u]));
+                let _e447 = n_hits[0u];
+                atomicStore((&counters[7u]), (_e445 + _e447));
             }
-            phi_1067_ = type_9(0u, select(_e568, (_e568 + 1u), ((_e567 % 512u) > 0u)));
+            phi_915_ = type_9(0u, select(_e438, (_e438 + 1u), ((_e437 % 512u) > 0u)));
             loop {
-                let _e582 = phi_1067_;
-                let _e585 = (_e582.member < _e582.member_1);
-                let _e598 = (bitcast<i32>(select(0u, 1u, _e585)) != 0i);
-                if _e598 {
-                    let _e599 = (_e46 / 32u);
-                    let _e605 = ((_e599 << bitcast<u32>(10i)) | ((_e46 % 32u) << bitcast<u32>(5i)));
-                    let _e606 = (select(type_9().member_1, _e582.member, _e585) * 512u);
-                    let _e609 = atomicLoad((&counters[_e599]));
-                    let _e610 = (_e609 / 4u);
-                    phi_1129_ = type_9(0u, select(_e610, (_e610 + 1u), ((_e609 % 4u) > 0u)));
-                    phi_1132_ = (_e561 - _e606);
-                    loop {
-                        let _e617 = phi_1129_;
-                        let _e619 = phi_1132_;
-                        let _e622 = (_e617.member < _e617.member_1);
-                        let _e635 = (bitcast<i32>(select(0u, 1u, _e622)) != 0i);
-                        if _e635 {
-                            let _e636 = (4u * select(type_9().member_1, _e617.member, _e622));
-                            let _e642 = (((_e557 >> bitcast<u32>((_e636 & 31u))) & 1u) == 1u);
-                            if _e642 {
-                                if (_e619 < 512u) {
-                                    hits[_e619] = (_e605 + _e636);
+                let _e452 = phi_915_;
+                let _e455 = (_e452.member < _e452.member_1);
+                let _e468 = (bitcast<i32>(select(0u, 1u, _e455)) != 0i);
+                if _e468 {
+                    let _e469 = (_e50 / 32u);
+                    let _e471 = (select(type_9().member_1, _e452.member, _e455) * 512u);
+                    if (_e427 == 0u) {
+                    } else {
+                        let _e480 = atomicLoad((&counters[_e469]));
+                        let _e481 = (_e480 / 4u);
+                        phi_981_ = type_9(0u, select(_e481, (_e481 + 1u), ((_e480 % 4u) > 0u)));
+                        phi_984_ = (_e431 - _e471);
+                        phi_986_ = ((_e469 << bitcast<u32>(10i)) | ((_e50 % 32u) << bitcast<u32>(5i)));
+                        phi_988_ = _e427;
+                        loop {
+                            let _e488 = phi_981_;
+                            let _e490 = phi_984_;
+                            let _e492 = phi_986_;
+                            let _e494 = phi_988_;
+                            let _e497 = (_e488.member < _e488.member_1);
+                            let _e508 = (bitcast<i32>(select(0u, 1u, _e497)) != 0i);
+                            if _e508 {
+                                let _e509 = (_e494 & 1u);
+                                if (_e509 == 0u) {
+                                } else {
+                                    if (_e490 < 512u) {
+                                        hits[_e490] = _e492;
+                                    }
                                 }
-                            }
-                            let _e646 = select(_e619, (_e619 + 1u), _e642);
-                            let _e654 = (((_e557 >> bitcast<u32>(((_e636 + 1u) & 31u))) & 1u) == 1u);
-                            if _e654 {
-                                if (_e646 < 512u) {
-                                    hits[_e646] = ((_e605 + _e636) + 1u);
+                                let _e515 = select((_e490 + 1u), _e490, (_e509 == 0u));
+                                let _e516 = (_e494 & 2u);
+                                if (_e516 == 0u) {
+                                } else {
+                                    if (_e515 < 512u) {
+                                        hits[_e515] = (_e492 + 1u);
+                                    }
                                 }
-                            }
-                            let _e658 = select(_e646, (_e646 + 1u), _e654);
-                            let _e666 = (((_e557 >> bitcast<u32>(((_e636 + 2u) & 31u))) & 1u) == 1u);
-                            if _e666 {
-                                if (_e658 < 512u) {
-                                    hits[_e658] = ((_e605 + _e636) + 2u);
+                                let _e523 = select((_e515 + 1u), _e515, (_e516 == 0u));
+                                let _e524 = (_e494 & 4u);
+                                if (_e524 == 0u) {
+                                } else {
+                                    if (_e523 < 512u) {
+                                        hits[_e523] = (_e492 + 2u);
+                                    }
                                 }
-                            }
-                            let _e670 = select(_e658, (_e658 + 1u), _e666);
-                            let _e678 = (((_e557 >> bitcast<u32>(((_e636 + 3u) & 31u))) & 1u) == 1u);
-                            if _e678 {
-                                if (_e670 < 512u) {
-                                    hits[_e670] = ((_e605 + _e636) + 3u);
+                                let _e531 = select((_e523 + 1u), _e523, (_e524 == 0u));
+                                let _e532 = (_e494 & 8u);
+                                if (_e532 == 0u) {
+                                } else {
+                                    if (_e531 < 512u) {
+                                        hits[_e531] = (_e492 + 3u);
+                                    }
                                 }
+                                phi_985_ = select((_e531 + 1u), _e531, (_e532 == 0u));
+                                phi_987_ = (_e492 + 4u);
+                                phi_989_ = (_e494 >> bitcast<u32>(4i));
+                            } else {
+                                phi_985_ = u32();
+                                phi_987_ = u32();
+                                phi_989_ = u32();
                             }
-                            phi_1133_ = select(_e670, (_e670 + 1u), _e678);
-                        } else {
-                            phi_1133_ = u32();
-                        }
-                        let _e684 = phi_1133_;
-                        continue;
-                        continuing {
-                            phi_1129_ = type_9(select(_e617.member, (_e617.member + 1u), _e622), select(_e617.member_1, _e617.member_1, _e622));
-                            phi_1132_ = _e684;
-                            break if !(_e635);
+                            let _e544 = phi_985_;
+                            let _e546 = phi_987_;
+                            let _e548 = phi_989_;
+                            continue;
+                            continuing {
+                                phi_981_ = type_9(select(_e488.member, (_e488.member + 1u), _e497), select(_e488.member_1, _e488.member_1, _e497));
+                                phi_984_ = _e544;
+                                phi_986_ = _e546;
+                                phi_988_ = _e548;
+                                break if !(_e508);
+                            }
                         }
                     }
                     workgroupBarrier();
-                    let _e687 = n_hits[0u];
-                    let _e688 = (_e687 - _e606);
-                    phi_1252_ = type_9(0u, 4u);
-                    phi_1255_ = 0u;
+                    let _e551 = n_hits[0u];
+                    let _e552 = (_e551 - _e471);
+                    let _e554 = select(_e552, 512u, (512u < _e552));
+                    phi_1097_ = type_9(0u, 4u);
+                    phi_1100_ = 0u;
                     loop {
-                        let _e692 = phi_1252_;
-                        let _e694 = phi_1255_;
-                        local_2 = _e694;
-                        local_3 = _e694;
-                        let _e697 = (_e692.member < _e692.member_1);
-                        let _e708 = select(type_9().member_1, _e692.member, _e697);
-                        if (bitcast<i32>(select(0u, 1u, _e697)) != 0i) {
-                            let _e712 = (_e46 + (_e708 * 128u));
-                            if (_e712 >= select(_e688, 512u, (512u < _e688))) {
-                                phi_1572_ = u32();
-                                phi_1573_ = false;
+                        let _e556 = phi_1097_;
+                        let _e558 = phi_1100_;
+                        local_2 = _e558;
+                        local_3 = _e558;
+                        let _e561 = (_e556.member < _e556.member_1);
+                        let _e572 = select(type_9().member_1, _e556.member, _e561);
+                        if (bitcast<i32>(select(0u, 1u, _e561)) != 0i) {
+                            let _e576 = (_e50 + (_e572 * 128u));
+                            if (_e576 >= _e554) {
+                                phi_1417_ = u32();
+                                phi_1418_ = false;
                             } else {
-                                let _e715 = hits[_e712];
-                                let _e718 = ((_e715 >> bitcast<u32>(10i)) & 3u);
-                                let _e726 = names[((_e718 * 32u) + (_e715 & 31u))];
-                                let _e729 = firsts[(2u * _e718)];
-                                let _e730 = (_e729 + ((_e715 >> bitcast<u32>(5i)) & 31u));
-                                let _e734 = firsts[((2u * _e718) + 1u)];
-                                let _e735 = (_e734 + _e726);
-                                if ((_e100.member_1 & 512u) != 0u) {
-                                    let _e741 = ends.member[(((_e730 / 32u) * 96u) + (_e730 % 32u))];
-                                    let _e749 = ends.member[(((((_e730 / 32u) * 3u) + 1u) * 32u) + (_e730 % 32u))];
-                                    let _e765 = ends.member[(((((_e730 / 32u) * 3u) + 2u) * 32u) + (_e730 % 32u))];
-                                    let _e775 = ends.member[(((_e735 / 32u) * 96u) + (_e735 % 32u))];
-                                    let _e783 = ends.member[(((((_e735 / 32u) * 3u) + 1u) * 32u) + (_e735 % 32u))];
-                                    let _e799 = ends.member[(((((_e735 / 32u) * 3u) + 2u) * 32u) + (_e735 % 32u))];
-                                    phi_1472_ = !(((((((_e741.x - _e775.w) > _e113) && ((_e749.z - _e799.y) > _e113)) || (((_e775.x - _e741.w) > _e113) && ((_e783.z - _e765.y) > _e113))) || ((((_e741.y - _e783.x) > _e113) && ((_e749.w - _e799.z) > _e113)) || (((_e775.y - _e749.x) > _e113) && ((_e783.w - _e765.z) > _e113)))) || ((((_e741.z - _e783.y) > _e113) && ((_e765.x - _e799.w) > _e113)) || (((_e775.z - _e749.y) > _e113) && ((_e799.x - _e765.w) > _e113)))));
+                                let _e579 = hits[_e576];
+                                let _e582 = ((_e579 >> bitcast<u32>(10i)) & 3u);
+                                let _e590 = names[((_e582 * 32u) + (_e579 & 31u))];
+                                let _e593 = firsts[(2u * _e582)];
+                                let _e594 = (_e593 + ((_e579 >> bitcast<u32>(5i)) & 31u));
+                                let _e598 = firsts[((2u * _e582) + 1u)];
+                                let _e599 = (_e598 + _e590);
+                                if ((_e104.member_1 & 512u) != 0u) {
+                                    let _e605 = ends.member[(((_e594 / 32u) * 96u) + (_e594 % 32u))];
+                                    let _e613 = ends.member[(((((_e594 / 32u) * 3u) + 1u) * 32u) + (_e594 % 32u))];
+                                    let _e629 = ends.member[(((((_e594 / 32u) * 3u) + 2u) * 32u) + (_e594 % 32u))];
+                                    let _e639 = ends.member[(((_e599 / 32u) * 96u) + (_e599 % 32u))];
+                                    let _e647 = ends.member[(((((_e599 / 32u) * 3u) + 1u) * 32u) + (_e599 % 32u))];
+                                    let _e663 = ends.member[(((((_e599 / 32u) * 3u) + 2u) * 32u) + (_e599 % 32u))];
+                                    phi_1317_ = !(((((((_e605.x - _e639.w) > _e117) && ((_e613.z - _e663.y) > _e117)) || (((_e639.x - _e605.w) > _e117) && ((_e647.z - _e629.y) > _e117))) || ((((_e605.y - _e647.x) > _e117) && ((_e613.w - _e663.z) > _e117)) || (((_e639.y - _e613.x) > _e117) && ((_e647.w - _e629.z) > _e117)))) || ((((_e605.z - _e647.y) > _e117) && ((_e629.x - _e663.w) > _e117)) || (((_e639.z - _e613.y) > _e117) && ((_e663.x - _e629.w) > _e117)))));
                                 } else {
-                                    phi_1472_ = true;
+                                    phi_1317_ = true;
                                 }
-                                let _e841 = phi_1472_;
-                                if select(false, true, _e841) {
-                                    let _e844 = leaves.member[_e730];
-                                    let _e848 = leaves.member[_e735];
-                                    if ((_e100.member_1 & 1u) != 0u) {
-                                        if (_e103 == 0u) {
-                                            phi_1552_ = ((select((_e848.x == _e844.x), true, (_e848.x == _e844.x)) || select((_e848.y == _e844.x), true, (_e848.y == _e844.x))) || select((_e848.z == _e844.x), true, (_e848.z == _e844.x)));
+                                let _e705 = phi_1317_;
+                                if select(false, true, _e705) {
+                                    let _e708 = leaves.member[_e594];
+                                    let _e712 = leaves.member[_e599];
+                                    if ((_e104.member_1 & 1u) != 0u) {
+                                        if (_e107 == 0u) {
+                                            phi_1397_ = ((select((_e712.x == _e708.x), true, (_e712.x == _e708.x)) || select((_e712.y == _e708.x), true, (_e712.y == _e708.x))) || select((_e712.z == _e708.x), true, (_e712.z == _e708.x)));
                                         } else {
-                                            phi_1552_ = (select((_e848.x == _e844.y), true, (_e848.x == _e844.x)) || select((_e848.y == _e844.y), true, (_e848.y == _e844.x)));
+                                            phi_1397_ = (select((_e712.x == _e708.y), true, (_e712.x == _e708.x)) || select((_e712.y == _e708.y), true, (_e712.y == _e708.x)));
                                         }
-                                        let _e875 = phi_1552_;
-                                        phi_1553_ = _e875;
+                                        let _e739 = phi_1397_;
+                                        phi_1398_ = _e739;
                                     } else {
-                                        phi_1553_ = false;
+                                        phi_1398_ = false;
                                     }
-                                    let _e877 = phi_1553_;
-                                    let _e878 = !(_e877);
-                                    if _e878 {
+                                    let _e741 = phi_1398_;
+                                    let _e742 = !(_e741);
+                                    if _e742 {
                                     } else {
-                                        let _e880 = atomicAdd((&counters[7u]), 4294967295u);
+                                        let _e744 = atomicAdd((&counters[7u]), 4294967295u);
                                     }
-                                    phi_1571_ = select(_e694, select(_e694, (_e694 | (1u << bitcast<u32>((_e708 & 31u)))), _e841), _e878);
+                                    phi_1416_ = select(_e558, select(_e558, (_e558 | (1u << bitcast<u32>((_e572 & 31u)))), _e705), _e742);
                                 } else {
-                                    phi_1571_ = _e694;
+                                    phi_1416_ = _e558;
                                 }
-                                let _e888 = phi_1571_;
-                                phi_1572_ = _e888;
-                                phi_1573_ = true;
+                                let _e752 = phi_1416_;
+                                phi_1417_ = _e752;
+                                phi_1418_ = true;
                             }
-                            let _e890 = phi_1572_;
-                            let _e892 = phi_1573_;
-                            phi_1256_ = _e890;
-                            phi_1574_ = _e892;
+                            let _e754 = phi_1417_;
+                            let _e756 = phi_1418_;
+                            phi_1101_ = _e754;
+                            phi_1419_ = _e756;
                         } else {
-                            phi_1256_ = u32();
-                            phi_1574_ = false;
+                            phi_1101_ = u32();
+                            phi_1419_ = false;
                         }
-                        let _e894 = phi_1256_;
-                        let _e896 = phi_1574_;
+                        let _e758 = phi_1101_;
+                        let _e760 = phi_1419_;
                         continue;
                         continuing {
-                            phi_1252_ = type_9(select(_e692.member, (_e692.member + 1u), _e697), select(_e692.member_1, _e692.member_1, _e697));
-                            phi_1255_ = _e894;
-                            break if !(_e896);
+                            phi_1097_ = type_9(select(_e556.member, (_e556.member + 1u), _e561), select(_e556.member_1, _e556.member_1, _e561));
+                            phi_1100_ = _e758;
+                            break if !(_e760);
                         }
                     }
-                    let _e900 = params.member.member_1.member_3;
-                    let _e902 = local_2;
-                    let _e905 = atomicAdd((&counters[5u]), countOneBits(_e902));
+                    let _e764 = params.member.member_1.member_3;
+                    let _e766 = local_2;
+                    let _e769 = atomicAdd((&counters[5u]), countOneBits(_e766));
                     workgroupBarrier();
-                    if (_e46 == 0u) {
-                        let _e908 = atomicLoad((&counters[5u]));
-                        if (_e908 > 0u) {
-                            let _e912 = params.member.member.member_1;
-                            if ((_e912 & 1024u) != 0u) {
-                                let _e922 = atomicAdd((&output.member[0u]), _e908);
-                                let _e923 = (_e922 + _e908);
-                                let _e925 = select(_e923, 4294967295u, (_e923 < _e922));
-                                let _e928 = params.member.member_1.member_3;
-                                if (_e925 > _e928) {
-                                    let _e931 = atomicMax((&output.member[2u]), _e925);
+                    if (_e50 == 0u) {
+                        let _e772 = atomicLoad((&counters[5u]));
+                        if (_e772 > 0u) {
+                            let _e776 = params.member.member.member_1;
+                            if ((_e776 & 1024u) != 0u) {
+                                let _e786 = atomicAdd((&output.member[0u]), _e772);
+                                let _e787 = (_e786 + _e772);
+                                let _e789 = select(_e787, 4294967295u, (_e787 < _e786));
+                                let _e792 = params.member.member_1.member_3;
+                                if (_e789 > _e792) {
+                                    let _e795 = atomicMax((&output.member[2u]), _e789);
                                 }
-                                phi_1633_ = _e922;
+                                phi_1478_ = _e786;
                             } else {
-                                let _e916 = atomicAdd((&output.member[0u]), _e908);
-                                if ((_e916 + _e908) < _e916) {
-                                    let _e920 = atomicAdd((&output.member[2u]), 1u);
+                                let _e780 = atomicAdd((&output.member[0u]), _e772);
+                                if ((_e780 + _e772) < _e780) {
+                                    let _e784 = atomicAdd((&output.member[2u]), 1u);
                                 }
-                                phi_1633_ = _e916;
+                                phi_1478_ = _e780;
                             }
-                            let _e933 = phi_1633_;
-                            atomicStore((&counters[6u]), _e933);
+                            let _e797 = phi_1478_;
+                            atomicStore((&counters[6u]), _e797);
                         }
                         atomicStore((&counters[5u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e937 = atomicLoad((&counters[6u]));
-                    phi_1641_ = type_9(0u, 4u);
-                    phi_1644_ = (_e905 + _e937);
+                    let _e801 = atomicLoad((&counters[6u]));
+                    let _e803 = (_e554 / 128u);
+                    phi_1502_ = type_9(0u, select(_e803, (_e803 + 1u), ((_e554 % 128u) > 0u)));
+                    phi_1505_ = (_e769 + _e801);
                     loop {
-                        let _e940 = phi_1641_;
-                        let _e942 = phi_1644_;
-                        let _e945 = (_e940.member < _e940.member_1);
-                        let _e956 = select(type_9().member_1, _e940.member, _e945);
-                        let _e958 = (bitcast<i32>(select(0u, 1u, _e945)) != 0i);
-                        if _e958 {
-                            let _e961 = local_3;
-                            if (((_e961 >> bitcast<u32>((_e956 & 31u))) & 1u) == 1u) {
-                                let _e969 = hits[(_e46 + (_e956 * 128u))];
-                                let _e972 = ((_e969 >> bitcast<u32>(10i)) & 3u);
-                                let _e980 = names[((_e972 * 32u) + (_e969 & 31u))];
-                                let _e983 = firsts[(2u * _e972)];
-                                let _e988 = firsts[((2u * _e972) + 1u)];
-                                let _e991 = leaves.member[(_e983 + ((_e969 >> bitcast<u32>(5i)) & 31u))];
-                                let _e994 = leaves.member[(_e988 + _e980)];
-                                if (_e103 == 1u) {
-                                    let _e998 = (_e991.w < _e994.w);
-                                    phi_1742_ = type_9(select(_e994.w, _e991.w, _e998), select(_e991.w, _e994.w, _e998));
+                        let _e810 = phi_1502_;
+                        let _e812 = phi_1505_;
+                        let _e815 = (_e810.member < _e810.member_1);
+                        let _e826 = select(type_9().member_1, _e810.member, _e815);
+                        let _e828 = (bitcast<i32>(select(0u, 1u, _e815)) != 0i);
+                        if _e828 {
+                            let _e831 = local_3;
+                            if (((_e831 >> bitcast<u32>((_e826 & 31u))) & 1u) == 1u) {
+                                let _e839 = hits[(_e50 + (_e826 * 128u))];
+                                let _e842 = ((_e839 >> bitcast<u32>(10i)) & 3u);
+                                let _e850 = names[((_e842 * 32u) + (_e839 & 31u))];
+                                let _e853 = firsts[(2u * _e842)];
+                                let _e858 = firsts[((2u * _e842) + 1u)];
+                                let _e861 = leaves.member[(_e853 + ((_e839 >> bitcast<u32>(5i)) & 31u))];
+                                let _e864 = leaves.member[(_e858 + _e850)];
+                                if (_e107 == 1u) {
+                                    let _e868 = (_e861.w < _e864.w);
+                                    phi_1603_ = type_9(select(_e864.w, _e861.w, _e868), select(_e861.w, _e864.w, _e868));
                                 } else {
-                                    phi_1742_ = type_9(_e991.w, _e994.w);
+                                    phi_1603_ = type_9(_e861.w, _e864.w);
                                 }
-                                let _e1003 = phi_1742_;
-                                if (_e942 < _e900) {
-                                    let _e1007 = (2u * _e942);
-                                    atomicStore((&output.member[(4u + _e1007)]), _e1003.member);
-                                    atomicStore((&output.member[(_e1007 + 5u)]), _e1003.member_1);
+                                let _e873 = phi_1603_;
+                                if (_e812 < _e764) {
+                                    let _e877 = (2u * _e812);
+                                    atomicStore((&output.member[(4u + _e877)]), _e873.member);
+                                    atomicStore((&output.member[(_e877 + 5u)]), _e873.member_1);
                                 }
-                                phi_1757_ = (_e942 + 1u);
+                                phi_1618_ = (_e812 + 1u);
                             } else {
-                                phi_1757_ = _e942;
+                                phi_1618_ = _e812;
                             }
-                            let _e1014 = phi_1757_;
-                            phi_1645_ = _e1014;
+                            let _e884 = phi_1618_;
+                            phi_1506_ = _e884;
                         } else {
-                            phi_1645_ = u32();
+                            phi_1506_ = u32();
                         }
-                        let _e1016 = phi_1645_;
+                        let _e886 = phi_1506_;
                         continue;
                         continuing {
-                            phi_1641_ = type_9(select(_e940.member, (_e940.member + 1u), _e945), select(_e940.member_1, _e940.member_1, _e945));
-                            phi_1644_ = _e1016;
-                            break if !(_e958);
+                            phi_1502_ = type_9(select(_e810.member, (_e810.member + 1u), _e815), select(_e810.member_1, _e810.member_1, _e815));
+                            phi_1505_ = _e886;
+                            break if !(_e828);
                         }
                     }
                     workgroupBarrier();
                 }
                 continue;
                 continuing {
-                    phi_1067_ = type_9(select(_e582.member, (_e582.member + 1u), _e585), select(_e582.member_1, _e582.member_1, _e585));
-                    break if !(_e598);
+                    phi_915_ = type_9(select(_e452.member, (_e452.member + 1u), _e455), select(_e452.member_1, _e452.member_1, _e455));
+                    break if !(_e468);
                 }
             }
-            phi_251_ = (_e117 + (_e45.x * _e45.y));
+            phi_250_ = (_e121 + (_e49.x * _e49.y));
         } else {
-            phi_251_ = u32();
+            phi_250_ = u32();
         }
-        let _e1020 = phi_251_;
+        let _e890 = phi_250_;
         continue;
         continuing {
-            phi_250_ = _e1020;
-            break if !(_e123);
+            phi_249_ = _e890;
+            break if !(_e127);
         }
     }
-    if (_e46 == 0u) {
-        let _e1024 = atomicLoad((&counters[7u]));
-        if (_e1024 > 0u) {
-            let _e1027 = atomicAdd((&output.member[1u]), _e1024);
-            if ((_e1027 + _e1024) < _e1027) {
-                let _e1031 = atomicAdd((&output.member[3u]), 1u);
+    if (_e50 == 0u) {
+        let _e894 = atomicLoad((&counters[7u]));
+        if (_e894 > 0u) {
+            let _e897 = atomicAdd((&output.member[1u]), _e894);
+            if ((_e897 + _e894) < _e897) {
+                let _e901 = atomicAdd((&output.member[3u]), 1u);
             }
         }
     }

@@ -31,8 +31,9 @@ impl<const N: usize> Teams<'_, N> {
             set(self.firsts, 2 * team, slot(args, 0, set_a, pair.a * WIDTH) as u32);
             set(self.firsts, 2 * team + 1, slot(args, 0, set_b, pair.b * WIDTH) as u32);
         }
-        let row = self.gather(pair, some);
-        self.test(row, kind == EDGE_EDGE && pair.a == pair.b, true, 0)
+        let same = kind == EDGE_EDGE && pair.a == pair.b;
+        let row = self.gather(pair, some, 1, same);
+        self.test(row, same, true, 0)
     }
 
     /// Where the two leaves of a hit of the pool are.
@@ -82,12 +83,18 @@ impl<const N: usize> Teams<'_, N> {
     /// Appends the hits of the pool that were kept to `list`, as pairs of ids. `kept`: which of its
     /// shares this thread keeps, as bits.
     #[inline(always)]
-    fn write_kept(&mut self, kind: u32, kept: u32, leaves: &[UVec4], list: &mut [u32]) {
+    fn write_kept(
+        &mut self,
+        (kind, n): (u32, u32),
+        kept: u32,
+        leaves: &[UVec4],
+        list: &mut [u32],
+    ) {
         let capacity = self.params.dispatch.capacity_out;
         // All threads at once, of which a compiler makes one addition of many.
         let mut to = add_shared(self.counters, KEPT, kept.count_ones());
         to += self.reserve(list);
-        for share in 0..POOL / THREADS {
+        for share in 0..n.div_ceil(THREADS) {
             if kept >> share & 1 == 1 {
                 let [p, q] = self.places(self.t.lane + share * THREADS);
                 let (a, b) = (leaf_at(leaves, p), leaf_at(leaves, q));
@@ -156,7 +163,7 @@ impl Teams<'_, 1> {
                         kept |= 1 << share;
                     }
                 }
-                self.write_kept(kind, kept, leaves, output);
+                self.write_kept((kind, n), kept, leaves, output);
             }
         }
         self.count_candidates(output);

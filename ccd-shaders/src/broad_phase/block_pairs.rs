@@ -80,33 +80,29 @@ impl<const N: usize> Teams<'_, N> {
         barrier();
     }
 
-    /// Gathers the columns of each team. Returns this thread's child of the first node, empty if it
-    /// does not reach into the second.
+    /// Gathers the columns of each team, and returns this thread's child of the first node. `level`
+    /// is that of the nodes; `same`: both are one, all of whose children are columns.
     #[inline(always)]
-    pub(super) fn gather(&mut self, pair: Pair, some: bool) -> Aabb {
+    pub(super) fn gather(&mut self, pair: Pair, some: bool, level: u32, same: bool) -> Aabb {
         let (args, nodes) = (&self.params.args, self.nodes);
         let [set_a, set_b] = sets(args.kind);
         let (team, child) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
-        let (a, b) = (
-            box_at(nodes, slot(args, args.level, set_a, pair.a)),
-            box_at(nodes, slot(args, args.level, set_b, pair.b)),
-        );
-        let row = box_at(nodes, slot(args, args.level - 1, set_a, pair.a * WIDTH + child));
-        let column = box_at(nodes, slot(args, args.level - 1, set_b, pair.b * WIDTH + child));
-        // Both before the barrier, behind which the second would wait for memory again.
-        let reaches = some && row.overlaps(&b);
-        if some && column.overlaps(&a) {
-            let to = team * WIDTH + add_shared(self.counters, team, 1);
+        let a = box_at(nodes, slot(args, level, set_a, pair.a));
+        let row = box_at(nodes, slot(args, level - 1, set_a, pair.a * WIDTH + child));
+        let column = box_at(nodes, slot(args, level - 1, set_b, pair.b * WIDTH + child));
+        if some && (same || column.overlaps(&a)) {
+            let next = add_shared(self.counters, team, 1);
+            let to = team * WIDTH + if same { child } else { next };
             set(self.columns, to, column);
             set(self.names, to, child);
         }
-        let row = if reaches { row } else { Aabb::EMPTY };
         barrier();
         row
     }
 
-    /// Tests this thread's row against the columns of its team. Returns its hits. `worlds`: those
-    /// of the row.
+    /// Tests this thread's row against the columns of its team. Returns its hits. Within one node
+    /// each pair comes twice, and once with itself, so that a row has those of the columns behind
+    /// it and, but for `leaves`, its own. `worlds`: those of the row.
     #[inline(always)]
     pub(super) fn test(&self, row: Aabb, same: bool, leaves: bool, worlds: u32) -> Hits {
         let (team, i) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
@@ -114,12 +110,15 @@ impl<const N: usize> Teams<'_, N> {
         let mut columns = 0;
         for four in 0..n.div_ceil(4) {
             let c = 4 * four;
-            let hit = |k: u32| (row.overlaps(&get(self.columns, first + c + k)) as u32) << (c + k);
-            columns |= hit(0) | hit(1) | hit(2) | hit(3);
+            let hit = |k: u32| row.overlaps(&get(self.columns, first + c + k)) as u32;
+            columns |= (hit(0) | hit(1) << 1 | hit(2) << 2 | hit(3) << 3) << c;
         }
         // Behind the last stands what did before.
         if n < WIDTH {
             columns &= (1 << n) - 1;
+        }
+        if same {
+            columns &= (if leaves { u32::MAX - 1 } else { u32::MAX }) << i;
         }
         if !leaves && self.params.frame.has(Frame::FLAG_STILL) && is_still(&row) {
             for c in 0..n {
@@ -128,11 +127,10 @@ impl<const N: usize> Teams<'_, N> {
                 }
             }
         }
-        if same || N > 1 {
+        if N > 1 {
             for c in 0..n {
                 let j = get(self.names, first + c);
-                let meets = N == 1 || meet(worlds, get(self.ranges, first + j));
-                if !(counts(same, leaves, i, j) && meets) {
+                if !meet(worlds, get(self.ranges, first + j)) {
                     columns &= !(1 << c);
                 }
             }
@@ -156,29 +154,32 @@ impl<const N: usize> Teams<'_, N> {
     #[inline(always)]
     pub(super) fn fill(&mut self, hits: &Hits, pass: u32) -> u32 {
         let (team, i) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
-        let (row, first) = (pack(team, i, 0), pass * POOL);
-        // Column by column, for all rows at once: few instructions, of which none waits.
+        let first = pass * POOL;
+        let (mut columns, mut hit) = (hits.columns, pack(team, i, 0));
         let mut to = hits.number.wrapping_sub(first);
-        for four in 0..get(self.counters, team).div_ceil(4) {
-            let c = 4 * four;
-            to = self.put(hits.columns, row + c, c, to);
-            to = self.put(hits.columns, row + c + 1, c + 1, to);
-            to = self.put(hits.columns, row + c + 2, c + 2, to);
-            to = self.put(hits.columns, row + c + 3, c + 3, to);
+        if columns != 0 {
+            // Column by column, for all rows at once: few instructions, of which none waits.
+            for _ in 0..get(self.counters, team).div_ceil(4) {
+                to = self.put(columns & 1, hit, to);
+                to = self.put(columns & 2, hit + 1, to);
+                to = self.put(columns & 4, hit + 2, to);
+                to = self.put(columns & 8, hit + 3, to);
+                columns >>= 4;
+                hit += 4;
+            }
         }
         barrier();
         (get(self.n_hits, 0) - first).min(POOL)
     }
 
-    /// Puts a hit into the pool at `to`, if the row has that column and the pool that place.
-    /// Returns where its next goes.
+    /// Puts a hit into the pool at `to`, if it is one and the pool has that place. Returns where
+    /// the next goes.
     #[inline(always)]
-    fn put(&mut self, columns: u32, hit: u32, c: u32, to: u32) -> u32 {
-        let is_hit = columns >> c & 1 == 1;
-        if is_hit && to < POOL {
+    fn put(&mut self, is_hit: u32, hit: u32, to: u32) -> u32 {
+        if is_hit != 0 && to < POOL {
             set(self.hits, to, hit);
         }
-        if is_hit { to.wrapping_add(1) } else { to }
+        if is_hit != 0 { to.wrapping_add(1) } else { to }
     }
 
     /// A hit of the pool: which pair of nodes, which child of either side.
@@ -224,8 +225,8 @@ impl<const N: usize> Teams<'_, N> {
                 of_row = range(args, level, a, pair.a * WIDTH + i, n[a], worlds);
                 set(self.ranges, lane, range(args, level, b, pair.b * WIDTH + i, n[b], worlds));
             }
-            let row = self.gather(pair, some);
             let same = args.kind == EDGE_EDGE && pair.a == pair.b;
+            let row = self.gather(pair, some, args.level, same);
             let mut hits = self.test(row, same, false, of_row);
             for pass in 0..self.number(&mut hits) {
                 let n = self.fill(&hits, pass);
@@ -255,13 +256,6 @@ pub(super) struct Hits {
     columns: u32,
     /// The number of the first among those of the workgroup; that of the others ascends.
     number: u32,
-}
-
-/// Whether child `i` of the first node and `j` of the second are a pair: within one node each pair
-/// comes twice, and once with itself.
-#[inline(always)]
-fn counts(same: bool, leaves: bool, i: u32, j: u32) -> bool {
-    !same || i < j || (i == j && !leaves)
 }
 
 kernel! {
