@@ -45,14 +45,14 @@ struct type_15 {
     member_1: i32,
 }
 
-struct type_18 {
+struct type_17 {
     member: u32,
+    member_1: u32,
+    member_2: u32,
 }
 
 struct type_19 {
     member: u32,
-    member_1: u32,
-    member_2: u32,
 }
 
 struct type_20 {
@@ -84,7 +84,7 @@ struct type_27 {
 }
 
 struct type_29 {
-    member: type_18,
+    member: type_19,
     member_1: u32,
     member_2: u32,
     member_3: u32,
@@ -319,7 +319,7 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4496_: bool;
     var phi_4498_: bool;
     var phi_4500_: bool;
-    var phi_4502_: type_19;
+    var phi_4502_: type_17;
     var phi_4506_: u32;
     var phi_4508_: u32;
     var phi_4510_: u32;
@@ -431,16 +431,16 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_70: array<type_9, 4>;
     var phi_6024_: bool;
     var phi_6025_: bool;
-    var phi_6026_: type_19;
+    var phi_6026_: type_17;
     var phi_6027_: bool;
-    var phi_6028_: type_19;
+    var phi_6028_: type_17;
     var phi_6029_: bool;
-    var phi_6030_: type_19;
+    var phi_6030_: type_17;
     var phi_6031_: bool;
-    var phi_6032_: type_19;
+    var phi_6032_: type_17;
     var phi_6033_: bool;
     var phi_6034_: bool;
-    var phi_6035_: type_19;
+    var phi_6035_: type_17;
     var phi_6036_: bool;
     var local_71: u32;
     var local_72: u32;
@@ -468,15 +468,15 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_6543_: bool;
     var phi_6544_: bool;
     var phi_6545_: bool;
-    var phi_6546_: type_19;
-    var phi_6547_: type_19;
+    var phi_6546_: type_17;
+    var phi_6547_: type_17;
     var local_85: u32;
     var local_86: u32;
     var phi_6548_: bool;
     var phi_6549_: bool;
     var phi_6550_: bool;
-    var phi_6551_: type_19;
-    var phi_6552_: type_19;
+    var phi_6551_: type_17;
+    var phi_6552_: type_17;
     var phi_7699_: array<type_9, 2>;
     var phi_7728_: array<type_9, 2>;
     var phi_7757_: array<type_9, 2>;
@@ -506,10 +506,10 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_8312_: bool;
     var phi_8313_: bool;
     var phi_8314_: bool;
-    var phi_8315_: type_19;
+    var phi_8315_: type_17;
     var phi_8316_: bool;
     var phi_8317_: bool;
-    var phi_8318_: type_19;
+    var phi_8318_: type_17;
     var phi_8319_: bool;
     var phi_8320_: bool;
     var phi_8321_: bool;
@@ -518,10 +518,10 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_8324_: bool;
     var phi_8325_: bool;
     var phi_8326_: bool;
-    var phi_8327_: type_19;
+    var phi_8327_: type_17;
     var phi_8328_: bool;
     var phi_8329_: bool;
-    var phi_8330_: type_19;
+    var phi_8330_: type_17;
     var phi_8331_: bool;
     var phi_8332_: bool;
     var phi_8333_: bool;
@@ -569,14 +569,14 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4497_: bool;
     var phi_4499_: bool;
     var phi_4501_: bool;
-    var phi_4503_: type_19;
+    var phi_4503_: type_17;
     var phi_4507_: u32;
     var phi_4509_: u32;
     var phi_4511_: u32;
     var phi_4513_: u32;
     var phi_4515_: u32;
     var phi_8683_: bool;
-    var phi_8684_: type_19;
+    var phi_8684_: type_17;
     var phi_8685_: bool;
     var phi_8686_: bool;
     var phi_8687_: bool;
@@ -602,7 +602,7 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_8734_: bool;
     var phi_8735_: bool;
     var phi_8736_: bool;
-    var local_108: type_19;
+    var local_108: type_17;
     var phi_8772_: type_9;
     var phi_8806_: array<u32, 2>;
     var phi_8809_: type_27;
@@ -1197,7 +1197,7 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     phi_4496_ = false;
                     phi_4498_ = false;
                     phi_4500_ = false;
-                    phi_4502_ = type_19(0u, 0u, 0u);
+                    phi_4502_ = type_17(0u, 0u, 0u);
                     phi_4506_ = 0u;
                     phi_4508_ = 0u;
                     phi_4510_ = 0u;
@@ -1601,7 +1601,7 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e6395 = local_112;
                                     phi_8316_ = _e6395;
                                     phi_8317_ = bool();
-                                    phi_8318_ = type_19();
+                                    phi_8318_ = type_17();
                                     phi_8319_ = true;
                                     phi_8320_ = false;
                                     phi_8321_ = false;
@@ -1631,7 +1631,7 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e3709 = local_49;
                                     let _e3711 = local_50;
                                     let _e3713 = local_51;
-                                    let _e3714 = type_19(_e3709, _e3711, _e3713);
+                                    let _e3714 = type_17(_e3709, _e3711, _e3713);
                                     let _e3716 = local_52;
                                     let _e3720 = local_53;
                                     let _e3723 = function_8(128u);
@@ -1651,12 +1651,12 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_6548_ = _e2788;
                                         phi_6549_ = _e2790;
                                         phi_6550_ = _e3794;
-                                        phi_6551_ = type_19(_e4419, (_e4416 + 1u), 31u);
+                                        phi_6551_ = type_17(_e4419, (_e4416 + 1u), 31u);
                                         phi_6552_ = _e2796;
                                     } else {
                                         if _e2788 {
                                             phi_6034_ = bool();
-                                            phi_6035_ = type_19();
+                                            phi_6035_ = type_17();
                                             phi_6036_ = true;
                                         } else {
                                             let _e3801 = local_60;
@@ -1711,7 +1711,7 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             }
                                                             let _e4012 = phi_6024_;
                                                             phi_6025_ = _e4012;
-                                                            phi_6026_ = type_19(_e3863, _e3861, _e3854);
+                                                            phi_6026_ = type_17(_e3863, _e3861, _e3854);
                                                         }
                                                         let _e4014 = phi_6025_;
                                                         let _e4016 = phi_6026_;
@@ -1733,7 +1733,7 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 phi_6033_ = false;
                                             } else {
                                                 phi_6031_ = bool();
-                                                phi_6032_ = type_19();
+                                                phi_6032_ = type_17();
                                                 phi_6033_ = true;
                                             }
                                             let _e4026 = phi_6031_;
@@ -1869,8 +1869,8 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             phi_6543_ = _e4393;
                                             phi_6544_ = true;
                                             phi_6545_ = _e4393;
-                                            phi_6546_ = type_19(select(_e4396, _e4180, _e4393), select(_e4399, _e4183, _e4393), select(_e4402, _e4037, _e4393));
-                                            phi_6547_ = type_19(_e4180, _e4183, _e4037);
+                                            phi_6546_ = type_17(select(_e4396, _e4180, _e4393), select(_e4399, _e4183, _e4393), select(_e4402, _e4037, _e4393));
+                                            phi_6547_ = type_17(_e4180, _e4183, _e4037);
                                         } else {
                                             phi_6543_ = _e2788;
                                             phi_6544_ = _e2790;
@@ -2318,7 +2318,7 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e6413 = local_115;
                                 phi_8328_ = _e6413;
                                 phi_8329_ = bool();
-                                phi_8330_ = type_19();
+                                phi_8330_ = type_17();
                                 phi_8331_ = true;
                                 phi_8332_ = false;
                                 phi_8333_ = false;
@@ -2518,14 +2518,14 @@ fn function_11(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             phi_4497_ = bool();
                             phi_4499_ = bool();
                             phi_4501_ = bool();
-                            phi_4503_ = type_19();
+                            phi_4503_ = type_17();
                             phi_4507_ = u32();
                             phi_4509_ = u32();
                             phi_4511_ = u32();
                             phi_4513_ = u32();
                             phi_4515_ = u32();
                             phi_8683_ = bool();
-                            phi_8684_ = type_19();
+                            phi_8684_ = type_17();
                             phi_8685_ = false;
                             phi_8686_ = true;
                             phi_8687_ = false;

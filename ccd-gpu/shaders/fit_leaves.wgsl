@@ -301,172 +301,172 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e320 = local;
             let _e334 = params.member.member.member_1;
             if ((_e334 & 512u) != 0u) {
-                ends.member[(((_e61 / 32u) * 96u) + (_e61 % 32u))] = vec4<f32>(_e167.member[0], _e167.member[1], _e167.member[2], _e167.member_1[0]);
-                ends.member[(((((_e61 / 32u) * 3u) + 1u) * 32u) + (_e61 % 32u))] = vec4<f32>(_e167.member_1[1], _e167.member_1[2], _e168.member[0], _e168.member[1]);
-                ends.member[(((((_e61 / 32u) * 3u) + 2u) * 32u) + (_e61 % 32u))] = vec4<f32>(_e168.member[2], _e168.member_1[0], _e168.member_1[1], _e168.member_1[2]);
+                ends.member[((3u * _e61) - (2u * (_e61 % 32u)))] = vec4<f32>(_e167.member[0], _e167.member[1], _e167.member[2], _e167.member_1[0]);
+                ends.member[(((3u * _e61) - (2u * (_e61 % 32u))) + 32u)] = vec4<f32>(_e167.member_1[1], _e167.member_1[2], _e168.member[0], _e168.member[1]);
+                ends.member[(((3u * _e61) - (2u * (_e61 % 32u))) + 64u)] = vec4<f32>(_e168.member[2], _e168.member_1[0], _e168.member_1[1], _e168.member_1[2]);
             }
             phi_671_ = type_30(array<f32, 3>(_e320.member[0], _e320.member[1], _e320.member[2]), array<f32, 3>(_e320.member_1[0], _e320.member_1[1], _e320.member_1[2]));
         } else {
             phi_671_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
         }
-        let _e376 = phi_671_;
+        let _e374 = phi_671_;
         if _e96 {
-            phi_819_ = _e376;
+            phi_819_ = _e374;
         } else {
-            let _e379 = params.member.member.member_1;
-            let _e381 = ((_e379 & 1u) != 0u);
-            if _e381 {
+            let _e377 = params.member.member.member_1;
+            let _e379 = ((_e377 & 1u) != 0u);
+            if _e379 {
                 phi_691_ = 0u;
             } else {
-                let _e385 = params.member.member.member_2[_e79];
-                phi_691_ = _e385;
+                let _e383 = params.member.member.member_2[_e79];
+                phi_691_ = _e383;
             }
-            let _e387 = phi_691_;
-            let _e391 = boxes.member[(_e387 + _e90[0])];
-            let _e406 = type_30(array<f32, 3>(_e391.member.x, _e391.member.y, _e391.member_1.x), array<f32, 3>(_e391.member_1.y, _e391.member_2.x, _e391.member_2.y));
-            if _e381 {
+            let _e385 = phi_691_;
+            let _e389 = boxes.member[(_e385 + _e90[0])];
+            let _e404 = type_30(array<f32, 3>(_e389.member.x, _e389.member.y, _e389.member_1.x), array<f32, 3>(_e389.member_1.y, _e389.member_2.x, _e389.member_2.y));
+            if _e379 {
                 if (_e79 > 0u) {
-                    let _e411 = boxes.member[_e90[1]];
-                    let _e425 = select(_e411.member.x, _e391.member.x, (_e391.member.x < _e411.member.x));
-                    let _e427 = select(_e411.member.y, _e391.member.y, (_e391.member.y < _e411.member.y));
-                    let _e429 = select(_e411.member_1.x, _e391.member_1.x, (_e391.member_1.x < _e411.member_1.x));
-                    let _e431 = select(_e411.member_1.y, _e391.member_1.y, (_e391.member_1.y > _e411.member_1.y));
-                    let _e433 = select(_e411.member_2.x, _e391.member_2.x, (_e391.member_2.x > _e411.member_2.x));
-                    let _e435 = select(_e411.member_2.y, _e391.member_2.y, (_e391.member_2.y > _e411.member_2.y));
-                    let _e437 = boxes.member[_e90[2]];
-                    phi_817_ = type_30(array<f32, 3>(select(_e437.member.x, _e425, (_e425 < _e437.member.x)), select(_e437.member.y, _e427, (_e427 < _e437.member.y)), select(_e437.member_1.x, _e429, (_e429 < _e437.member_1.x))), array<f32, 3>(select(_e437.member_1.y, _e431, (_e431 > _e437.member_1.y)), select(_e437.member_2.x, _e433, (_e433 > _e437.member_2.x)), select(_e437.member_2.y, _e435, (_e435 > _e437.member_2.y))));
+                    let _e409 = boxes.member[_e90[1]];
+                    let _e423 = select(_e409.member.x, _e389.member.x, (_e389.member.x < _e409.member.x));
+                    let _e425 = select(_e409.member.y, _e389.member.y, (_e389.member.y < _e409.member.y));
+                    let _e427 = select(_e409.member_1.x, _e389.member_1.x, (_e389.member_1.x < _e409.member_1.x));
+                    let _e429 = select(_e409.member_1.y, _e389.member_1.y, (_e389.member_1.y > _e409.member_1.y));
+                    let _e431 = select(_e409.member_2.x, _e389.member_2.x, (_e389.member_2.x > _e409.member_2.x));
+                    let _e433 = select(_e409.member_2.y, _e389.member_2.y, (_e389.member_2.y > _e409.member_2.y));
+                    let _e435 = boxes.member[_e90[2]];
+                    phi_817_ = type_30(array<f32, 3>(select(_e435.member.x, _e423, (_e423 < _e435.member.x)), select(_e435.member.y, _e425, (_e425 < _e435.member.y)), select(_e435.member_1.x, _e427, (_e427 < _e435.member_1.x))), array<f32, 3>(select(_e435.member_1.y, _e429, (_e429 > _e435.member_1.y)), select(_e435.member_2.x, _e431, (_e431 > _e435.member_2.x)), select(_e435.member_2.y, _e433, (_e433 > _e435.member_2.y))));
                 } else {
-                    phi_817_ = _e406;
+                    phi_817_ = _e404;
                 }
-                let _e466 = phi_817_;
-                phi_818_ = _e466;
+                let _e464 = phi_817_;
+                phi_818_ = _e464;
             } else {
-                phi_818_ = _e406;
+                phi_818_ = _e404;
             }
-            let _e468 = phi_818_;
-            phi_819_ = _e468;
+            let _e466 = phi_818_;
+            phi_819_ = _e466;
         }
-        let _e470 = phi_819_;
-        phi_820_ = _e470;
+        let _e468 = phi_819_;
+        phi_820_ = _e468;
     } else {
         phi_820_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e472 = phi_820_;
-    let _e475 = params.member.member.member_1;
-    let _e477 = ((_e475 & 256u) != 0u);
-    if _e477 {
-        let _e480 = bodies.member[_e90[0]];
-        if (_e472.member[0] <= _e472.member_1[0]) {
-            if (((bitcast<u32>(_e472.member_1[0]) & 1u) == 1u) != ((_e480 & 1u) == 1u)) {
-                let _e496 = bitcast<u32>(_e472.member_1[0]);
-                let _e499 = ((_e496 >> bitcast<u32>(31i)) == 1u);
-                let _e500 = (_e496 & 2147483647u);
-                let _e501 = (_e500 < 8388608u);
-                let _e504 = select(true, select(true, false, (_e500 == 8388608u)), _e499);
-                phi_896_ = type_30(_e472.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e496 + 1u), (_e496 - 1u), _e499), _e504), u32(), _e501), (8388608u | ((_e496 & 1u) ^ 1u)), select(select(true, false, _e504), true, _e501))), _e472.member_1[1], _e472.member_1[2]));
+    let _e470 = phi_820_;
+    let _e473 = params.member.member.member_1;
+    let _e475 = ((_e473 & 256u) != 0u);
+    if _e475 {
+        let _e478 = bodies.member[_e90[0]];
+        if (_e470.member[0] <= _e470.member_1[0]) {
+            if (((bitcast<u32>(_e470.member_1[0]) & 1u) == 1u) != ((_e478 & 1u) == 1u)) {
+                let _e494 = bitcast<u32>(_e470.member_1[0]);
+                let _e497 = ((_e494 >> bitcast<u32>(31i)) == 1u);
+                let _e498 = (_e494 & 2147483647u);
+                let _e499 = (_e498 < 8388608u);
+                let _e502 = select(true, select(true, false, (_e498 == 8388608u)), _e497);
+                phi_896_ = type_30(_e470.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e494 + 1u), (_e494 - 1u), _e497), _e502), u32(), _e499), (8388608u | ((_e494 & 1u) ^ 1u)), select(select(true, false, _e502), true, _e499))), _e470.member_1[1], _e470.member_1[2]));
             } else {
-                phi_896_ = _e472;
+                phi_896_ = _e470;
             }
-            let _e524 = phi_896_;
-            phi_897_ = _e524;
+            let _e522 = phi_896_;
+            phi_897_ = _e522;
         } else {
-            phi_897_ = _e472;
+            phi_897_ = _e470;
         }
-        let _e526 = phi_897_;
-        phi_898_ = _e526;
+        let _e524 = phi_897_;
+        phi_898_ = _e524;
     } else {
-        phi_898_ = _e472;
+        phi_898_ = _e470;
     }
-    let _e528 = phi_898_;
-    shared_[_e47] = type_30(array<f32, 3>(_e528.member[0], _e528.member[1], _e528.member[2]), array<f32, 3>(_e528.member_1[0], _e528.member_1[1], _e528.member_1[2]));
+    let _e526 = phi_898_;
+    shared_[_e47] = type_30(array<f32, 3>(_e526.member[0], _e526.member[1], _e526.member[2]), array<f32, 3>(_e526.member_1[0], _e526.member_1[1], _e526.member_1[2]));
     phi_913_ = type_14(0i, 5i);
-    phi_916_ = _e528;
+    phi_916_ = _e526;
     phi_918_ = 16u;
     loop {
-        let _e542 = phi_913_;
-        let _e544 = phi_916_;
-        let _e546 = phi_918_;
-        local_3 = _e544;
-        local_4 = _e544;
-        local_5 = _e544;
-        local_6 = _e544;
-        local_7 = _e544;
-        local_8 = _e544;
-        if (_e542.member < _e542.member_1) {
-            let _e553 = (_e542.member + 1i);
-            phi_914_ = type_14(select(_e553, type_15().member_1, select(false, true, ((false == (_e553 > _e542.member)) != false))), _e542.member_1);
-            phi_959_ = type_15(1u, _e542.member);
+        let _e540 = phi_913_;
+        let _e542 = phi_916_;
+        let _e544 = phi_918_;
+        local_3 = _e542;
+        local_4 = _e542;
+        local_5 = _e542;
+        local_6 = _e542;
+        local_7 = _e542;
+        local_8 = _e542;
+        if (_e540.member < _e540.member_1) {
+            let _e551 = (_e540.member + 1i);
+            phi_914_ = type_14(select(_e551, type_15().member_1, select(false, true, ((false == (_e551 > _e540.member)) != false))), _e540.member_1);
+            phi_959_ = type_15(1u, _e540.member);
         } else {
-            phi_914_ = _e542;
+            phi_914_ = _e540;
             phi_959_ = type_15(0u, type_15().member_1);
         }
-        let _e564 = phi_914_;
-        let _e566 = phi_959_;
-        let _e569 = (bitcast<i32>(_e566.member) != 0i);
-        if _e569 {
+        let _e562 = phi_914_;
+        let _e564 = phi_959_;
+        let _e567 = (bitcast<i32>(_e564.member) != 0i);
+        if _e567 {
             workgroupBarrier();
-            if ((_e47 % 32u) < _e546) {
-                let _e574 = shared_[(_e47 + _e546)];
-                if _e477 {
-                    let _e613 = select(_e574.member[0], _e544.member[0], (_e544.member[0] < _e574.member[0]));
-                    let _e626 = select(_e574.member_1[0], _e544.member_1[0], (_e544.member_1[0] > _e574.member_1[0]));
-                    let _e636 = type_30(array<f32, 3>(_e613, select(_e574.member[1], _e544.member[1], (_e544.member[1] < _e574.member[1])), select(_e574.member[2], _e544.member[2], (_e544.member[2] < _e574.member[2]))), array<f32, 3>(_e626, select(_e574.member_1[1], _e544.member_1[1], (_e544.member_1[1] > _e574.member_1[1])), select(_e574.member_1[2], _e544.member_1[2], (_e544.member_1[2] > _e574.member_1[2]))));
-                    if (_e613 <= _e626) {
-                        if (((bitcast<u32>(_e626) & 1u) == 1u) != select(false, select(!((_e574.member[0] <= _e574.member_1[0])), true, ((bitcast<u32>(_e574.member_1[0]) & 1u) == 1u)), select(!((_e544.member[0] <= _e544.member_1[0])), true, ((bitcast<u32>(_e544.member_1[0]) & 1u) == 1u)))) {
-                            let _e661 = bitcast<u32>(_e626);
-                            let _e664 = ((_e661 >> bitcast<u32>(31i)) == 1u);
-                            let _e665 = (_e661 & 2147483647u);
-                            let _e666 = (_e665 < 8388608u);
-                            let _e669 = select(true, select(true, false, (_e665 == 8388608u)), _e664);
-                            phi_1111_ = type_30(_e636.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e661 + 1u), (_e661 - 1u), _e664), _e669), u32(), _e666), (8388608u | ((_e661 & 1u) ^ 1u)), select(select(true, false, _e669), true, _e666))), _e636.member_1[1], _e636.member_1[2]));
+            if ((_e47 % 32u) < _e544) {
+                let _e572 = shared_[(_e47 + _e544)];
+                if _e475 {
+                    let _e611 = select(_e572.member[0], _e542.member[0], (_e542.member[0] < _e572.member[0]));
+                    let _e624 = select(_e572.member_1[0], _e542.member_1[0], (_e542.member_1[0] > _e572.member_1[0]));
+                    let _e634 = type_30(array<f32, 3>(_e611, select(_e572.member[1], _e542.member[1], (_e542.member[1] < _e572.member[1])), select(_e572.member[2], _e542.member[2], (_e542.member[2] < _e572.member[2]))), array<f32, 3>(_e624, select(_e572.member_1[1], _e542.member_1[1], (_e542.member_1[1] > _e572.member_1[1])), select(_e572.member_1[2], _e542.member_1[2], (_e542.member_1[2] > _e572.member_1[2]))));
+                    if (_e611 <= _e624) {
+                        if (((bitcast<u32>(_e624) & 1u) == 1u) != select(false, select(!((_e572.member[0] <= _e572.member_1[0])), true, ((bitcast<u32>(_e572.member_1[0]) & 1u) == 1u)), select(!((_e542.member[0] <= _e542.member_1[0])), true, ((bitcast<u32>(_e542.member_1[0]) & 1u) == 1u)))) {
+                            let _e659 = bitcast<u32>(_e624);
+                            let _e662 = ((_e659 >> bitcast<u32>(31i)) == 1u);
+                            let _e663 = (_e659 & 2147483647u);
+                            let _e664 = (_e663 < 8388608u);
+                            let _e667 = select(true, select(true, false, (_e663 == 8388608u)), _e662);
+                            phi_1111_ = type_30(_e634.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e659 + 1u), (_e659 - 1u), _e662), _e667), u32(), _e664), (8388608u | ((_e659 & 1u) ^ 1u)), select(select(true, false, _e667), true, _e664))), _e634.member_1[1], _e634.member_1[2]));
                         } else {
-                            phi_1111_ = _e636;
+                            phi_1111_ = _e634;
                         }
-                        let _e689 = phi_1111_;
-                        phi_1112_ = _e689;
+                        let _e687 = phi_1111_;
+                        phi_1112_ = _e687;
                     } else {
-                        phi_1112_ = _e636;
+                        phi_1112_ = _e634;
                     }
-                    let _e691 = phi_1112_;
-                    phi_1158_ = _e691;
+                    let _e689 = phi_1112_;
+                    phi_1158_ = _e689;
                 } else {
-                    phi_1158_ = type_30(array<f32, 3>(select(_e574.member[0], _e544.member[0], (_e544.member[0] < _e574.member[0])), select(_e574.member[1], _e544.member[1], (_e544.member[1] < _e574.member[1])), select(_e574.member[2], _e544.member[2], (_e544.member[2] < _e574.member[2]))), array<f32, 3>(select(_e574.member_1[0], _e544.member_1[0], (_e544.member_1[0] > _e574.member_1[0])), select(_e574.member_1[1], _e544.member_1[1], (_e544.member_1[1] > _e574.member_1[1])), select(_e574.member_1[2], _e544.member_1[2], (_e544.member_1[2] > _e574.member_1[2]))));
+                    phi_1158_ = type_30(array<f32, 3>(select(_e572.member[0], _e542.member[0], (_e542.member[0] < _e572.member[0])), select(_e572.member[1], _e542.member[1], (_e542.member[1] < _e572.member[1])), select(_e572.member[2], _e542.member[2], (_e542.member[2] < _e572.member[2]))), array<f32, 3>(select(_e572.member_1[0], _e542.member_1[0], (_e542.member_1[0] > _e572.member_1[0])), select(_e572.member_1[1], _e542.member_1[1], (_e542.member_1[1] > _e572.member_1[1])), select(_e572.member_1[2], _e542.member_1[2], (_e542.member_1[2] > _e572.member_1[2]))));
                 }
-                let _e693 = phi_1158_;
-                shared_[_e47] = type_30(array<f32, 3>(_e693.member[0], _e693.member[1], _e693.member[2]), array<f32, 3>(_e693.member_1[0], _e693.member_1[1], _e693.member_1[2]));
-                phi_1171_ = _e693;
+                let _e691 = phi_1158_;
+                shared_[_e47] = type_30(array<f32, 3>(_e691.member[0], _e691.member[1], _e691.member[2]), array<f32, 3>(_e691.member_1[0], _e691.member_1[1], _e691.member_1[2]));
+                phi_1171_ = _e691;
             } else {
-                phi_1171_ = _e544;
+                phi_1171_ = _e542;
             }
-            let _e707 = phi_1171_;
-            phi_917_ = _e707;
-            phi_919_ = (_e546 / 2u);
+            let _e705 = phi_1171_;
+            phi_917_ = _e705;
+            phi_919_ = (_e544 / 2u);
         } else {
             phi_917_ = type_30();
             phi_919_ = u32();
         }
-        let _e710 = phi_917_;
-        let _e712 = phi_919_;
+        let _e708 = phi_917_;
+        let _e710 = phi_919_;
         continue;
         continuing {
-            phi_913_ = _e564;
-            phi_916_ = _e710;
-            phi_918_ = _e712;
-            break if !(_e569);
+            phi_913_ = _e562;
+            phi_916_ = _e708;
+            phi_918_ = _e710;
+            break if !(_e567);
         }
     }
     if _e67 {
-        nodes.member[_e61] = type_26(vec2<f32>(_e472.member[0], _e472.member[1]), vec2<f32>(_e472.member[2], _e472.member_1[0]), vec2<f32>(_e472.member_1[1], _e472.member_1[2]));
+        nodes.member[_e61] = type_26(vec2<f32>(_e470.member[0], _e470.member[1]), vec2<f32>(_e470.member[2], _e470.member_1[0]), vec2<f32>(_e470.member_1[1], _e470.member_1[2]));
         if ((_e47 % 32u) == 0u) {
-            let _e737 = params.member.member_2.member[0u][_e79];
-            let _e744 = params.member.member_2.member[1u][_e79];
-            let _e747 = local_3;
-            let _e751 = local_4;
-            let _e755 = local_5;
-            let _e759 = local_6;
-            let _e763 = local_7;
-            let _e767 = local_8;
-            nodes.member[(_e744 + ((_e61 - _e737) / 32u))] = type_26(vec2<f32>(_e747.member[0], _e751.member[1]), vec2<f32>(_e755.member[2], _e759.member_1[0]), vec2<f32>(_e763.member_1[1], _e767.member_1[2]));
+            let _e735 = params.member.member_2.member[0u][_e79];
+            let _e742 = params.member.member_2.member[1u][_e79];
+            let _e745 = local_3;
+            let _e749 = local_4;
+            let _e753 = local_5;
+            let _e757 = local_6;
+            let _e761 = local_7;
+            let _e765 = local_8;
+            nodes.member[(_e742 + ((_e61 - _e735) / 32u))] = type_26(vec2<f32>(_e745.member[0], _e749.member[1]), vec2<f32>(_e753.member[2], _e757.member_1[0]), vec2<f32>(_e761.member_1[1], _e765.member_1[2]));
         }
     }
     return;

@@ -45,20 +45,20 @@ struct type_17 {
 }
 
 struct type_18 {
-    member: type_15,
-    member_1: array<f32, 3>,
-}
-
-struct type_19 {
     member: u32,
     member_1: u32,
     member_2: u32,
 }
 
+struct type_19 {
+    member: type_15,
+    member_1: array<f32, 3>,
+}
+
 struct type_20 {
     member: type_7,
     member_1: type_8,
-    member_2: type_19,
+    member_2: type_18,
 }
 
 struct type_21 {
@@ -66,7 +66,7 @@ struct type_21 {
 }
 
 struct type_22 {
-    member: type_18,
+    member: type_19,
     member_1: u32,
 }
 
@@ -84,11 +84,11 @@ var<storage, read_write> order: type_11;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
     var local_1: type_15;
-    var local_2: type_18;
+    var local_2: type_19;
     var local_3: type_15;
     var local_4: array<f32, 3>;
     var local_5: type_15;
-    var local_6: type_18;
+    var local_6: type_19;
     var local_7: type_15;
     var phi_148_: u32;
     var phi_285_: type_9;
@@ -205,7 +205,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                 }
                 let _e177 = local_5;
-                local_6 = type_18(_e177, array<f32, 3>(_e115, _e124, _e133));
+                local_6 = type_19(_e177, array<f32, 3>(_e115, _e124, _e133));
                 let _e197 = local_6.member.member_1[0u];
                 let _e201 = local_6.member.member[0u];
                 let _e206 = local_6.member.member_1[1u];
@@ -214,7 +214,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e219 = local_6.member.member[2u];
                 local_4 = array<f32, 3>(((_e197 * 0.5f) - (_e201 * 0.5f)), ((_e206 * 0.5f) - (_e210 * 0.5f)), ((_e215 * 0.5f) - (_e219 * 0.5f)));
                 phi_484_ = type_9(0u, 9u);
-                phi_487_ = type_22(type_18(type_15(array<f32, 3>(_e177.member[0], _e177.member[1], _e177.member[2]), array<f32, 3>(_e177.member_1[0], _e177.member_1[1], _e177.member_1[2])), array<f32, 3>(_e115, _e124, _e133)), 0u);
+                phi_487_ = type_22(type_19(type_15(array<f32, 3>(_e177.member[0], _e177.member[1], _e177.member[2]), array<f32, 3>(_e177.member_1[0], _e177.member_1[1], _e177.member_1[2])), array<f32, 3>(_e115, _e124, _e133)), 0u);
                 loop {
                     let _e224 = phi_484_;
                     let _e226 = phi_487_;

@@ -54,21 +54,21 @@ struct type_20 {
     member: array<type_18>,
 }
 
-struct type_23 {
-    member: type_18,
-    member_1: array<f32, 3>,
-}
-
-struct type_24 {
+struct type_21 {
     member: u32,
     member_1: u32,
     member_2: u32,
 }
 
+struct type_24 {
+    member: type_18,
+    member_1: array<f32, 3>,
+}
+
 struct type_25 {
     member: type_7,
     member_1: type_8,
-    member_2: type_24,
+    member_2: type_21,
 }
 
 struct type_26 {
@@ -76,7 +76,7 @@ struct type_26 {
 }
 
 struct type_27 {
-    member: type_23,
+    member: type_24,
     member_1: u32,
 }
 
@@ -106,11 +106,11 @@ var<workgroup> hits: array<u32, 2048>;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
     var local_1: type_18;
-    var local_2: type_23;
+    var local_2: type_24;
     var local_3: array<f32, 3>;
     var local_4: type_18;
     var local_5: type_18;
-    var local_6: type_23;
+    var local_6: type_24;
     var local_7: type_18;
     var phi_212_: u32;
     var phi_260_: u32;
@@ -444,7 +444,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             }
                         }
                         let _e472 = local_5;
-                        local_6 = type_23(_e472, array<f32, 3>(_e410, _e419, _e428));
+                        local_6 = type_24(_e472, array<f32, 3>(_e410, _e419, _e428));
                         if (_e242 == 0u) {
                             let _e763 = (_e224 & 134217727u);
                             phi_1388_ = array<u32, 3>((_e763 & 511u), ((_e763 >> bitcast<u32>(9u)) & 511u), (_e763 >> bitcast<u32>(18u)));
@@ -457,7 +457,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e515 = local_6.member.member[2u];
                             local_3 = array<f32, 3>(((_e493 * 0.5f) - (_e497 * 0.5f)), ((_e502 * 0.5f) - (_e506 * 0.5f)), ((_e511 * 0.5f) - (_e515 * 0.5f)));
                             phi_994_ = type_9(0u, 9u);
-                            phi_997_ = type_27(type_23(type_18(array<f32, 3>(_e472.member[0], _e472.member[1], _e472.member[2]), array<f32, 3>(_e472.member_1[0], _e472.member_1[1], _e472.member_1[2])), array<f32, 3>(_e410, _e419, _e428)), 0u);
+                            phi_997_ = type_27(type_24(type_18(array<f32, 3>(_e472.member[0], _e472.member[1], _e472.member[2]), array<f32, 3>(_e472.member_1[0], _e472.member_1[1], _e472.member_1[2])), array<f32, 3>(_e410, _e419, _e428)), 0u);
                             loop {
                                 let _e520 = phi_994_;
                                 let _e522 = phi_997_;

@@ -55,20 +55,20 @@ struct type_19 {
 }
 
 struct type_20 {
-    member: type_17,
-    member_1: array<f32, 3>,
-}
-
-struct type_21 {
     member: u32,
     member_1: u32,
     member_2: u32,
 }
 
+struct type_21 {
+    member: type_17,
+    member_1: array<f32, 3>,
+}
+
 struct type_22 {
     member: type_7,
     member_1: type_8,
-    member_2: type_21,
+    member_2: type_20,
 }
 
 struct type_23 {
@@ -76,7 +76,7 @@ struct type_23 {
 }
 
 struct type_24 {
-    member: type_20,
+    member: type_21,
     member_1: u32,
 }
 
@@ -99,11 +99,11 @@ var<workgroup> ranges: array<atomic<u32>, 656>;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;
     var local_1: type_17;
-    var local_2: type_20;
+    var local_2: type_21;
     var local_3: array<f32, 3>;
     var local_4: type_17;
     var local_5: type_17;
-    var local_6: type_20;
+    var local_6: type_21;
     var local_7: type_17;
     var phi_213_: type_14;
     var phi_216_: u32;
@@ -357,7 +357,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             }
                         }
                         let _e364 = local_5;
-                        local_6 = type_20(_e364, array<f32, 3>(_e302, _e311, _e320));
+                        local_6 = type_21(_e364, array<f32, 3>(_e302, _e311, _e320));
                         if (_e243 == 0u) {
                             let _e655 = (_e211 & 134217727u);
                             phi_1178_ = array<u32, 3>((_e655 & 511u), ((_e655 >> bitcast<u32>(9u)) & 511u), (_e655 >> bitcast<u32>(18u)));
@@ -370,7 +370,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e407 = local_6.member.member[2u];
                             local_3 = array<f32, 3>(((_e385 * 0.5f) - (_e389 * 0.5f)), ((_e394 * 0.5f) - (_e398 * 0.5f)), ((_e403 * 0.5f) - (_e407 * 0.5f)));
                             phi_784_ = type_9(0u, 9u);
-                            phi_787_ = type_24(type_20(type_17(array<f32, 3>(_e364.member[0], _e364.member[1], _e364.member[2]), array<f32, 3>(_e364.member_1[0], _e364.member_1[1], _e364.member_1[2])), array<f32, 3>(_e302, _e311, _e320)), 0u);
+                            phi_787_ = type_24(type_21(type_17(array<f32, 3>(_e364.member[0], _e364.member[1], _e364.member[2]), array<f32, 3>(_e364.member_1[0], _e364.member_1[1], _e364.member_1[2])), array<f32, 3>(_e302, _e311, _e320)), 0u);
                             loop {
                                 let _e412 = phi_784_;
                                 let _e414 = phi_787_;

@@ -35,7 +35,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_16 {
+struct type_15 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -43,99 +43,99 @@ struct type_16 {
     member_4: u32,
 }
 
-struct type_17 {
+struct type_16 {
     member: type_7,
     member_1: type_8,
-    member_2: type_16,
+    member_2: type_15,
 }
 
-struct type_18 {
-    member: type_17,
+struct type_17 {
+    member: type_16,
 }
 
-struct type_21 {
+struct type_20 {
     member: array<vec4<u32>>,
 }
 
-struct type_23 {
+struct type_22 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_27 {
+struct type_26 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_34 {
+struct type_33 {
     member: array<vec4<f32>>,
 }
 
-struct type_38 {
+struct type_37 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_18;
+var<storage> params: type_17;
 @group(0) @binding(1) 
-var<storage> nodes: type_25;
-var<workgroup> columns: array<type_27, 128>;
+var<storage> nodes: type_24;
+var<workgroup> rows: array<u32, 4>;
+var<workgroup> columns: array<type_26, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> n_hits: array<u32, 1>;
-var<workgroup> hits: array<u32, 512>;
-var<workgroup> firsts: array<u32, 8>;
+var<workgroup> hits: array<u32, 384>;
 @group(0) @binding(5) 
-var<storage, read_write> output: type_38;
+var<storage, read_write> output: type_37;
 @group(0) @binding(4) 
 var<storage> input: type_11;
 @group(0) @binding(2) 
-var<storage> leaves: type_21;
+var<storage> leaves: type_20;
 @group(0) @binding(3) 
-var<storage> ends: type_34;
+var<storage> ends: type_33;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_176_: u32;
-    var phi_203_: u32;
-    var phi_249_: u32;
-    var phi_528_: bool;
-    var phi_578_: type_9;
-    var phi_581_: u32;
-    var phi_582_: u32;
+    var phi_179_: u32;
+    var phi_206_: u32;
+    var phi_310_: u32;
+    var phi_485_: bool;
+    var phi_521_: type_9;
+    var phi_524_: u32;
+    var phi_525_: u32;
     var local: u32;
     var local_1: u32;
-    var phi_915_: type_9;
-    var phi_981_: type_9;
-    var phi_984_: u32;
-    var phi_986_: u32;
-    var phi_988_: u32;
-    var phi_985_: u32;
-    var phi_987_: u32;
-    var phi_989_: u32;
-    var phi_1097_: type_9;
-    var phi_1100_: u32;
-    var phi_1317_: bool;
-    var phi_1397_: bool;
-    var phi_1398_: bool;
-    var phi_1416_: u32;
-    var phi_1417_: u32;
-    var phi_1418_: bool;
-    var phi_1101_: u32;
-    var phi_1419_: bool;
+    var phi_858_: type_9;
+    var phi_908_: type_9;
+    var phi_911_: u32;
+    var phi_913_: u32;
+    var phi_915_: u32;
+    var phi_912_: u32;
+    var phi_914_: u32;
+    var phi_916_: u32;
+    var phi_1024_: type_9;
+    var phi_1027_: u32;
+    var phi_1235_: bool;
+    var phi_1315_: bool;
+    var phi_1316_: bool;
+    var phi_1334_: u32;
+    var phi_1335_: u32;
+    var phi_1336_: bool;
+    var phi_1028_: u32;
+    var phi_1337_: bool;
     var local_2: u32;
-    var phi_1478_: u32;
-    var phi_1502_: type_9;
-    var phi_1505_: u32;
+    var phi_1396_: u32;
+    var phi_1420_: type_9;
+    var phi_1423_: u32;
     var local_3: u32;
-    var phi_1603_: type_9;
-    var phi_1618_: u32;
-    var phi_1506_: u32;
-    var phi_250_: u32;
+    var phi_1512_: type_9;
+    var phi_1527_: u32;
+    var phi_1424_: u32;
+    var phi_311_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -152,14 +152,14 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e74 = params.member.member_1.member_1;
     if (_e71 > _e74) {
         let _e78 = params.member.member_1.member_1;
-        phi_176_ = (_e71 - _e78);
+        phi_179_ = (_e71 - _e78);
     } else {
-        phi_176_ = 0u;
+        phi_179_ = 0u;
     }
-    let _e81 = phi_176_;
+    let _e81 = phi_179_;
     let _e84 = params.member.member_2.member_3;
     if (_e84 == 1u) {
-        phi_203_ = _e81;
+        phi_206_ = _e81;
     } else {
         let _e88 = params.member.member_2.member_3;
         if (_e88 == 0u) {
@@ -169,380 +169,370 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         if (_e88 == 0u) {
             return;
         }
-        phi_203_ = select(_e90, (_e90 + 1u), ((_e81 % _e88) > 0u));
+        phi_206_ = select(_e90, (_e90 + 1u), ((_e81 % _e88) > 0u));
     }
-    let _e97 = phi_203_;
+    let _e97 = phi_206_;
     let _e100 = params.member.member_2.member_4;
     let _e102 = select(_e97, _e100, (_e100 < _e97));
-    let _e104 = params.member.member;
-    let _e107 = params.member.member_2.member_1;
-    let _e117 = (((_e104.member_5 + (2f * _e104.member_4)) * 1.0001f) + (8f * 0.000000000000000000000000000000000000011754944f));
+    let _e105 = params.member.member_2.member_1;
+    let _e106 = (_e105 == 0u);
+    let _e107 = select(1u, 0u, _e106);
+    let _e112 = params.member.member_2.member[1u][_e107];
+    let _e116 = params.member.member_2.member[0u][_e107];
+    let _e120 = params.member.member_2.member[0u][select(1u, 2u, _e106)];
+    let _e122 = params.member.member;
+    let _e125 = params.member.member_2.member_1;
+    let _e135 = (((_e122.member_5 + (2f * _e122.member_4)) * 1.0001f) + (8f * 0.000000000000000000000000000000000000011754944f));
     if (_e50 == 0u) {
         atomicStore((&counters[7u]), 0u);
     }
-    phi_249_ = ((_e48.y * _e49.x) + _e48.x);
+    phi_310_ = ((_e48.y * _e49.x) + _e48.x);
     loop {
-        let _e121 = phi_249_;
-        let _e122 = (_e102 / 4u);
-        let _e127 = (_e121 < select(_e122, (_e122 + 1u), ((_e102 % 4u) > 0u)));
-        if _e127 {
-            let _e130 = ((_e121 * 4u) + (_e50 / 32u));
-            let _e131 = (_e130 < _e102);
-            let _e134 = params.member.member_1.member_1;
-            let _e137 = params.member.member_2.member_3;
-            let _e141 = (2u * (_e134 + select(0u, (_e130 * _e137), _e131)));
-            let _e144 = input.member[(4u + _e141)];
-            let _e147 = input.member[(_e141 + 5u)];
+        let _e139 = phi_310_;
+        let _e140 = (_e102 / 4u);
+        let _e145 = (_e139 < select(_e140, (_e140 + 1u), ((_e102 % 4u) > 0u)));
+        if _e145 {
+            let _e148 = ((_e139 * 4u) + (_e50 / 32u));
+            let _e149 = (_e148 < _e102);
+            let _e152 = params.member.member_1.member_1;
+            let _e155 = params.member.member_2.member_3;
+            let _e159 = (2u * (_e152 + select(0u, (_e148 * _e155), _e149)));
+            let _e162 = input.member[(4u + _e159)];
+            let _e165 = input.member[(_e159 + 5u)];
             if (_e50 <= 5u) {
                 atomicStore((&counters[_e50]), 0u);
             }
             workgroupBarrier();
-            let _e150 = (_e107 == 0u);
-            if ((_e50 % 32u) == 0u) {
-                let _e156 = (_e50 / 32u);
-                let _e162 = params.member.member_2.member[0u][select(1u, 0u, _e150)];
-                firsts[(2u * _e156)] = (_e162 + (_e144 * 32u));
-                let _e171 = params.member.member_2.member[0u][select(1u, 2u, _e150)];
-                firsts[((2u * _e156) + 1u)] = (_e171 + (_e147 * 32u));
+            let _e170 = select(false, (_e162 == _e165), (_e125 == 1u));
+            let _e171 = (_e50 / 32u);
+            let _e172 = (_e50 % 32u);
+            let _e175 = ((_e116 + (_e162 * 32u)) + _e172);
+            let _e178 = ((_e120 + (_e165 * 32u)) + _e172);
+            let _e181 = nodes.member[(_e112 + _e162)];
+            let _e195 = nodes.member[_e175];
+            let _e209 = nodes.member[_e178];
+            if (_e172 == 0u) {
+                rows[_e171] = _e175;
             }
-            let _e176 = select(false, (_e144 == _e147), (_e107 == 1u));
-            let _e179 = params.member.member_2.member_1;
-            let _e180 = (_e179 == 0u);
-            let _e181 = select(1u, 0u, _e180);
-            let _e183 = (_e50 / 32u);
-            let _e184 = (_e50 % 32u);
-            let _e188 = params.member.member_2.member[1u][_e181];
-            let _e191 = nodes.member[(_e188 + _e144)];
-            let _e209 = params.member.member_2.member[0u][_e181];
-            let _e212 = nodes.member[(_e209 + ((_e144 * 32u) + _e184))];
-            let _e230 = params.member.member_2.member[0u][select(1u, 2u, _e180)];
-            let _e233 = nodes.member[(_e230 + ((_e147 * 32u) + _e184))];
-            if _e131 {
-                if _e176 {
-                    phi_528_ = true;
+            if _e149 {
+                if _e170 {
+                    phi_485_ = true;
                 } else {
-                    phi_528_ = ((((((_e233.member.x <= _e191.member_1.y) && (_e191.member.x <= _e233.member_1.y)) && (_e233.member.y <= _e191.member_2.x)) && (_e191.member.y <= _e233.member_2.x)) && (_e233.member_1.x <= _e191.member_2.y)) && (_e191.member_1.x <= _e233.member_2.y));
+                    phi_485_ = ((((((_e209.member.x <= _e181.member_1.y) && (_e181.member.x <= _e209.member_1.y)) && (_e209.member.y <= _e181.member_2.x)) && (_e181.member.y <= _e209.member_2.x)) && (_e209.member_1.x <= _e181.member_2.y)) && (_e181.member_1.x <= _e209.member_2.y));
                 }
-                let _e258 = phi_528_;
-                if _e258 {
-                    let _e260 = atomicAdd((&counters[_e183]), 1u);
-                    let _e263 = ((_e183 * 32u) + select(_e260, _e184, _e176));
-                    columns[_e263] = type_27(array<f32, 3>(_e233.member.x, _e233.member.y, _e233.member_1.x), array<f32, 3>(_e233.member_1.y, _e233.member_2.x, _e233.member_2.y));
-                    names[_e263] = _e184;
+                let _e236 = phi_485_;
+                if _e236 {
+                    let _e238 = atomicAdd((&counters[_e171]), 1u);
+                    let _e241 = ((_e171 * 32u) + select(_e238, _e172, _e170));
+                    columns[_e241] = type_26(array<f32, 3>(_e209.member.x, _e209.member.y, _e209.member_1.x), array<f32, 3>(_e209.member_1.y, _e209.member_2.x, _e209.member_2.y));
+                    names[_e241] = _e178;
                 }
             }
             workgroupBarrier();
-            let _e269 = (_e50 / 32u);
-            let _e271 = (_e269 * 32u);
-            let _e273 = atomicLoad((&counters[_e269]));
-            let _e274 = (_e273 / 4u);
-            phi_578_ = type_9(0u, select(_e274, (_e274 + 1u), ((_e273 % 4u) > 0u)));
-            phi_581_ = 0u;
+            let _e247 = (_e50 / 32u);
+            let _e249 = (_e247 * 32u);
+            let _e251 = atomicLoad((&counters[_e247]));
+            phi_521_ = type_9(0u, ((_e251 + 3u) / 4u));
+            phi_524_ = 0u;
             loop {
-                let _e281 = phi_578_;
-                let _e283 = phi_581_;
-                local = _e283;
-                local_1 = _e283;
-                let _e286 = (_e281.member < _e281.member_1);
-                let _e299 = (bitcast<i32>(select(0u, 1u, _e286)) != 0i);
-                if _e299 {
-                    let _e300 = (4u * select(type_9().member_1, _e281.member, _e286));
-                    let _e303 = columns[(_e271 + _e300)];
-                    let _e327 = columns[((_e271 + _e300) + 1u)];
-                    let _e354 = columns[((_e271 + _e300) + 2u)];
-                    let _e381 = columns[((_e271 + _e300) + 3u)];
-                    phi_582_ = (_e283 | ((((select(0u, 1u, ((((((_e212.member.x <= _e303.member_1[0]) && (_e303.member[0] <= _e212.member_1.y)) && (_e212.member.y <= _e303.member_1[1])) && (_e303.member[1] <= _e212.member_2.x)) && (_e212.member_1.x <= _e303.member_1[2])) && (_e303.member[2] <= _e212.member_2.y))) | (select(0u, 1u, ((((((_e212.member.x <= _e327.member_1[0]) && (_e327.member[0] <= _e212.member_1.y)) && (_e212.member.y <= _e327.member_1[1])) && (_e327.member[1] <= _e212.member_2.x)) && (_e212.member_1.x <= _e327.member_1[2])) && (_e327.member[2] <= _e212.member_2.y))) << bitcast<u32>(1i))) | (select(0u, 1u, ((((((_e212.member.x <= _e354.member_1[0]) && (_e354.member[0] <= _e212.member_1.y)) && (_e212.member.y <= _e354.member_1[1])) && (_e354.member[1] <= _e212.member_2.x)) && (_e212.member_1.x <= _e354.member_1[2])) && (_e354.member[2] <= _e212.member_2.y))) << bitcast<u32>(2i))) | (select(0u, 1u, ((((((_e212.member.x <= _e381.member_1[0]) && (_e381.member[0] <= _e212.member_1.y)) && (_e212.member.y <= _e381.member_1[1])) && (_e381.member[1] <= _e212.member_2.x)) && (_e212.member_1.x <= _e381.member_1[2])) && (_e381.member[2] <= _e212.member_2.y))) << bitcast<u32>(3i))) << bitcast<u32>((_e300 & 31u))));
+                let _e256 = phi_521_;
+                let _e258 = phi_524_;
+                local = _e258;
+                local_1 = _e258;
+                let _e261 = (_e256.member < _e256.member_1);
+                let _e274 = (bitcast<i32>(select(0u, 1u, _e261)) != 0i);
+                if _e274 {
+                    let _e275 = (4u * select(type_9().member_1, _e256.member, _e261));
+                    let _e278 = columns[(_e249 + _e275)];
+                    let _e302 = columns[((_e249 + _e275) + 1u)];
+                    let _e329 = columns[((_e249 + _e275) + 2u)];
+                    let _e356 = columns[((_e249 + _e275) + 3u)];
+                    phi_525_ = (_e258 | ((((select(0u, 1u, ((((((_e195.member.x <= _e278.member_1[0]) && (_e278.member[0] <= _e195.member_1.y)) && (_e195.member.y <= _e278.member_1[1])) && (_e278.member[1] <= _e195.member_2.x)) && (_e195.member_1.x <= _e278.member_1[2])) && (_e278.member[2] <= _e195.member_2.y))) | (select(0u, 1u, ((((((_e195.member.x <= _e302.member_1[0]) && (_e302.member[0] <= _e195.member_1.y)) && (_e195.member.y <= _e302.member_1[1])) && (_e302.member[1] <= _e195.member_2.x)) && (_e195.member_1.x <= _e302.member_1[2])) && (_e302.member[2] <= _e195.member_2.y))) << bitcast<u32>(1i))) | (select(0u, 1u, ((((((_e195.member.x <= _e329.member_1[0]) && (_e329.member[0] <= _e195.member_1.y)) && (_e195.member.y <= _e329.member_1[1])) && (_e329.member[1] <= _e195.member_2.x)) && (_e195.member_1.x <= _e329.member_1[2])) && (_e329.member[2] <= _e195.member_2.y))) << bitcast<u32>(2i))) | (select(0u, 1u, ((((((_e195.member.x <= _e356.member_1[0]) && (_e356.member[0] <= _e195.member_1.y)) && (_e195.member.y <= _e356.member_1[1])) && (_e356.member[1] <= _e195.member_2.x)) && (_e195.member_1.x <= _e356.member_1[2])) && (_e356.member[2] <= _e195.member_2.y))) << bitcast<u32>(3i))) << bitcast<u32>((_e275 & 31u))));
                 } else {
-                    phi_582_ = u32();
+                    phi_525_ = u32();
                 }
-                let _e410 = phi_582_;
+                let _e385 = phi_525_;
                 continue;
                 continuing {
-                    phi_578_ = type_9(select(_e281.member, (_e281.member + 1u), _e286), select(_e281.member_1, _e281.member_1, _e286));
-                    phi_581_ = _e410;
-                    break if !(_e299);
+                    phi_521_ = type_9(select(_e256.member, (_e256.member + 1u), _e261), select(_e256.member_1, _e256.member_1, _e261));
+                    phi_524_ = _e385;
+                    break if !(_e274);
                 }
             }
-            let _e418 = local;
-            let _e421 = local_1;
-            let _e422 = select(_e421, (_e418 & ((1u << bitcast<u32>((_e273 & 31u))) - 1u)), (_e273 < 32u));
-            let _e427 = select(_e422, (_e422 & (4294967294u << bitcast<u32>(((_e50 % 32u) & 31u)))), _e176);
-            let _e431 = atomicAdd((&counters[4u]), countOneBits(_e427));
+            let _e393 = local;
+            let _e396 = local_1;
+            let _e397 = select(_e396, (_e393 & ((1u << bitcast<u32>((_e251 & 31u))) - 1u)), (_e251 < 32u));
+            let _e402 = select(_e397, (_e397 & (4294967294u << bitcast<u32>(((_e50 % 32u) & 31u)))), _e170);
+            let _e406 = atomicAdd((&counters[4u]), countOneBits(_e402));
             workgroupBarrier();
             if (_e50 == 0u) {
-                let _e434 = atomicLoad((&counters[4u]));
-                n_hits[0u] = _e434;
+                let _e409 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e409;
             }
-            let _e437 = workgroupUniformLoad((&n_hits[0u]));
-            let _e438 = (_e437 / 512u);
+            let _e412 = workgroupUniformLoad((&n_hits[0u]));
+            let _e413 = (_e412 / 384u);
             if (_e50 == 0u) {
-                let _e445 = atomicLoad((&counters[7u]));
-                let _e447 = n_hits[0u];
-                atomicStore((&counters[7u]), (_e445 + _e447));
+                let _e420 = atomicLoad((&counters[7u]));
+                let _e422 = n_hits[0u];
+                atomicStore((&counters[7u]), (_e420 + _e422));
             }
-            phi_915_ = type_9(0u, select(_e438, (_e438 + 1u), ((_e437 % 512u) > 0u)));
+            phi_858_ = type_9(0u, select(_e413, (_e413 + 1u), ((_e412 % 384u) > 0u)));
             loop {
-                let _e452 = phi_915_;
-                let _e455 = (_e452.member < _e452.member_1);
-                let _e468 = (bitcast<i32>(select(0u, 1u, _e455)) != 0i);
-                if _e468 {
-                    let _e469 = (_e50 / 32u);
-                    let _e471 = (select(type_9().member_1, _e452.member, _e455) * 512u);
-                    if (_e427 == 0u) {
+                let _e427 = phi_858_;
+                let _e430 = (_e427.member < _e427.member_1);
+                let _e443 = (bitcast<i32>(select(0u, 1u, _e430)) != 0i);
+                if _e443 {
+                    let _e444 = (_e50 / 32u);
+                    let _e445 = (select(type_9().member_1, _e427.member, _e430) * 384u);
+                    if (_e402 == 0u) {
                     } else {
-                        let _e480 = atomicLoad((&counters[_e469]));
-                        let _e481 = (_e480 / 4u);
-                        phi_981_ = type_9(0u, select(_e481, (_e481 + 1u), ((_e480 % 4u) > 0u)));
-                        phi_984_ = (_e431 - _e471);
-                        phi_986_ = ((_e469 << bitcast<u32>(10i)) | ((_e50 % 32u) << bitcast<u32>(5i)));
-                        phi_988_ = _e427;
+                        let _e452 = atomicLoad((&counters[_e444]));
+                        phi_908_ = type_9(0u, ((_e452 + 3u) / 4u));
+                        phi_911_ = (_e406 - _e445);
+                        phi_913_ = ((_e50 * 128u) + (_e444 * 32u));
+                        phi_915_ = _e402;
                         loop {
-                            let _e488 = phi_981_;
-                            let _e490 = phi_984_;
-                            let _e492 = phi_986_;
-                            let _e494 = phi_988_;
-                            let _e497 = (_e488.member < _e488.member_1);
-                            let _e508 = (bitcast<i32>(select(0u, 1u, _e497)) != 0i);
-                            if _e508 {
-                                let _e509 = (_e494 & 1u);
-                                if (_e509 == 0u) {
+                            let _e457 = phi_908_;
+                            let _e459 = phi_911_;
+                            let _e461 = phi_913_;
+                            let _e463 = phi_915_;
+                            let _e466 = (_e457.member < _e457.member_1);
+                            let _e477 = (bitcast<i32>(select(0u, 1u, _e466)) != 0i);
+                            if _e477 {
+                                let _e478 = (_e463 & 1u);
+                                if (_e478 == 0u) {
                                 } else {
-                                    if (_e490 < 512u) {
-                                        hits[_e490] = _e492;
+                                    if (_e459 < 384u) {
+                                        hits[_e459] = _e461;
                                     }
                                 }
-                                let _e515 = select((_e490 + 1u), _e490, (_e509 == 0u));
-                                let _e516 = (_e494 & 2u);
-                                if (_e516 == 0u) {
+                                let _e484 = select((_e459 + 1u), _e459, (_e478 == 0u));
+                                let _e485 = (_e463 & 2u);
+                                if (_e485 == 0u) {
                                 } else {
-                                    if (_e515 < 512u) {
-                                        hits[_e515] = (_e492 + 1u);
+                                    if (_e484 < 384u) {
+                                        hits[_e484] = (_e461 + 1u);
                                     }
                                 }
-                                let _e523 = select((_e515 + 1u), _e515, (_e516 == 0u));
-                                let _e524 = (_e494 & 4u);
-                                if (_e524 == 0u) {
+                                let _e492 = select((_e484 + 1u), _e484, (_e485 == 0u));
+                                let _e493 = (_e463 & 4u);
+                                if (_e493 == 0u) {
                                 } else {
-                                    if (_e523 < 512u) {
-                                        hits[_e523] = (_e492 + 2u);
+                                    if (_e492 < 384u) {
+                                        hits[_e492] = (_e461 + 2u);
                                     }
                                 }
-                                let _e531 = select((_e523 + 1u), _e523, (_e524 == 0u));
-                                let _e532 = (_e494 & 8u);
-                                if (_e532 == 0u) {
+                                let _e500 = select((_e492 + 1u), _e492, (_e493 == 0u));
+                                let _e501 = (_e463 & 8u);
+                                if (_e501 == 0u) {
                                 } else {
-                                    if (_e531 < 512u) {
-                                        hits[_e531] = (_e492 + 3u);
+                                    if (_e500 < 384u) {
+                                        hits[_e500] = (_e461 + 3u);
                                     }
                                 }
-                                phi_985_ = select((_e531 + 1u), _e531, (_e532 == 0u));
-                                phi_987_ = (_e492 + 4u);
-                                phi_989_ = (_e494 >> bitcast<u32>(4i));
+                                phi_912_ = select((_e500 + 1u), _e500, (_e501 == 0u));
+                                phi_914_ = (_e461 + 4u);
+                                phi_916_ = (_e463 >> bitcast<u32>(4i));
                             } else {
-                                phi_985_ = u32();
-                                phi_987_ = u32();
-                                phi_989_ = u32();
+                                phi_912_ = u32();
+                                phi_914_ = u32();
+                                phi_916_ = u32();
                             }
-                            let _e544 = phi_985_;
-                            let _e546 = phi_987_;
-                            let _e548 = phi_989_;
+                            let _e513 = phi_912_;
+                            let _e515 = phi_914_;
+                            let _e517 = phi_916_;
                             continue;
                             continuing {
-                                phi_981_ = type_9(select(_e488.member, (_e488.member + 1u), _e497), select(_e488.member_1, _e488.member_1, _e497));
-                                phi_984_ = _e544;
-                                phi_986_ = _e546;
-                                phi_988_ = _e548;
-                                break if !(_e508);
+                                phi_908_ = type_9(select(_e457.member, (_e457.member + 1u), _e466), select(_e457.member_1, _e457.member_1, _e466));
+                                phi_911_ = _e513;
+                                phi_913_ = _e515;
+                                phi_915_ = _e517;
+                                break if !(_e477);
                             }
                         }
                     }
                     workgroupBarrier();
-                    let _e551 = n_hits[0u];
-                    let _e552 = (_e551 - _e471);
-                    let _e554 = select(_e552, 512u, (512u < _e552));
-                    phi_1097_ = type_9(0u, 4u);
-                    phi_1100_ = 0u;
+                    let _e520 = n_hits[0u];
+                    let _e521 = (_e520 - _e445);
+                    let _e523 = select(_e521, 384u, (384u < _e521));
+                    phi_1024_ = type_9(0u, 3u);
+                    phi_1027_ = 0u;
                     loop {
-                        let _e556 = phi_1097_;
-                        let _e558 = phi_1100_;
-                        local_2 = _e558;
-                        local_3 = _e558;
-                        let _e561 = (_e556.member < _e556.member_1);
-                        let _e572 = select(type_9().member_1, _e556.member, _e561);
-                        if (bitcast<i32>(select(0u, 1u, _e561)) != 0i) {
-                            let _e576 = (_e50 + (_e572 * 128u));
-                            if (_e576 >= _e554) {
-                                phi_1417_ = u32();
-                                phi_1418_ = false;
+                        let _e525 = phi_1024_;
+                        let _e527 = phi_1027_;
+                        local_2 = _e527;
+                        local_3 = _e527;
+                        let _e530 = (_e525.member < _e525.member_1);
+                        let _e541 = select(type_9().member_1, _e525.member, _e530);
+                        if (bitcast<i32>(select(0u, 1u, _e530)) != 0i) {
+                            let _e545 = (_e50 + (_e541 * 128u));
+                            if (_e545 >= _e523) {
+                                phi_1335_ = u32();
+                                phi_1336_ = false;
                             } else {
-                                let _e579 = hits[_e576];
-                                let _e582 = ((_e579 >> bitcast<u32>(10i)) & 3u);
-                                let _e590 = names[((_e582 * 32u) + (_e579 & 31u))];
-                                let _e593 = firsts[(2u * _e582)];
-                                let _e594 = (_e593 + ((_e579 >> bitcast<u32>(5i)) & 31u));
-                                let _e598 = firsts[((2u * _e582) + 1u)];
-                                let _e599 = (_e598 + _e590);
-                                if ((_e104.member_1 & 512u) != 0u) {
-                                    let _e605 = ends.member[(((_e594 / 32u) * 96u) + (_e594 % 32u))];
-                                    let _e613 = ends.member[(((((_e594 / 32u) * 3u) + 1u) * 32u) + (_e594 % 32u))];
-                                    let _e629 = ends.member[(((((_e594 / 32u) * 3u) + 2u) * 32u) + (_e594 % 32u))];
-                                    let _e639 = ends.member[(((_e599 / 32u) * 96u) + (_e599 % 32u))];
-                                    let _e647 = ends.member[(((((_e599 / 32u) * 3u) + 1u) * 32u) + (_e599 % 32u))];
-                                    let _e663 = ends.member[(((((_e599 / 32u) * 3u) + 2u) * 32u) + (_e599 % 32u))];
-                                    phi_1317_ = !(((((((_e605.x - _e639.w) > _e117) && ((_e613.z - _e663.y) > _e117)) || (((_e639.x - _e605.w) > _e117) && ((_e647.z - _e629.y) > _e117))) || ((((_e605.y - _e647.x) > _e117) && ((_e613.w - _e663.z) > _e117)) || (((_e639.y - _e613.x) > _e117) && ((_e647.w - _e629.z) > _e117)))) || ((((_e605.z - _e647.y) > _e117) && ((_e629.x - _e663.w) > _e117)) || (((_e639.z - _e613.y) > _e117) && ((_e663.x - _e629.w) > _e117)))));
+                                let _e548 = hits[_e545];
+                                let _e551 = rows[(_e548 / 4096u)];
+                                let _e554 = (_e551 + ((_e548 / 128u) % 32u));
+                                let _e557 = names[(_e548 % 128u)];
+                                if ((_e122.member_1 & 512u) != 0u) {
+                                    let _e563 = ends.member[((3u * _e554) - (2u * (_e554 % 32u)))];
+                                    let _e570 = ends.member[(((3u * _e554) - (2u * (_e554 % 32u))) + 32u)];
+                                    let _e585 = ends.member[(((3u * _e554) - (2u * (_e554 % 32u))) + 64u)];
+                                    let _e595 = ends.member[((3u * _e557) - (2u * (_e557 % 32u)))];
+                                    let _e602 = ends.member[(((3u * _e557) - (2u * (_e557 % 32u))) + 32u)];
+                                    let _e617 = ends.member[(((3u * _e557) - (2u * (_e557 % 32u))) + 64u)];
+                                    phi_1235_ = !(((((((_e563.x - _e595.w) > _e135) && ((_e570.z - _e617.y) > _e135)) || (((_e595.x - _e563.w) > _e135) && ((_e602.z - _e585.y) > _e135))) || ((((_e563.y - _e602.x) > _e135) && ((_e570.w - _e617.z) > _e135)) || (((_e595.y - _e570.x) > _e135) && ((_e602.w - _e585.z) > _e135)))) || ((((_e563.z - _e602.y) > _e135) && ((_e585.x - _e617.w) > _e135)) || (((_e595.z - _e570.y) > _e135) && ((_e617.x - _e585.w) > _e135)))));
                                 } else {
-                                    phi_1317_ = true;
+                                    phi_1235_ = true;
                                 }
-                                let _e705 = phi_1317_;
-                                if select(false, true, _e705) {
-                                    let _e708 = leaves.member[_e594];
-                                    let _e712 = leaves.member[_e599];
-                                    if ((_e104.member_1 & 1u) != 0u) {
-                                        if (_e107 == 0u) {
-                                            phi_1397_ = ((select((_e712.x == _e708.x), true, (_e712.x == _e708.x)) || select((_e712.y == _e708.x), true, (_e712.y == _e708.x))) || select((_e712.z == _e708.x), true, (_e712.z == _e708.x)));
+                                let _e659 = phi_1235_;
+                                if select(false, true, _e659) {
+                                    let _e662 = leaves.member[_e554];
+                                    let _e666 = leaves.member[_e557];
+                                    if ((_e122.member_1 & 1u) != 0u) {
+                                        if (_e125 == 0u) {
+                                            phi_1315_ = ((select((_e666.x == _e662.x), true, (_e666.x == _e662.x)) || select((_e666.y == _e662.x), true, (_e666.y == _e662.x))) || select((_e666.z == _e662.x), true, (_e666.z == _e662.x)));
                                         } else {
-                                            phi_1397_ = (select((_e712.x == _e708.y), true, (_e712.x == _e708.x)) || select((_e712.y == _e708.y), true, (_e712.y == _e708.x)));
+                                            phi_1315_ = (select((_e666.x == _e662.y), true, (_e666.x == _e662.x)) || select((_e666.y == _e662.y), true, (_e666.y == _e662.x)));
                                         }
-                                        let _e739 = phi_1397_;
-                                        phi_1398_ = _e739;
+                                        let _e693 = phi_1315_;
+                                        phi_1316_ = _e693;
                                     } else {
-                                        phi_1398_ = false;
+                                        phi_1316_ = false;
                                     }
-                                    let _e741 = phi_1398_;
-                                    let _e742 = !(_e741);
-                                    if _e742 {
+                                    let _e695 = phi_1316_;
+                                    let _e696 = !(_e695);
+                                    if _e696 {
                                     } else {
-                                        let _e744 = atomicAdd((&counters[7u]), 4294967295u);
+                                        let _e698 = atomicAdd((&counters[7u]), 4294967295u);
                                     }
-                                    phi_1416_ = select(_e558, select(_e558, (_e558 | (1u << bitcast<u32>((_e572 & 31u)))), _e705), _e742);
+                                    phi_1334_ = select(_e527, select(_e527, (_e527 | (1u << bitcast<u32>((_e541 & 31u)))), _e659), _e696);
                                 } else {
-                                    phi_1416_ = _e558;
+                                    phi_1334_ = _e527;
                                 }
-                                let _e752 = phi_1416_;
-                                phi_1417_ = _e752;
-                                phi_1418_ = true;
+                                let _e706 = phi_1334_;
+                                phi_1335_ = _e706;
+                                phi_1336_ = true;
                             }
-                            let _e754 = phi_1417_;
-                            let _e756 = phi_1418_;
-                            phi_1101_ = _e754;
-                            phi_1419_ = _e756;
+                            let _e708 = phi_1335_;
+                            let _e710 = phi_1336_;
+                            phi_1028_ = _e708;
+                            phi_1337_ = _e710;
                         } else {
-                            phi_1101_ = u32();
-                            phi_1419_ = false;
+                            phi_1028_ = u32();
+                            phi_1337_ = false;
                         }
-                        let _e758 = phi_1101_;
-                        let _e760 = phi_1419_;
+                        let _e712 = phi_1028_;
+                        let _e714 = phi_1337_;
                         continue;
                         continuing {
-                            phi_1097_ = type_9(select(_e556.member, (_e556.member + 1u), _e561), select(_e556.member_1, _e556.member_1, _e561));
-                            phi_1100_ = _e758;
-                            break if !(_e760);
+                            phi_1024_ = type_9(select(_e525.member, (_e525.member + 1u), _e530), select(_e525.member_1, _e525.member_1, _e530));
+                            phi_1027_ = _e712;
+                            break if !(_e714);
                         }
                     }
-                    let _e764 = params.member.member_1.member_3;
-                    let _e766 = local_2;
-                    let _e769 = atomicAdd((&counters[5u]), countOneBits(_e766));
+                    let _e718 = params.member.member_1.member_3;
+                    let _e720 = local_2;
+                    let _e723 = atomicAdd((&counters[5u]), countOneBits(_e720));
                     workgroupBarrier();
                     if (_e50 == 0u) {
-                        let _e772 = atomicLoad((&counters[5u]));
-                        if (_e772 > 0u) {
-                            let _e776 = params.member.member.member_1;
-                            if ((_e776 & 1024u) != 0u) {
-                                let _e786 = atomicAdd((&output.member[0u]), _e772);
-                                let _e787 = (_e786 + _e772);
-                                let _e789 = select(_e787, 4294967295u, (_e787 < _e786));
-                                let _e792 = params.member.member_1.member_3;
-                                if (_e789 > _e792) {
-                                    let _e795 = atomicMax((&output.member[2u]), _e789);
+                        let _e726 = atomicLoad((&counters[5u]));
+                        if (_e726 > 0u) {
+                            let _e730 = params.member.member.member_1;
+                            if ((_e730 & 1024u) != 0u) {
+                                let _e740 = atomicAdd((&output.member[0u]), _e726);
+                                let _e741 = (_e740 + _e726);
+                                let _e743 = select(_e741, 4294967295u, (_e741 < _e740));
+                                let _e746 = params.member.member_1.member_3;
+                                if (_e743 > _e746) {
+                                    let _e749 = atomicMax((&output.member[2u]), _e743);
                                 }
-                                phi_1478_ = _e786;
+                                phi_1396_ = _e740;
                             } else {
-                                let _e780 = atomicAdd((&output.member[0u]), _e772);
-                                if ((_e780 + _e772) < _e780) {
-                                    let _e784 = atomicAdd((&output.member[2u]), 1u);
+                                let _e734 = atomicAdd((&output.member[0u]), _e726);
+                                if ((_e734 + _e726) < _e734) {
+                                    let _e738 = atomicAdd((&output.member[2u]), 1u);
                                 }
-                                phi_1478_ = _e780;
+                                phi_1396_ = _e734;
                             }
-                            let _e797 = phi_1478_;
-                            atomicStore((&counters[6u]), _e797);
+                            let _e751 = phi_1396_;
+                            atomicStore((&counters[6u]), _e751);
                         }
                         atomicStore((&counters[5u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e801 = atomicLoad((&counters[6u]));
-                    let _e803 = (_e554 / 128u);
-                    phi_1502_ = type_9(0u, select(_e803, (_e803 + 1u), ((_e554 % 128u) > 0u)));
-                    phi_1505_ = (_e769 + _e801);
+                    let _e755 = atomicLoad((&counters[6u]));
+                    let _e757 = (_e523 / 128u);
+                    phi_1420_ = type_9(0u, select(_e757, (_e757 + 1u), ((_e523 % 128u) > 0u)));
+                    phi_1423_ = (_e723 + _e755);
                     loop {
-                        let _e810 = phi_1502_;
-                        let _e812 = phi_1505_;
-                        let _e815 = (_e810.member < _e810.member_1);
-                        let _e826 = select(type_9().member_1, _e810.member, _e815);
-                        let _e828 = (bitcast<i32>(select(0u, 1u, _e815)) != 0i);
-                        if _e828 {
-                            let _e831 = local_3;
-                            if (((_e831 >> bitcast<u32>((_e826 & 31u))) & 1u) == 1u) {
-                                let _e839 = hits[(_e50 + (_e826 * 128u))];
-                                let _e842 = ((_e839 >> bitcast<u32>(10i)) & 3u);
-                                let _e850 = names[((_e842 * 32u) + (_e839 & 31u))];
-                                let _e853 = firsts[(2u * _e842)];
-                                let _e858 = firsts[((2u * _e842) + 1u)];
-                                let _e861 = leaves.member[(_e853 + ((_e839 >> bitcast<u32>(5i)) & 31u))];
-                                let _e864 = leaves.member[(_e858 + _e850)];
-                                if (_e107 == 1u) {
-                                    let _e868 = (_e861.w < _e864.w);
-                                    phi_1603_ = type_9(select(_e864.w, _e861.w, _e868), select(_e861.w, _e864.w, _e868));
+                        let _e764 = phi_1420_;
+                        let _e766 = phi_1423_;
+                        let _e769 = (_e764.member < _e764.member_1);
+                        let _e780 = select(type_9().member_1, _e764.member, _e769);
+                        let _e782 = (bitcast<i32>(select(0u, 1u, _e769)) != 0i);
+                        if _e782 {
+                            let _e785 = local_3;
+                            if (((_e785 >> bitcast<u32>((_e780 & 31u))) & 1u) == 1u) {
+                                let _e793 = hits[(_e50 + (_e780 * 128u))];
+                                let _e796 = rows[(_e793 / 4096u)];
+                                let _e802 = names[(_e793 % 128u)];
+                                let _e804 = leaves.member[(_e796 + ((_e793 / 128u) % 32u))];
+                                let _e807 = leaves.member[_e802];
+                                if (_e125 == 1u) {
+                                    let _e811 = (_e804.w < _e807.w);
+                                    phi_1512_ = type_9(select(_e807.w, _e804.w, _e811), select(_e804.w, _e807.w, _e811));
                                 } else {
-                                    phi_1603_ = type_9(_e861.w, _e864.w);
+                                    phi_1512_ = type_9(_e804.w, _e807.w);
                                 }
-                                let _e873 = phi_1603_;
-                                if (_e812 < _e764) {
-                                    let _e877 = (2u * _e812);
-                                    atomicStore((&output.member[(4u + _e877)]), _e873.member);
-                                    atomicStore((&output.member[(_e877 + 5u)]), _e873.member_1);
+                                let _e816 = phi_1512_;
+                                if (_e766 < _e718) {
+                                    let _e820 = (2u * _e766);
+                                    atomicStore((&output.member[(4u + _e820)]), _e816.member);
+                                    atomicStore((&output.member[(_e820 + 5u)]), _e816.member_1);
                                 }
-                                phi_1618_ = (_e812 + 1u);
+                                phi_1527_ = (_e766 + 1u);
                             } else {
-                                phi_1618_ = _e812;
+                                phi_1527_ = _e766;
                             }
-                            let _e884 = phi_1618_;
-                            phi_1506_ = _e884;
+                            let _e827 = phi_1527_;
+                            phi_1424_ = _e827;
                         } else {
-                            phi_1506_ = u32();
+                            phi_1424_ = u32();
                         }
-                        let _e886 = phi_1506_;
+                        let _e829 = phi_1424_;
                         continue;
                         continuing {
-                            phi_1502_ = type_9(select(_e810.member, (_e810.member + 1u), _e815), select(_e810.member_1, _e810.member_1, _e815));
-                            phi_1505_ = _e886;
-                            break if !(_e828);
+                            phi_1420_ = type_9(select(_e764.member, (_e764.member + 1u), _e769), select(_e764.member_1, _e764.member_1, _e769));
+                            phi_1423_ = _e829;
+                            break if !(_e782);
                         }
                     }
                     workgroupBarrier();
                 }
                 continue;
                 continuing {
-                    phi_915_ = type_9(select(_e452.member, (_e452.member + 1u), _e455), select(_e452.member_1, _e452.member_1, _e455));
-                    break if !(_e468);
+                    phi_858_ = type_9(select(_e427.member, (_e427.member + 1u), _e430), select(_e427.member_1, _e427.member_1, _e430));
+                    break if !(_e443);
                 }
             }
-            phi_250_ = (_e121 + (_e49.x * _e49.y));
+            phi_311_ = (_e139 + (_e49.x * _e49.y));
         } else {
-            phi_250_ = u32();
+            phi_311_ = u32();
         }
-        let _e890 = phi_250_;
+        let _e833 = phi_311_;
         continue;
         continuing {
-            phi_249_ = _e890;
-            break if !(_e127);
+            phi_310_ = _e833;
+            break if !(_e145);
         }
     }
     if (_e50 == 0u) {
-        let _e894 = atomicLoad((&counters[7u]));
-        if (_e894 > 0u) {
-            let _e897 = atomicAdd((&output.member[1u]), _e894);
-            if ((_e897 + _e894) < _e897) {
-                let _e901 = atomicAdd((&output.member[3u]), 1u);
+        let _e837 = atomicLoad((&counters[7u]));
+        if (_e837 > 0u) {
+            let _e840 = atomicAdd((&output.member[1u]), _e837);
+            if ((_e840 + _e837) < _e840) {
+                let _e844 = atomicAdd((&output.member[3u]), 1u);
             }
         }
     }

@@ -35,7 +35,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_16 {
+struct type_15 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -43,78 +43,78 @@ struct type_16 {
     member_4: u32,
 }
 
-struct type_17 {
+struct type_16 {
     member: type_7,
     member_1: type_8,
-    member_2: type_16,
+    member_2: type_15,
 }
 
-struct type_18 {
-    member: type_17,
+struct type_17 {
+    member: type_16,
 }
 
-struct type_20 {
+struct type_19 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_22 {
-    member: array<type_20>,
+struct type_21 {
+    member: array<type_19>,
 }
 
-struct type_24 {
+struct type_23 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_31 {
+struct type_30 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_18;
+var<storage> params: type_17;
 @group(0) @binding(1) 
-var<storage> nodes: type_22;
+var<storage> nodes: type_21;
 @group(0) @binding(2) 
 var<storage> input: type_11;
 @group(0) @binding(3) 
-var<storage, read_write> output: type_31;
-var<workgroup> columns: array<type_24, 128>;
+var<storage, read_write> output: type_30;
+var<workgroup> rows: array<u32, 4>;
+var<workgroup> columns: array<type_23, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> n_hits: array<u32, 1>;
-var<workgroup> hits: array<u32, 512>;
-var<workgroup> firsts: array<u32, 8>;
+var<workgroup> hits: array<u32, 384>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_153_: u32;
-    var phi_180_: u32;
-    var phi_210_: u32;
-    var phi_454_: bool;
-    var phi_504_: type_9;
-    var phi_507_: u32;
-    var phi_508_: u32;
+    var phi_155_: u32;
+    var phi_182_: u32;
+    var phi_269_: u32;
+    var phi_449_: bool;
+    var phi_485_: type_9;
+    var phi_488_: u32;
+    var phi_489_: u32;
     var local: u32;
     var local_1: u32;
-    var phi_726_: type_9;
-    var phi_729_: u32;
-    var phi_730_: u32;
-    var phi_794_: u32;
-    var phi_795_: u32;
-    var phi_828_: type_9;
-    var phi_894_: type_9;
-    var phi_897_: u32;
-    var phi_899_: u32;
-    var phi_901_: u32;
-    var phi_898_: u32;
-    var phi_900_: u32;
-    var phi_902_: u32;
-    var phi_1064_: u32;
-    var phi_1071_: type_9;
-    var phi_1144_: bool;
-    var phi_1145_: bool;
-    var phi_211_: u32;
+    var phi_707_: type_9;
+    var phi_710_: u32;
+    var phi_711_: u32;
+    var phi_775_: u32;
+    var phi_776_: u32;
+    var phi_809_: type_9;
+    var phi_859_: type_9;
+    var phi_862_: u32;
+    var phi_864_: u32;
+    var phi_866_: u32;
+    var phi_863_: u32;
+    var phi_865_: u32;
+    var phi_867_: u32;
+    var phi_1029_: u32;
+    var phi_1036_: type_9;
+    var phi_1102_: bool;
+    var phi_1103_: bool;
+    var phi_270_: u32;
     var local_2: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -123,331 +123,327 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e40 = id_2;
-    let _e41 = n_2;
-    let _e42 = lane_2;
-    let _e57 = params.member.member_1.member_2;
-    let _e59 = input.member[0u];
-    let _e61 = select(_e59, _e57, (_e57 < _e59));
-    let _e64 = params.member.member_1.member_1;
-    if (_e61 > _e64) {
-        let _e68 = params.member.member_1.member_1;
-        phi_153_ = (_e61 - _e68);
+    let _e39 = id_2;
+    let _e40 = n_2;
+    let _e41 = lane_2;
+    let _e56 = params.member.member_1.member_2;
+    let _e58 = input.member[0u];
+    let _e60 = select(_e58, _e56, (_e56 < _e58));
+    let _e63 = params.member.member_1.member_1;
+    if (_e60 > _e63) {
+        let _e67 = params.member.member_1.member_1;
+        phi_155_ = (_e60 - _e67);
     } else {
-        phi_153_ = 0u;
+        phi_155_ = 0u;
     }
-    let _e71 = phi_153_;
-    let _e74 = params.member.member_2.member_3;
-    if (_e74 == 1u) {
-        phi_180_ = _e71;
+    let _e70 = phi_155_;
+    let _e73 = params.member.member_2.member_3;
+    if (_e73 == 1u) {
+        phi_182_ = _e70;
     } else {
-        let _e78 = params.member.member_2.member_3;
-        if (_e78 == 0u) {
+        let _e77 = params.member.member_2.member_3;
+        if (_e77 == 0u) {
             return;
         }
-        let _e80 = (_e71 / _e78);
-        if (_e78 == 0u) {
+        let _e79 = (_e70 / _e77);
+        if (_e77 == 0u) {
             return;
         }
-        phi_180_ = select(_e80, (_e80 + 1u), ((_e71 % _e78) > 0u));
+        phi_182_ = select(_e79, (_e79 + 1u), ((_e70 % _e77) > 0u));
     }
-    let _e87 = phi_180_;
-    let _e90 = params.member.member_2.member_4;
-    let _e92 = select(_e87, _e90, (_e90 < _e87));
-    let _e93 = (_e42 / 32u);
-    phi_210_ = ((_e40.y * _e41.x) + _e40.x);
+    let _e86 = phi_182_;
+    let _e89 = params.member.member_2.member_4;
+    let _e91 = select(_e86, _e89, (_e89 < _e86));
+    let _e95 = params.member.member_2.member_2;
+    let _e97 = params.member.member_2.member_1;
+    let _e98 = (_e97 == 0u);
+    let _e99 = select(1u, 0u, _e98);
+    let _e104 = params.member.member_2.member[_e95][_e99];
+    let _e109 = params.member.member_2.member[(_e95 - 1u)][_e99];
+    let _e114 = params.member.member_2.member[(_e95 - 1u)][select(1u, 2u, _e98)];
+    phi_269_ = ((_e39.y * _e40.x) + _e39.x);
     loop {
-        let _e96 = phi_210_;
-        let _e97 = (_e92 / 4u);
-        let _e102 = (_e96 < select(_e97, (_e97 + 1u), ((_e92 % 4u) > 0u)));
-        if _e102 {
-            let _e105 = ((_e96 * 4u) + (_e42 / 32u));
-            let _e106 = (_e105 < _e92);
-            let _e109 = params.member.member_1.member_1;
-            let _e112 = params.member.member_2.member_3;
-            let _e116 = (2u * (_e109 + select(0u, (_e105 * _e112), _e106)));
-            let _e119 = input.member[(4u + _e116)];
-            let _e122 = input.member[(_e116 + 5u)];
-            if (_e42 <= 5u) {
-                atomicStore((&counters[_e42]), 0u);
+        let _e116 = phi_269_;
+        let _e117 = (_e91 / 4u);
+        let _e122 = (_e116 < select(_e117, (_e117 + 1u), ((_e91 % 4u) > 0u)));
+        if _e122 {
+            let _e125 = ((_e116 * 4u) + (_e41 / 32u));
+            let _e126 = (_e125 < _e91);
+            let _e129 = params.member.member_1.member_1;
+            let _e132 = params.member.member_2.member_3;
+            let _e136 = (2u * (_e129 + select(0u, (_e125 * _e132), _e126)));
+            let _e139 = input.member[(4u + _e136)];
+            let _e142 = input.member[(_e136 + 5u)];
+            if (_e41 <= 5u) {
+                atomicStore((&counters[_e41]), 0u);
             }
             workgroupBarrier();
-            if ((_e42 % 32u) == 0u) {
-                firsts[(2u * _e93)] = (_e119 * 32u);
-                firsts[((2u * _e93) + 1u)] = (_e122 * 32u);
+            let _e148 = params.member.member_2.member_1;
+            let _e151 = select(false, (_e139 == _e142), (_e148 == 1u));
+            let _e152 = (_e41 / 32u);
+            let _e153 = (_e41 % 32u);
+            let _e156 = ((_e109 + (_e139 * 32u)) + _e153);
+            let _e159 = ((_e114 + (_e142 * 32u)) + _e153);
+            let _e162 = nodes.member[(_e104 + _e139)];
+            let _e176 = nodes.member[_e156];
+            let _e190 = nodes.member[_e159];
+            if (_e153 == 0u) {
+                rows[_e152] = _e156;
             }
-            let _e136 = params.member.member_2.member_1;
-            let _e139 = select(false, (_e119 == _e122), (_e136 == 1u));
-            let _e142 = params.member.member_2.member_2;
-            let _e145 = params.member.member_2.member_1;
-            let _e146 = (_e145 == 0u);
-            let _e147 = select(1u, 0u, _e146);
-            let _e149 = (_e42 / 32u);
-            let _e150 = (_e42 % 32u);
-            let _e154 = params.member.member_2.member[_e142][_e147];
-            let _e157 = nodes.member[(_e154 + _e119)];
-            let _e176 = params.member.member_2.member[(_e142 - 1u)][_e147];
-            let _e179 = nodes.member[(_e176 + ((_e119 * 32u) + _e150))];
-            let _e198 = params.member.member_2.member[(_e142 - 1u)][select(1u, 2u, _e146)];
-            let _e201 = nodes.member[(_e198 + ((_e122 * 32u) + _e150))];
-            if _e106 {
-                if _e139 {
-                    phi_454_ = true;
+            if _e126 {
+                if _e151 {
+                    phi_449_ = true;
                 } else {
-                    phi_454_ = ((((((_e201.member.x <= _e157.member_1.y) && (_e157.member.x <= _e201.member_1.y)) && (_e201.member.y <= _e157.member_2.x)) && (_e157.member.y <= _e201.member_2.x)) && (_e201.member_1.x <= _e157.member_2.y)) && (_e157.member_1.x <= _e201.member_2.y));
+                    phi_449_ = ((((((_e190.member.x <= _e162.member_1.y) && (_e162.member.x <= _e190.member_1.y)) && (_e190.member.y <= _e162.member_2.x)) && (_e162.member.y <= _e190.member_2.x)) && (_e190.member_1.x <= _e162.member_2.y)) && (_e162.member_1.x <= _e190.member_2.y));
                 }
-                let _e226 = phi_454_;
-                if _e226 {
-                    let _e228 = atomicAdd((&counters[_e149]), 1u);
-                    let _e231 = ((_e149 * 32u) + select(_e228, _e150, _e139));
-                    columns[_e231] = type_24(array<f32, 3>(_e201.member.x, _e201.member.y, _e201.member_1.x), array<f32, 3>(_e201.member_1.y, _e201.member_2.x, _e201.member_2.y));
-                    names[_e231] = _e150;
+                let _e217 = phi_449_;
+                if _e217 {
+                    let _e219 = atomicAdd((&counters[_e152]), 1u);
+                    let _e222 = ((_e152 * 32u) + select(_e219, _e153, _e151));
+                    columns[_e222] = type_23(array<f32, 3>(_e190.member.x, _e190.member.y, _e190.member_1.x), array<f32, 3>(_e190.member_1.y, _e190.member_2.x, _e190.member_2.y));
+                    names[_e222] = _e159;
                 }
             }
             workgroupBarrier();
-            let _e237 = (_e42 / 32u);
-            let _e239 = (_e237 * 32u);
-            let _e241 = atomicLoad((&counters[_e237]));
-            let _e242 = (_e241 / 4u);
-            phi_504_ = type_9(0u, select(_e242, (_e242 + 1u), ((_e241 % 4u) > 0u)));
-            phi_507_ = 0u;
+            let _e228 = (_e41 / 32u);
+            let _e230 = (_e228 * 32u);
+            let _e232 = atomicLoad((&counters[_e228]));
+            phi_485_ = type_9(0u, ((_e232 + 3u) / 4u));
+            phi_488_ = 0u;
             loop {
-                let _e249 = phi_504_;
-                let _e251 = phi_507_;
-                local = _e251;
-                local_1 = _e251;
-                let _e254 = (_e249.member < _e249.member_1);
-                let _e267 = (bitcast<i32>(select(0u, 1u, _e254)) != 0i);
-                if _e267 {
-                    let _e268 = (4u * select(type_9().member_1, _e249.member, _e254));
-                    let _e271 = columns[(_e239 + _e268)];
-                    let _e295 = columns[((_e239 + _e268) + 1u)];
-                    let _e322 = columns[((_e239 + _e268) + 2u)];
-                    let _e349 = columns[((_e239 + _e268) + 3u)];
-                    phi_508_ = (_e251 | ((((select(0u, 1u, ((((((_e179.member.x <= _e271.member_1[0]) && (_e271.member[0] <= _e179.member_1.y)) && (_e179.member.y <= _e271.member_1[1])) && (_e271.member[1] <= _e179.member_2.x)) && (_e179.member_1.x <= _e271.member_1[2])) && (_e271.member[2] <= _e179.member_2.y))) | (select(0u, 1u, ((((((_e179.member.x <= _e295.member_1[0]) && (_e295.member[0] <= _e179.member_1.y)) && (_e179.member.y <= _e295.member_1[1])) && (_e295.member[1] <= _e179.member_2.x)) && (_e179.member_1.x <= _e295.member_1[2])) && (_e295.member[2] <= _e179.member_2.y))) << bitcast<u32>(1i))) | (select(0u, 1u, ((((((_e179.member.x <= _e322.member_1[0]) && (_e322.member[0] <= _e179.member_1.y)) && (_e179.member.y <= _e322.member_1[1])) && (_e322.member[1] <= _e179.member_2.x)) && (_e179.member_1.x <= _e322.member_1[2])) && (_e322.member[2] <= _e179.member_2.y))) << bitcast<u32>(2i))) | (select(0u, 1u, ((((((_e179.member.x <= _e349.member_1[0]) && (_e349.member[0] <= _e179.member_1.y)) && (_e179.member.y <= _e349.member_1[1])) && (_e349.member[1] <= _e179.member_2.x)) && (_e179.member_1.x <= _e349.member_1[2])) && (_e349.member[2] <= _e179.member_2.y))) << bitcast<u32>(3i))) << bitcast<u32>((_e268 & 31u))));
+                let _e237 = phi_485_;
+                let _e239 = phi_488_;
+                local = _e239;
+                local_1 = _e239;
+                let _e242 = (_e237.member < _e237.member_1);
+                let _e255 = (bitcast<i32>(select(0u, 1u, _e242)) != 0i);
+                if _e255 {
+                    let _e256 = (4u * select(type_9().member_1, _e237.member, _e242));
+                    let _e259 = columns[(_e230 + _e256)];
+                    let _e283 = columns[((_e230 + _e256) + 1u)];
+                    let _e310 = columns[((_e230 + _e256) + 2u)];
+                    let _e337 = columns[((_e230 + _e256) + 3u)];
+                    phi_489_ = (_e239 | ((((select(0u, 1u, ((((((_e176.member.x <= _e259.member_1[0]) && (_e259.member[0] <= _e176.member_1.y)) && (_e176.member.y <= _e259.member_1[1])) && (_e259.member[1] <= _e176.member_2.x)) && (_e176.member_1.x <= _e259.member_1[2])) && (_e259.member[2] <= _e176.member_2.y))) | (select(0u, 1u, ((((((_e176.member.x <= _e283.member_1[0]) && (_e283.member[0] <= _e176.member_1.y)) && (_e176.member.y <= _e283.member_1[1])) && (_e283.member[1] <= _e176.member_2.x)) && (_e176.member_1.x <= _e283.member_1[2])) && (_e283.member[2] <= _e176.member_2.y))) << bitcast<u32>(1i))) | (select(0u, 1u, ((((((_e176.member.x <= _e310.member_1[0]) && (_e310.member[0] <= _e176.member_1.y)) && (_e176.member.y <= _e310.member_1[1])) && (_e310.member[1] <= _e176.member_2.x)) && (_e176.member_1.x <= _e310.member_1[2])) && (_e310.member[2] <= _e176.member_2.y))) << bitcast<u32>(2i))) | (select(0u, 1u, ((((((_e176.member.x <= _e337.member_1[0]) && (_e337.member[0] <= _e176.member_1.y)) && (_e176.member.y <= _e337.member_1[1])) && (_e337.member[1] <= _e176.member_2.x)) && (_e176.member_1.x <= _e337.member_1[2])) && (_e337.member[2] <= _e176.member_2.y))) << bitcast<u32>(3i))) << bitcast<u32>((_e256 & 31u))));
                 } else {
-                    phi_508_ = u32();
+                    phi_489_ = u32();
                 }
-                let _e378 = phi_508_;
+                let _e366 = phi_489_;
                 continue;
                 continuing {
-                    phi_504_ = type_9(select(_e249.member, (_e249.member + 1u), _e254), select(_e249.member_1, _e249.member_1, _e254));
-                    phi_507_ = _e378;
-                    break if !(_e267);
+                    phi_485_ = type_9(select(_e237.member, (_e237.member + 1u), _e242), select(_e237.member_1, _e237.member_1, _e242));
+                    phi_488_ = _e366;
+                    break if !(_e255);
                 }
             }
-            let _e386 = local;
-            let _e389 = local_1;
-            let _e390 = select(_e389, (_e386 & ((1u << bitcast<u32>((_e241 & 31u))) - 1u)), (_e241 < 32u));
-            let _e395 = select(_e390, (_e390 & (4294967295u << bitcast<u32>(((_e42 % 32u) & 31u)))), _e139);
-            let _e398 = params.member.member.member_1;
-            if ((_e398 & 256u) != 0u) {
-                if select(!((_e179.member.x <= _e179.member_1.y)), true, ((bitcast<u32>(_e179.member_1.y) & 1u) == 1u)) {
-                    phi_726_ = type_9(0u, _e241);
-                    phi_729_ = _e395;
+            let _e374 = local;
+            let _e377 = local_1;
+            let _e378 = select(_e377, (_e374 & ((1u << bitcast<u32>((_e232 & 31u))) - 1u)), (_e232 < 32u));
+            let _e383 = select(_e378, (_e378 & (4294967295u << bitcast<u32>(((_e41 % 32u) & 31u)))), _e151);
+            let _e386 = params.member.member.member_1;
+            if ((_e386 & 256u) != 0u) {
+                if select(!((_e176.member.x <= _e176.member_1.y)), true, ((bitcast<u32>(_e176.member_1.y) & 1u) == 1u)) {
+                    phi_707_ = type_9(0u, _e232);
+                    phi_710_ = _e383;
                     loop {
-                        let _e409 = phi_726_;
-                        let _e411 = phi_729_;
-                        local_2 = _e411;
-                        let _e414 = (_e409.member < _e409.member_1);
-                        let _e425 = select(type_9().member_1, _e409.member, _e414);
-                        let _e427 = (bitcast<i32>(select(0u, 1u, _e414)) != 0i);
-                        if _e427 {
-                            let _e430 = columns[(_e239 + _e425)];
-                            phi_730_ = select(_e411, (_e411 & ~((1u << bitcast<u32>((_e425 & 31u))))), select(!((_e430.member[0] <= _e430.member_1[0])), true, ((bitcast<u32>(_e430.member_1[0]) & 1u) == 1u)));
+                        let _e397 = phi_707_;
+                        let _e399 = phi_710_;
+                        local_2 = _e399;
+                        let _e402 = (_e397.member < _e397.member_1);
+                        let _e413 = select(type_9().member_1, _e397.member, _e402);
+                        let _e415 = (bitcast<i32>(select(0u, 1u, _e402)) != 0i);
+                        if _e415 {
+                            let _e418 = columns[(_e230 + _e413)];
+                            phi_711_ = select(_e399, (_e399 & ~((1u << bitcast<u32>((_e413 & 31u))))), select(!((_e418.member[0] <= _e418.member_1[0])), true, ((bitcast<u32>(_e418.member_1[0]) & 1u) == 1u)));
                         } else {
-                            phi_730_ = u32();
+                            phi_711_ = u32();
                         }
-                        let _e448 = phi_730_;
+                        let _e436 = phi_711_;
                         continue;
                         continuing {
-                            phi_726_ = type_9(select(_e409.member, (_e409.member + 1u), _e414), select(_e409.member_1, _e409.member_1, _e414));
-                            phi_729_ = _e448;
-                            break if !(_e427);
+                            phi_707_ = type_9(select(_e397.member, (_e397.member + 1u), _e402), select(_e397.member_1, _e397.member_1, _e402));
+                            phi_710_ = _e436;
+                            break if !(_e415);
                         }
                     }
-                    let _e683 = local_2;
-                    phi_794_ = _e683;
+                    let _e656 = local_2;
+                    phi_775_ = _e656;
                 } else {
-                    phi_794_ = _e395;
+                    phi_775_ = _e383;
                 }
-                let _e451 = phi_794_;
-                phi_795_ = _e451;
+                let _e439 = phi_775_;
+                phi_776_ = _e439;
             } else {
-                phi_795_ = _e395;
+                phi_776_ = _e383;
             }
-            let _e453 = phi_795_;
-            let _e456 = atomicAdd((&counters[4u]), countOneBits(_e453));
+            let _e441 = phi_776_;
+            let _e444 = atomicAdd((&counters[4u]), countOneBits(_e441));
             workgroupBarrier();
-            if (_e42 == 0u) {
-                let _e459 = atomicLoad((&counters[4u]));
-                n_hits[0u] = _e459;
+            if (_e41 == 0u) {
+                let _e447 = atomicLoad((&counters[4u]));
+                n_hits[0u] = _e447;
             }
-            let _e462 = workgroupUniformLoad((&n_hits[0u]));
-            let _e463 = (_e462 / 512u);
-            phi_828_ = type_9(0u, select(_e463, (_e463 + 1u), ((_e462 % 512u) > 0u)));
+            let _e450 = workgroupUniformLoad((&n_hits[0u]));
+            let _e451 = (_e450 / 384u);
+            phi_809_ = type_9(0u, select(_e451, (_e451 + 1u), ((_e450 % 384u) > 0u)));
             loop {
-                let _e470 = phi_828_;
-                let _e473 = (_e470.member < _e470.member_1);
-                let _e486 = (bitcast<i32>(select(0u, 1u, _e473)) != 0i);
-                if _e486 {
-                    let _e487 = (_e42 / 32u);
-                    let _e489 = (select(type_9().member_1, _e470.member, _e473) * 512u);
-                    if (_e453 == 0u) {
+                let _e458 = phi_809_;
+                let _e461 = (_e458.member < _e458.member_1);
+                let _e474 = (bitcast<i32>(select(0u, 1u, _e461)) != 0i);
+                if _e474 {
+                    let _e475 = (_e41 / 32u);
+                    let _e476 = (select(type_9().member_1, _e458.member, _e461) * 384u);
+                    if (_e441 == 0u) {
                     } else {
-                        let _e498 = atomicLoad((&counters[_e487]));
-                        let _e499 = (_e498 / 4u);
-                        phi_894_ = type_9(0u, select(_e499, (_e499 + 1u), ((_e498 % 4u) > 0u)));
-                        phi_897_ = (_e456 - _e489);
-                        phi_899_ = ((_e487 << bitcast<u32>(10i)) | ((_e42 % 32u) << bitcast<u32>(5i)));
-                        phi_901_ = _e453;
+                        let _e483 = atomicLoad((&counters[_e475]));
+                        phi_859_ = type_9(0u, ((_e483 + 3u) / 4u));
+                        phi_862_ = (_e444 - _e476);
+                        phi_864_ = ((_e41 * 128u) + (_e475 * 32u));
+                        phi_866_ = _e441;
                         loop {
-                            let _e506 = phi_894_;
-                            let _e508 = phi_897_;
-                            let _e510 = phi_899_;
-                            let _e512 = phi_901_;
-                            let _e515 = (_e506.member < _e506.member_1);
-                            let _e526 = (bitcast<i32>(select(0u, 1u, _e515)) != 0i);
-                            if _e526 {
-                                let _e527 = (_e512 & 1u);
-                                if (_e527 == 0u) {
+                            let _e488 = phi_859_;
+                            let _e490 = phi_862_;
+                            let _e492 = phi_864_;
+                            let _e494 = phi_866_;
+                            let _e497 = (_e488.member < _e488.member_1);
+                            let _e508 = (bitcast<i32>(select(0u, 1u, _e497)) != 0i);
+                            if _e508 {
+                                let _e509 = (_e494 & 1u);
+                                if (_e509 == 0u) {
                                 } else {
-                                    if (_e508 < 512u) {
-                                        hits[_e508] = _e510;
+                                    if (_e490 < 384u) {
+                                        hits[_e490] = _e492;
                                     }
                                 }
-                                let _e533 = select((_e508 + 1u), _e508, (_e527 == 0u));
-                                let _e534 = (_e512 & 2u);
-                                if (_e534 == 0u) {
+                                let _e515 = select((_e490 + 1u), _e490, (_e509 == 0u));
+                                let _e516 = (_e494 & 2u);
+                                if (_e516 == 0u) {
                                 } else {
-                                    if (_e533 < 512u) {
-                                        hits[_e533] = (_e510 + 1u);
+                                    if (_e515 < 384u) {
+                                        hits[_e515] = (_e492 + 1u);
                                     }
                                 }
-                                let _e541 = select((_e533 + 1u), _e533, (_e534 == 0u));
-                                let _e542 = (_e512 & 4u);
-                                if (_e542 == 0u) {
+                                let _e523 = select((_e515 + 1u), _e515, (_e516 == 0u));
+                                let _e524 = (_e494 & 4u);
+                                if (_e524 == 0u) {
                                 } else {
-                                    if (_e541 < 512u) {
-                                        hits[_e541] = (_e510 + 2u);
+                                    if (_e523 < 384u) {
+                                        hits[_e523] = (_e492 + 2u);
                                     }
                                 }
-                                let _e549 = select((_e541 + 1u), _e541, (_e542 == 0u));
-                                let _e550 = (_e512 & 8u);
-                                if (_e550 == 0u) {
+                                let _e531 = select((_e523 + 1u), _e523, (_e524 == 0u));
+                                let _e532 = (_e494 & 8u);
+                                if (_e532 == 0u) {
                                 } else {
-                                    if (_e549 < 512u) {
-                                        hits[_e549] = (_e510 + 3u);
+                                    if (_e531 < 384u) {
+                                        hits[_e531] = (_e492 + 3u);
                                     }
                                 }
-                                phi_898_ = select((_e549 + 1u), _e549, (_e550 == 0u));
-                                phi_900_ = (_e510 + 4u);
-                                phi_902_ = (_e512 >> bitcast<u32>(4i));
+                                phi_863_ = select((_e531 + 1u), _e531, (_e532 == 0u));
+                                phi_865_ = (_e492 + 4u);
+                                phi_867_ = (_e494 >> bitcast<u32>(4i));
                             } else {
-                                phi_898_ = u32();
-                                phi_900_ = u32();
-                                phi_902_ = u32();
+                                phi_863_ = u32();
+                                phi_865_ = u32();
+                                phi_867_ = u32();
                             }
-                            let _e562 = phi_898_;
-                            let _e564 = phi_900_;
-                            let _e566 = phi_902_;
+                            let _e544 = phi_863_;
+                            let _e546 = phi_865_;
+                            let _e548 = phi_867_;
                             continue;
                             continuing {
-                                phi_894_ = type_9(select(_e506.member, (_e506.member + 1u), _e515), select(_e506.member_1, _e506.member_1, _e515));
-                                phi_897_ = _e562;
-                                phi_899_ = _e564;
-                                phi_901_ = _e566;
-                                break if !(_e526);
+                                phi_859_ = type_9(select(_e488.member, (_e488.member + 1u), _e497), select(_e488.member_1, _e488.member_1, _e497));
+                                phi_862_ = _e544;
+                                phi_864_ = _e546;
+                                phi_866_ = _e548;
+                                break if !(_e508);
                             }
                         }
                     }
                     workgroupBarrier();
-                    let _e569 = n_hits[0u];
-                    let _e570 = (_e569 - _e489);
-                    let _e572 = select(_e570, 512u, (512u < _e570));
-                    if (_e42 == 0u) {
-                        atomicStore((&counters[5u]), _e572);
+                    let _e551 = n_hits[0u];
+                    let _e552 = (_e551 - _e476);
+                    let _e554 = select(_e552, 384u, (384u < _e552));
+                    if (_e41 == 0u) {
+                        atomicStore((&counters[5u]), _e554);
                     }
                     workgroupBarrier();
-                    if (_e42 == 0u) {
-                        let _e577 = atomicLoad((&counters[5u]));
-                        if (_e577 > 0u) {
-                            let _e581 = params.member.member.member_1;
-                            if ((_e581 & 1024u) != 0u) {
-                                let _e591 = atomicAdd((&output.member[0u]), _e577);
-                                let _e592 = (_e591 + _e577);
-                                let _e594 = select(_e592, 4294967295u, (_e592 < _e591));
-                                let _e597 = params.member.member_1.member_3;
-                                if (_e594 > _e597) {
-                                    let _e600 = atomicMax((&output.member[2u]), _e594);
+                    if (_e41 == 0u) {
+                        let _e559 = atomicLoad((&counters[5u]));
+                        if (_e559 > 0u) {
+                            let _e563 = params.member.member.member_1;
+                            if ((_e563 & 1024u) != 0u) {
+                                let _e573 = atomicAdd((&output.member[0u]), _e559);
+                                let _e574 = (_e573 + _e559);
+                                let _e576 = select(_e574, 4294967295u, (_e574 < _e573));
+                                let _e579 = params.member.member_1.member_3;
+                                if (_e576 > _e579) {
+                                    let _e582 = atomicMax((&output.member[2u]), _e576);
                                 }
-                                phi_1064_ = _e591;
+                                phi_1029_ = _e573;
                             } else {
-                                let _e585 = atomicAdd((&output.member[0u]), _e577);
-                                if ((_e585 + _e577) < _e585) {
-                                    let _e589 = atomicAdd((&output.member[2u]), 1u);
+                                let _e567 = atomicAdd((&output.member[0u]), _e559);
+                                if ((_e567 + _e559) < _e567) {
+                                    let _e571 = atomicAdd((&output.member[2u]), 1u);
                                 }
-                                phi_1064_ = _e585;
+                                phi_1029_ = _e567;
                             }
-                            let _e602 = phi_1064_;
-                            atomicStore((&counters[6u]), _e602);
+                            let _e584 = phi_1029_;
+                            atomicStore((&counters[6u]), _e584);
                         }
                         atomicStore((&counters[5u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e606 = atomicLoad((&counters[6u]));
-                    phi_1071_ = type_9(0u, 4u);
+                    let _e588 = atomicLoad((&counters[6u]));
+                    phi_1036_ = type_9(0u, 3u);
                     loop {
-                        let _e608 = phi_1071_;
-                        let _e611 = (_e608.member < _e608.member_1);
-                        if (bitcast<i32>(select(0u, 1u, _e611)) != 0i) {
-                            let _e626 = (_e42 + (select(type_9().member_1, _e608.member, _e611) * 128u));
-                            if (_e626 >= _e572) {
-                                phi_1144_ = false;
+                        let _e590 = phi_1036_;
+                        let _e593 = (_e590.member < _e590.member_1);
+                        if (bitcast<i32>(select(0u, 1u, _e593)) != 0i) {
+                            let _e608 = (_e41 + (select(type_9().member_1, _e590.member, _e593) * 128u));
+                            if (_e608 >= _e554) {
+                                phi_1102_ = false;
                             } else {
-                                let _e629 = hits[_e626];
-                                let _e632 = ((_e629 >> bitcast<u32>(10i)) & 3u);
-                                let _e640 = names[((_e632 * 32u) + (_e629 & 31u))];
-                                let _e643 = firsts[(2u * _e632)];
-                                let _e648 = firsts[((2u * _e632) + 1u)];
-                                let _e652 = params.member.member_1.member_3;
-                                let _e653 = (_e606 + _e626);
-                                if (_e653 < _e652) {
-                                    let _e655 = (2u * _e653);
-                                    atomicStore((&output.member[(4u + _e655)]), (_e643 + ((_e629 >> bitcast<u32>(5i)) & 31u)));
-                                    atomicStore((&output.member[(_e655 + 5u)]), (_e648 + _e640));
+                                let _e611 = hits[_e608];
+                                let _e614 = rows[(_e611 / 4096u)];
+                                let _e620 = names[(_e611 % 128u)];
+                                let _e625 = params.member.member_1.member_3;
+                                let _e626 = (_e588 + _e608);
+                                if (_e626 < _e625) {
+                                    let _e628 = (2u * _e626);
+                                    atomicStore((&output.member[(4u + _e628)]), ((_e614 + ((_e611 / 128u) % 32u)) - _e109));
+                                    atomicStore((&output.member[(_e628 + 5u)]), (_e620 - _e114));
                                 }
-                                phi_1144_ = true;
+                                phi_1102_ = true;
                             }
-                            let _e661 = phi_1144_;
-                            phi_1145_ = _e661;
+                            let _e634 = phi_1102_;
+                            phi_1103_ = _e634;
                         } else {
-                            phi_1145_ = false;
+                            phi_1103_ = false;
                         }
-                        let _e663 = phi_1145_;
+                        let _e636 = phi_1103_;
                         continue;
                         continuing {
-                            phi_1071_ = type_9(select(_e608.member, (_e608.member + 1u), _e611), select(_e608.member_1, _e608.member_1, _e611));
-                            break if !(_e663);
+                            phi_1036_ = type_9(select(_e590.member, (_e590.member + 1u), _e593), select(_e590.member_1, _e590.member_1, _e593));
+                            break if !(_e636);
                         }
                     }
                     workgroupBarrier();
                 }
                 continue;
                 continuing {
-                    phi_828_ = type_9(select(_e470.member, (_e470.member + 1u), _e473), select(_e470.member_1, _e470.member_1, _e473));
-                    break if !(_e486);
+                    phi_809_ = type_9(select(_e458.member, (_e458.member + 1u), _e461), select(_e458.member_1, _e458.member_1, _e461));
+                    break if !(_e474);
                 }
             }
-            phi_211_ = (_e96 + (_e41.x * _e41.y));
+            phi_270_ = (_e116 + (_e40.x * _e40.y));
         } else {
-            phi_211_ = u32();
+            phi_270_ = u32();
         }
-        let _e667 = phi_211_;
+        let _e640 = phi_270_;
         continue;
         continuing {
-            phi_210_ = _e667;
-            break if !(_e102);
+            phi_269_ = _e640;
+            break if !(_e122);
         }
     }
     return;

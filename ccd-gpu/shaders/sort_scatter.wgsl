@@ -62,114 +62,69 @@ var<workgroup> counts: array<atomic<u32>, 1024>;
 var<workgroup> starts: array<u32, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_141_: u32;
-    var phi_164_: u32;
-    var phi_187_: u32;
-    var phi_210_: u32;
-    var phi_233_: u32;
-    var phi_256_: u32;
-    var phi_279_: u32;
-    var phi_302_: u32;
-    var phi_325_: u32;
-    var phi_348_: u32;
-    var phi_371_: u32;
-    var phi_394_: u32;
-    var phi_417_: u32;
-    var phi_440_: u32;
-    var phi_463_: u32;
-    var phi_486_: u32;
-    var phi_509_: u32;
-    var phi_532_: u32;
-    var phi_555_: u32;
-    var phi_578_: u32;
-    var phi_601_: u32;
-    var phi_624_: u32;
-    var phi_647_: u32;
-    var phi_670_: u32;
-    var phi_693_: u32;
-    var phi_716_: u32;
-    var phi_739_: u32;
-    var phi_762_: u32;
-    var phi_785_: u32;
-    var phi_808_: u32;
-    var phi_832_: u32;
-    var phi_855_: u32;
-    var phi_858_: type_9;
-    var phi_1647_: type_9;
-    var phi_1650_: u32;
-    var phi_1652_: u32;
-    var phi_1687_: type_9;
-    var phi_1690_: u32;
-    var phi_1691_: u32;
-    var phi_1651_: u32;
-    var phi_1653_: u32;
+    var phi_129_: u32;
+    var phi_152_: u32;
+    var phi_175_: u32;
+    var phi_198_: u32;
+    var phi_221_: u32;
+    var phi_244_: u32;
+    var phi_267_: u32;
+    var phi_290_: u32;
+    var phi_313_: u32;
+    var phi_336_: u32;
+    var phi_359_: u32;
+    var phi_382_: u32;
+    var phi_405_: u32;
+    var phi_428_: u32;
+    var phi_451_: u32;
+    var phi_475_: u32;
+    var phi_478_: type_9;
+    var phi_515_: type_9;
+    var phi_992_: type_9;
+    var phi_995_: u32;
+    var phi_996_: u32;
     var local: u32;
-    var phi_1742_: type_9;
-    var phi_1745_: u32;
-    var phi_1747_: u32;
-    var phi_1749_: u32;
-    var phi_1746_: u32;
-    var phi_1788_: u32;
-    var phi_1748_: u32;
-    var phi_1750_: u32;
     var local_1: u32;
+    var phi_1060_: array<u32, 2>;
+    var phi_1061_: array<u32, 2>;
+    var phi_1071_: type_9;
+    var phi_1074_: u32;
+    var phi_1076_: u32;
+    var phi_1078_: u32;
+    var phi_1075_: u32;
+    var phi_1117_: u32;
+    var phi_1077_: u32;
+    var phi_1079_: u32;
     var local_2: u32;
+    var phi_1125_: type_9;
+    var phi_1128_: u32;
+    var phi_1130_: u32;
+    var phi_1132_: u32;
+    var phi_1129_: u32;
+    var phi_1171_: u32;
+    var phi_1131_: u32;
+    var phi_1133_: u32;
     var local_3: u32;
-    var phi_1796_: type_9;
-    var phi_1799_: u32;
-    var phi_1801_: u32;
-    var phi_1803_: u32;
-    var phi_1800_: u32;
-    var phi_1842_: u32;
-    var phi_1802_: u32;
-    var phi_1804_: u32;
-    var local_4: u32;
-    var local_5: u32;
-    var phi_1849_: type_9;
-    var phi_1852_: u32;
-    var phi_1854_: u32;
-    var phi_1903_: u32;
-    var phi_1922_: type_9;
-    var phi_1925_: u32;
-    var phi_1926_: u32;
-    var phi_1853_: u32;
-    var phi_1855_: u32;
-    var phi_1985_: array<u32, 16>;
-    var phi_2008_: array<u32, 16>;
-    var phi_2031_: array<u32, 16>;
-    var phi_2054_: array<u32, 16>;
-    var phi_2077_: array<u32, 16>;
-    var phi_2100_: array<u32, 16>;
-    var phi_2123_: array<u32, 16>;
-    var phi_2146_: array<u32, 16>;
-    var phi_2169_: array<u32, 16>;
-    var phi_2192_: array<u32, 16>;
-    var phi_2215_: array<u32, 16>;
-    var phi_2238_: array<u32, 16>;
-    var phi_2261_: array<u32, 16>;
-    var phi_2284_: array<u32, 16>;
-    var phi_2307_: array<u32, 16>;
-    var phi_2330_: array<u32, 16>;
-    var phi_2349_: array<u32, 16>;
-    var phi_2368_: array<u32, 16>;
-    var phi_2387_: array<u32, 16>;
-    var phi_2406_: array<u32, 16>;
-    var phi_2425_: array<u32, 16>;
-    var phi_2444_: array<u32, 16>;
-    var phi_2463_: array<u32, 16>;
-    var phi_2482_: array<u32, 16>;
-    var phi_2501_: array<u32, 16>;
-    var phi_2520_: array<u32, 16>;
-    var phi_2539_: array<u32, 16>;
-    var phi_2558_: array<u32, 16>;
-    var phi_2577_: array<u32, 16>;
-    var phi_2596_: array<u32, 16>;
-    var phi_2615_: array<u32, 16>;
-    var phi_2634_: array<u32, 16>;
-    var local_6: u32;
-    var local_7: u32;
-    var local_8: u32;
-    var local_9: u32;
+    var phi_1211_: array<u32, 2>;
+    var phi_1229_: type_9;
+    var phi_1232_: u32;
+    var phi_1233_: u32;
+    var phi_1298_: array<u32, 8>;
+    var phi_1327_: array<u32, 8>;
+    var phi_1356_: array<u32, 8>;
+    var phi_1385_: array<u32, 8>;
+    var phi_1414_: array<u32, 8>;
+    var phi_1443_: array<u32, 8>;
+    var phi_1472_: array<u32, 8>;
+    var phi_1501_: array<u32, 8>;
+    var phi_1520_: array<u32, 8>;
+    var phi_1539_: array<u32, 8>;
+    var phi_1558_: array<u32, 8>;
+    var phi_1577_: array<u32, 8>;
+    var phi_1596_: array<u32, 8>;
+    var phi_1615_: array<u32, 8>;
+    var phi_1634_: array<u32, 8>;
+    var phi_1653_: array<u32, 8>;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -177,1228 +132,720 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e52 = id_2;
-    let _e53 = n_2;
-    let _e54 = lane_2;
-    let _e65 = ((_e52.y * _e53.x) + _e52.x);
-    let _e67 = ((_e54 / 32u) * 256u);
-    let _e70 = params.member.member_2.member;
-    let _e73 = params.member.member_1.member;
-    let _e76 = params.member.member_2.member_1;
-    let _e82 = ((_e65 * 2048u) + (((_e54 / 32u) * 512u) + (_e54 % 32u)));
-    if (_e82 < _e73) {
-        let _e85 = keys.member[_e82];
-        phi_141_ = _e85;
+    let _e41 = id_2;
+    let _e42 = n_2;
+    let _e43 = lane_2;
+    let _e54 = ((_e41.y * _e42.x) + _e41.x);
+    let _e56 = ((_e43 / 32u) * 256u);
+    let _e59 = params.member.member_2.member;
+    let _e62 = params.member.member_1.member;
+    let _e65 = params.member.member_2.member_1;
+    let _e71 = ((_e54 * 2048u) + (((_e43 / 32u) * 256u) + (_e43 % 32u)));
+    if (_e71 < _e62) {
+        let _e74 = keys.member[_e71];
+        phi_129_ = _e74;
     } else {
-        phi_141_ = 0u;
+        phi_129_ = 0u;
     }
-    let _e87 = phi_141_;
-    let _e94 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 32u) + (_e54 % 32u)));
-    if (_e94 < _e73) {
+    let _e76 = phi_129_;
+    let _e82 = ((_e54 * 2048u) + (((_e43 / 32u) * 256u) + (_e43 % 32u)));
+    if (_e82 < _e62) {
+        let _e85 = values.member[_e82];
+        phi_152_ = _e85;
+    } else {
+        phi_152_ = 0u;
+    }
+    let _e87 = phi_152_;
+    let _e94 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 32u) + (_e43 % 32u)));
+    if (_e94 < _e62) {
         let _e97 = keys.member[_e94];
-        phi_164_ = _e97;
+        phi_175_ = _e97;
     } else {
-        phi_164_ = 0u;
+        phi_175_ = 0u;
     }
-    let _e99 = phi_164_;
-    let _e105 = ((_e65 * 2048u) + (((_e54 / 32u) * 512u) + (_e54 % 32u)));
-    if (_e105 < _e73) {
-        let _e108 = values.member[_e105];
-        phi_187_ = _e108;
+    let _e99 = phi_175_;
+    let _e106 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 32u) + (_e43 % 32u)));
+    if (_e106 < _e62) {
+        let _e109 = values.member[_e106];
+        phi_198_ = _e109;
     } else {
-        phi_187_ = 0u;
+        phi_198_ = 0u;
     }
-    let _e110 = phi_187_;
-    let _e117 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 32u) + (_e54 % 32u)));
-    if (_e117 < _e73) {
-        let _e120 = values.member[_e117];
-        phi_210_ = _e120;
+    let _e111 = phi_198_;
+    let _e118 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 64u) + (_e43 % 32u)));
+    if (_e118 < _e62) {
+        let _e121 = keys.member[_e118];
+        phi_221_ = _e121;
     } else {
-        phi_210_ = 0u;
+        phi_221_ = 0u;
     }
-    let _e122 = phi_210_;
-    let _e129 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 64u) + (_e54 % 32u)));
-    if (_e129 < _e73) {
-        let _e132 = keys.member[_e129];
-        phi_233_ = _e132;
+    let _e123 = phi_221_;
+    let _e130 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 64u) + (_e43 % 32u)));
+    if (_e130 < _e62) {
+        let _e133 = values.member[_e130];
+        phi_244_ = _e133;
     } else {
-        phi_233_ = 0u;
+        phi_244_ = 0u;
     }
-    let _e134 = phi_233_;
-    let _e141 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 96u) + (_e54 % 32u)));
-    if (_e141 < _e73) {
-        let _e144 = keys.member[_e141];
-        phi_256_ = _e144;
+    let _e135 = phi_244_;
+    let _e142 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 96u) + (_e43 % 32u)));
+    if (_e142 < _e62) {
+        let _e145 = keys.member[_e142];
+        phi_267_ = _e145;
     } else {
-        phi_256_ = 0u;
+        phi_267_ = 0u;
     }
-    let _e146 = phi_256_;
-    let _e153 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 64u) + (_e54 % 32u)));
-    if (_e153 < _e73) {
-        let _e156 = values.member[_e153];
-        phi_279_ = _e156;
+    let _e147 = phi_267_;
+    let _e154 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 96u) + (_e43 % 32u)));
+    if (_e154 < _e62) {
+        let _e157 = values.member[_e154];
+        phi_290_ = _e157;
     } else {
-        phi_279_ = 0u;
+        phi_290_ = 0u;
     }
-    let _e158 = phi_279_;
-    let _e165 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 96u) + (_e54 % 32u)));
-    if (_e165 < _e73) {
-        let _e168 = values.member[_e165];
-        phi_302_ = _e168;
+    let _e159 = phi_290_;
+    let _e166 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 128u) + (_e43 % 32u)));
+    if (_e166 < _e62) {
+        let _e169 = keys.member[_e166];
+        phi_313_ = _e169;
     } else {
-        phi_302_ = 0u;
+        phi_313_ = 0u;
     }
-    let _e170 = phi_302_;
-    let _e177 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 128u) + (_e54 % 32u)));
-    if (_e177 < _e73) {
-        let _e180 = keys.member[_e177];
-        phi_325_ = _e180;
+    let _e171 = phi_313_;
+    let _e178 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 128u) + (_e43 % 32u)));
+    if (_e178 < _e62) {
+        let _e181 = values.member[_e178];
+        phi_336_ = _e181;
     } else {
-        phi_325_ = 0u;
+        phi_336_ = 0u;
     }
-    let _e182 = phi_325_;
-    let _e189 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 160u) + (_e54 % 32u)));
-    if (_e189 < _e73) {
-        let _e192 = keys.member[_e189];
-        phi_348_ = _e192;
+    let _e183 = phi_336_;
+    let _e190 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 160u) + (_e43 % 32u)));
+    if (_e190 < _e62) {
+        let _e193 = keys.member[_e190];
+        phi_359_ = _e193;
     } else {
-        phi_348_ = 0u;
+        phi_359_ = 0u;
     }
-    let _e194 = phi_348_;
-    let _e201 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 128u) + (_e54 % 32u)));
-    if (_e201 < _e73) {
-        let _e204 = values.member[_e201];
-        phi_371_ = _e204;
+    let _e195 = phi_359_;
+    let _e202 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 160u) + (_e43 % 32u)));
+    if (_e202 < _e62) {
+        let _e205 = values.member[_e202];
+        phi_382_ = _e205;
     } else {
-        phi_371_ = 0u;
+        phi_382_ = 0u;
     }
-    let _e206 = phi_371_;
-    let _e213 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 160u) + (_e54 % 32u)));
-    if (_e213 < _e73) {
-        let _e216 = values.member[_e213];
-        phi_394_ = _e216;
+    let _e207 = phi_382_;
+    let _e214 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 192u) + (_e43 % 32u)));
+    if (_e214 < _e62) {
+        let _e217 = keys.member[_e214];
+        phi_405_ = _e217;
     } else {
-        phi_394_ = 0u;
+        phi_405_ = 0u;
     }
-    let _e218 = phi_394_;
-    let _e225 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 192u) + (_e54 % 32u)));
-    if (_e225 < _e73) {
-        let _e228 = keys.member[_e225];
-        phi_417_ = _e228;
+    let _e219 = phi_405_;
+    let _e226 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 192u) + (_e43 % 32u)));
+    if (_e226 < _e62) {
+        let _e229 = values.member[_e226];
+        phi_428_ = _e229;
     } else {
-        phi_417_ = 0u;
+        phi_428_ = 0u;
     }
-    let _e230 = phi_417_;
-    let _e237 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 224u) + (_e54 % 32u)));
-    if (_e237 < _e73) {
-        let _e240 = keys.member[_e237];
-        phi_440_ = _e240;
+    let _e231 = phi_428_;
+    let _e238 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 224u) + (_e43 % 32u)));
+    if (_e238 < _e62) {
+        let _e241 = keys.member[_e238];
+        phi_451_ = _e241;
     } else {
-        phi_440_ = 0u;
+        phi_451_ = 0u;
     }
-    let _e242 = phi_440_;
-    let _e249 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 192u) + (_e54 % 32u)));
-    if (_e249 < _e73) {
-        let _e252 = values.member[_e249];
-        phi_463_ = _e252;
+    let _e243 = phi_451_;
+    let _e251 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 224u) + (_e43 % 32u)));
+    if (_e251 < _e62) {
+        let _e254 = values.member[_e251];
+        phi_475_ = _e254;
     } else {
-        phi_463_ = 0u;
+        phi_475_ = 0u;
     }
-    let _e254 = phi_463_;
-    let _e261 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 224u) + (_e54 % 32u)));
-    if (_e261 < _e73) {
-        let _e264 = values.member[_e261];
-        phi_486_ = _e264;
-    } else {
-        phi_486_ = 0u;
-    }
-    let _e266 = phi_486_;
-    let _e273 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 256u) + (_e54 % 32u)));
-    if (_e273 < _e73) {
-        let _e276 = keys.member[_e273];
-        phi_509_ = _e276;
-    } else {
-        phi_509_ = 0u;
-    }
-    let _e278 = phi_509_;
-    let _e285 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 288u) + (_e54 % 32u)));
-    if (_e285 < _e73) {
-        let _e288 = keys.member[_e285];
-        phi_532_ = _e288;
-    } else {
-        phi_532_ = 0u;
-    }
-    let _e290 = phi_532_;
-    let _e297 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 256u) + (_e54 % 32u)));
-    if (_e297 < _e73) {
-        let _e300 = values.member[_e297];
-        phi_555_ = _e300;
-    } else {
-        phi_555_ = 0u;
-    }
-    let _e302 = phi_555_;
-    let _e309 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 288u) + (_e54 % 32u)));
-    if (_e309 < _e73) {
-        let _e312 = values.member[_e309];
-        phi_578_ = _e312;
-    } else {
-        phi_578_ = 0u;
-    }
-    let _e314 = phi_578_;
-    let _e321 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 320u) + (_e54 % 32u)));
-    if (_e321 < _e73) {
-        let _e324 = keys.member[_e321];
-        phi_601_ = _e324;
-    } else {
-        phi_601_ = 0u;
-    }
-    let _e326 = phi_601_;
-    let _e333 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 352u) + (_e54 % 32u)));
-    if (_e333 < _e73) {
-        let _e336 = keys.member[_e333];
-        phi_624_ = _e336;
-    } else {
-        phi_624_ = 0u;
-    }
-    let _e338 = phi_624_;
-    let _e345 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 320u) + (_e54 % 32u)));
-    if (_e345 < _e73) {
-        let _e348 = values.member[_e345];
-        phi_647_ = _e348;
-    } else {
-        phi_647_ = 0u;
-    }
-    let _e350 = phi_647_;
-    let _e357 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 352u) + (_e54 % 32u)));
-    if (_e357 < _e73) {
-        let _e360 = values.member[_e357];
-        phi_670_ = _e360;
-    } else {
-        phi_670_ = 0u;
-    }
-    let _e362 = phi_670_;
-    let _e369 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 384u) + (_e54 % 32u)));
-    if (_e369 < _e73) {
-        let _e372 = keys.member[_e369];
-        phi_693_ = _e372;
-    } else {
-        phi_693_ = 0u;
-    }
-    let _e374 = phi_693_;
-    let _e381 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 416u) + (_e54 % 32u)));
-    if (_e381 < _e73) {
-        let _e384 = keys.member[_e381];
-        phi_716_ = _e384;
-    } else {
-        phi_716_ = 0u;
-    }
-    let _e386 = phi_716_;
-    let _e393 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 384u) + (_e54 % 32u)));
-    if (_e393 < _e73) {
-        let _e396 = values.member[_e393];
-        phi_739_ = _e396;
-    } else {
-        phi_739_ = 0u;
-    }
-    let _e398 = phi_739_;
-    let _e405 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 416u) + (_e54 % 32u)));
-    if (_e405 < _e73) {
-        let _e408 = values.member[_e405];
-        phi_762_ = _e408;
-    } else {
-        phi_762_ = 0u;
-    }
-    let _e410 = phi_762_;
-    let _e417 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 448u) + (_e54 % 32u)));
-    if (_e417 < _e73) {
-        let _e420 = keys.member[_e417];
-        phi_785_ = _e420;
-    } else {
-        phi_785_ = 0u;
-    }
-    let _e422 = phi_785_;
-    let _e429 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 480u) + (_e54 % 32u)));
-    if (_e429 < _e73) {
-        let _e432 = keys.member[_e429];
-        phi_808_ = _e432;
-    } else {
-        phi_808_ = 0u;
-    }
-    let _e434 = phi_808_;
-    let _e442 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 448u) + (_e54 % 32u)));
-    if (_e442 < _e73) {
-        let _e445 = values.member[_e442];
-        phi_832_ = _e445;
-    } else {
-        phi_832_ = 0u;
-    }
-    let _e447 = phi_832_;
-    let _e454 = ((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 480u) + (_e54 % 32u)));
-    if (_e454 < _e73) {
-        let _e457 = values.member[_e454];
-        phi_855_ = _e457;
-    } else {
-        phi_855_ = 0u;
-    }
-    let _e459 = phi_855_;
-    phi_858_ = type_9(0u, 8u);
+    let _e256 = phi_475_;
+    phi_478_ = type_9(0u, 8u);
     loop {
-        let _e461 = phi_858_;
-        let _e464 = (_e461.member < _e461.member_1);
-        let _e475 = select(type_9().member_1, _e461.member, _e464);
-        let _e477 = (bitcast<i32>(select(0u, 1u, _e464)) != 0i);
-        if _e477 {
-            atomicStore((&words[((_e475 * 128u) + _e54)]), 0u);
-            atomicStore((&words[((1024u + (_e475 * 128u)) + _e54)]), 0u);
-            atomicStore((&counts[((_e475 * 128u) + _e54)]), 0u);
+        let _e258 = phi_478_;
+        let _e261 = (_e258.member < _e258.member_1);
+        let _e274 = (bitcast<i32>(select(0u, 1u, _e261)) != 0i);
+        if _e274 {
+            atomicStore((&words[((select(type_9().member_1, _e258.member, _e261) * 256u) + _e43)]), 0u);
         }
         continue;
         continuing {
-            phi_858_ = type_9(select(_e461.member, (_e461.member + 1u), _e464), select(_e461.member_1, _e461.member_1, _e464));
-            break if !(_e477);
+            phi_478_ = type_9(select(_e258.member, (_e258.member + 1u), _e261), select(_e258.member_1, _e258.member_1, _e261));
+            break if !(_e274);
+        }
+    }
+    phi_515_ = type_9(0u, 4u);
+    loop {
+        let _e280 = phi_515_;
+        let _e283 = (_e280.member < _e280.member_1);
+        let _e296 = (bitcast<i32>(select(0u, 1u, _e283)) != 0i);
+        if _e296 {
+            atomicStore((&counts[((select(type_9().member_1, _e280.member, _e283) * 256u) + _e43)]), 0u);
+        }
+        continue;
+        continuing {
+            phi_515_ = type_9(select(_e280.member, (_e280.member + 1u), _e283), select(_e280.member_1, _e280.member_1, _e283));
+            break if !(_e296);
         }
     }
     workgroupBarrier();
-    let _e495 = (((_e65 * 2048u) + (((_e54 / 32u) * 512u) + (_e54 % 32u))) < _e73);
-    let _e503 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 32u) + (_e54 % 32u))) < _e73);
-    let _e508 = (_e67 + ((_e87 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e513 = (_e67 + ((_e99 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e495 {
-        let _e519 = atomicOr((&words[_e508]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    let _e307 = (((_e54 * 2048u) + (((_e43 / 32u) * 256u) + (_e43 % 32u))) < _e62);
+    let _e312 = (_e56 + ((_e76 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e307 {
+        let _e318 = atomicOr((&words[_e312]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
+    workgroupBarrier();
+    let _e320 = atomicLoad((&words[_e312]));
+    let _e327 = countOneBits((_e320 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e330 = atomicLoad((&counts[(_e312 / 2u)]));
+    let _e337 = (((_e330 >> bitcast<u32>(((16u * (_e312 % 2u)) & 31u))) & 65535u) + _e327);
+    workgroupBarrier();
+    if _e307 {
+        if (_e327 == 0u) {
+            let _e347 = atomicAdd((&counts[(_e312 / 2u)]), (countOneBits(_e320) << bitcast<u32>(((16u * (_e312 % 2u)) & 31u))));
+            atomicStore((&words[_e312]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e356 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 32u) + (_e43 % 32u))) < _e62);
+    let _e361 = (_e56 + ((_e99 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e356 {
+        let _e367 = atomicOr((&words[_e361]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e369 = atomicLoad((&words[_e361]));
+    let _e376 = countOneBits((_e369 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e379 = atomicLoad((&counts[(_e361 / 2u)]));
+    let _e386 = (((_e379 >> bitcast<u32>(((16u * (_e361 % 2u)) & 31u))) & 65535u) + _e376);
+    workgroupBarrier();
+    if _e356 {
+        if (_e376 == 0u) {
+            let _e396 = atomicAdd((&counts[(_e361 / 2u)]), (countOneBits(_e369) << bitcast<u32>(((16u * (_e361 % 2u)) & 31u))));
+            atomicStore((&words[_e361]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e405 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 64u) + (_e43 % 32u))) < _e62);
+    let _e410 = (_e56 + ((_e123 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e405 {
+        let _e416 = atomicOr((&words[_e410]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e418 = atomicLoad((&words[_e410]));
+    let _e425 = countOneBits((_e418 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e428 = atomicLoad((&counts[(_e410 / 2u)]));
+    let _e435 = (((_e428 >> bitcast<u32>(((16u * (_e410 % 2u)) & 31u))) & 65535u) + _e425);
+    workgroupBarrier();
+    if _e405 {
+        if (_e425 == 0u) {
+            let _e445 = atomicAdd((&counts[(_e410 / 2u)]), (countOneBits(_e418) << bitcast<u32>(((16u * (_e410 % 2u)) & 31u))));
+            atomicStore((&words[_e410]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e454 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 96u) + (_e43 % 32u))) < _e62);
+    let _e459 = (_e56 + ((_e147 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e454 {
+        let _e465 = atomicOr((&words[_e459]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e467 = atomicLoad((&words[_e459]));
+    let _e474 = countOneBits((_e467 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e477 = atomicLoad((&counts[(_e459 / 2u)]));
+    let _e484 = (((_e477 >> bitcast<u32>(((16u * (_e459 % 2u)) & 31u))) & 65535u) + _e474);
+    workgroupBarrier();
+    if _e454 {
+        if (_e474 == 0u) {
+            let _e494 = atomicAdd((&counts[(_e459 / 2u)]), (countOneBits(_e467) << bitcast<u32>(((16u * (_e459 % 2u)) & 31u))));
+            atomicStore((&words[_e459]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e503 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 128u) + (_e43 % 32u))) < _e62);
+    let _e508 = (_e56 + ((_e171 >> bitcast<u32>((_e59 & 31u))) & 255u));
     if _e503 {
-        let _e526 = atomicOr((&words[(1024u + _e513)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+        let _e514 = atomicOr((&words[_e508]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e528 = atomicLoad((&words[_e508]));
-    let _e531 = atomicLoad((&words[(1024u + _e513)]));
-    let _e538 = countOneBits((_e528 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e545 = countOneBits((_e531 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e547 = atomicLoad((&counts[_e508]));
-    let _e548 = (_e547 + _e538);
-    let _e550 = atomicLoad((&counts[_e513]));
-    let _e552 = atomicLoad((&words[_e513]));
-    let _e555 = ((_e550 + countOneBits(_e552)) + _e545);
+    let _e516 = atomicLoad((&words[_e508]));
+    let _e523 = countOneBits((_e516 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e526 = atomicLoad((&counts[(_e508 / 2u)]));
+    let _e533 = (((_e526 >> bitcast<u32>(((16u * (_e508 % 2u)) & 31u))) & 65535u) + _e523);
     workgroupBarrier();
-    if _e495 {
-        if (_e538 == 0u) {
-            let _e559 = atomicAdd((&counts[_e508]), countOneBits(_e528));
+    if _e503 {
+        if (_e523 == 0u) {
+            let _e543 = atomicAdd((&counts[(_e508 / 2u)]), (countOneBits(_e516) << bitcast<u32>(((16u * (_e508 % 2u)) & 31u))));
             atomicStore((&words[_e508]), 0u);
         }
     }
-    if _e503 {
-        if (_e545 == 0u) {
-            let _e564 = atomicAdd((&counts[_e513]), countOneBits(_e531));
-            atomicStore((&words[(1024u + _e513)]), 0u);
+    workgroupBarrier();
+    let _e552 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 160u) + (_e43 % 32u))) < _e62);
+    let _e557 = (_e56 + ((_e195 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e552 {
+        let _e563 = atomicOr((&words[_e557]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e565 = atomicLoad((&words[_e557]));
+    let _e572 = countOneBits((_e565 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e575 = atomicLoad((&counts[(_e557 / 2u)]));
+    let _e582 = (((_e575 >> bitcast<u32>(((16u * (_e557 % 2u)) & 31u))) & 65535u) + _e572);
+    workgroupBarrier();
+    if _e552 {
+        if (_e572 == 0u) {
+            let _e592 = atomicAdd((&counts[(_e557 / 2u)]), (countOneBits(_e565) << bitcast<u32>(((16u * (_e557 % 2u)) & 31u))));
+            atomicStore((&words[_e557]), 0u);
         }
     }
     workgroupBarrier();
-    let _e574 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 64u) + (_e54 % 32u))) < _e73);
-    let _e582 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 96u) + (_e54 % 32u))) < _e73);
-    let _e587 = (_e67 + ((_e134 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e592 = (_e67 + ((_e146 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e574 {
-        let _e598 = atomicOr((&words[_e587]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    if _e582 {
-        let _e605 = atomicOr((&words[(1024u + _e592)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    let _e601 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 192u) + (_e43 % 32u))) < _e62);
+    let _e606 = (_e56 + ((_e219 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e601 {
+        let _e612 = atomicOr((&words[_e606]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e607 = atomicLoad((&words[_e587]));
-    let _e610 = atomicLoad((&words[(1024u + _e592)]));
-    let _e617 = countOneBits((_e607 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e624 = countOneBits((_e610 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e626 = atomicLoad((&counts[_e587]));
-    let _e627 = (_e626 + _e617);
-    let _e629 = atomicLoad((&counts[_e592]));
-    let _e631 = atomicLoad((&words[_e592]));
-    let _e634 = ((_e629 + countOneBits(_e631)) + _e624);
+    let _e614 = atomicLoad((&words[_e606]));
+    let _e621 = countOneBits((_e614 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e624 = atomicLoad((&counts[(_e606 / 2u)]));
+    let _e631 = (((_e624 >> bitcast<u32>(((16u * (_e606 % 2u)) & 31u))) & 65535u) + _e621);
     workgroupBarrier();
-    if _e574 {
-        if (_e617 == 0u) {
-            let _e638 = atomicAdd((&counts[_e587]), countOneBits(_e607));
-            atomicStore((&words[_e587]), 0u);
-        }
-    }
-    if _e582 {
-        if (_e624 == 0u) {
-            let _e643 = atomicAdd((&counts[_e592]), countOneBits(_e610));
-            atomicStore((&words[(1024u + _e592)]), 0u);
+    if _e601 {
+        if (_e621 == 0u) {
+            let _e641 = atomicAdd((&counts[(_e606 / 2u)]), (countOneBits(_e614) << bitcast<u32>(((16u * (_e606 % 2u)) & 31u))));
+            atomicStore((&words[_e606]), 0u);
         }
     }
     workgroupBarrier();
-    let _e653 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 128u) + (_e54 % 32u))) < _e73);
-    let _e661 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 160u) + (_e54 % 32u))) < _e73);
-    let _e666 = (_e67 + ((_e182 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e671 = (_e67 + ((_e194 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e653 {
-        let _e677 = atomicOr((&words[_e666]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    if _e661 {
-        let _e684 = atomicOr((&words[(1024u + _e671)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
+    let _e650 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 224u) + (_e43 % 32u))) < _e62);
+    let _e655 = (_e56 + ((_e243 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e650 {
+        let _e661 = atomicOr((&words[_e655]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e686 = atomicLoad((&words[_e666]));
-    let _e689 = atomicLoad((&words[(1024u + _e671)]));
-    let _e696 = countOneBits((_e686 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e703 = countOneBits((_e689 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e705 = atomicLoad((&counts[_e666]));
-    let _e706 = (_e705 + _e696);
-    let _e708 = atomicLoad((&counts[_e671]));
-    let _e710 = atomicLoad((&words[_e671]));
-    let _e713 = ((_e708 + countOneBits(_e710)) + _e703);
+    let _e663 = atomicLoad((&words[_e655]));
+    let _e670 = countOneBits((_e663 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e673 = atomicLoad((&counts[(_e655 / 2u)]));
+    let _e680 = (((_e673 >> bitcast<u32>(((16u * (_e655 % 2u)) & 31u))) & 65535u) + _e670);
     workgroupBarrier();
-    if _e653 {
-        if (_e696 == 0u) {
-            let _e717 = atomicAdd((&counts[_e666]), countOneBits(_e686));
-            atomicStore((&words[_e666]), 0u);
-        }
-    }
-    if _e661 {
-        if (_e703 == 0u) {
-            let _e722 = atomicAdd((&counts[_e671]), countOneBits(_e689));
-            atomicStore((&words[(1024u + _e671)]), 0u);
+    if _e650 {
+        if (_e670 == 0u) {
+            let _e691 = atomicAdd((&counts[(_e655 / 2u)]), (countOneBits(_e663) << bitcast<u32>(((16u * (_e655 % 2u)) & 31u))));
+            atomicStore((&words[_e655]), 0u);
         }
     }
     workgroupBarrier();
-    let _e732 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 192u) + (_e54 % 32u))) < _e73);
-    let _e740 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 224u) + (_e54 % 32u))) < _e73);
-    let _e745 = (_e67 + ((_e230 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e750 = (_e67 + ((_e242 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e732 {
-        let _e756 = atomicOr((&words[_e745]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    if _e740 {
-        let _e763 = atomicOr((&words[(1024u + _e750)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e765 = atomicLoad((&words[_e745]));
-    let _e768 = atomicLoad((&words[(1024u + _e750)]));
-    let _e775 = countOneBits((_e765 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e782 = countOneBits((_e768 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e784 = atomicLoad((&counts[_e745]));
-    let _e785 = (_e784 + _e775);
-    let _e787 = atomicLoad((&counts[_e750]));
-    let _e789 = atomicLoad((&words[_e750]));
-    let _e792 = ((_e787 + countOneBits(_e789)) + _e782);
-    workgroupBarrier();
-    if _e732 {
-        if (_e775 == 0u) {
-            let _e796 = atomicAdd((&counts[_e745]), countOneBits(_e765));
-            atomicStore((&words[_e745]), 0u);
-        }
-    }
-    if _e740 {
-        if (_e782 == 0u) {
-            let _e801 = atomicAdd((&counts[_e750]), countOneBits(_e768));
-            atomicStore((&words[(1024u + _e750)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e811 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 256u) + (_e54 % 32u))) < _e73);
-    let _e819 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 288u) + (_e54 % 32u))) < _e73);
-    let _e824 = (_e67 + ((_e278 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e829 = (_e67 + ((_e290 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e811 {
-        let _e835 = atomicOr((&words[_e824]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    if _e819 {
-        let _e842 = atomicOr((&words[(1024u + _e829)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e844 = atomicLoad((&words[_e824]));
-    let _e847 = atomicLoad((&words[(1024u + _e829)]));
-    let _e854 = countOneBits((_e844 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e861 = countOneBits((_e847 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e863 = atomicLoad((&counts[_e824]));
-    let _e864 = (_e863 + _e854);
-    let _e866 = atomicLoad((&counts[_e829]));
-    let _e868 = atomicLoad((&words[_e829]));
-    let _e871 = ((_e866 + countOneBits(_e868)) + _e861);
-    workgroupBarrier();
-    if _e811 {
-        if (_e854 == 0u) {
-            let _e875 = atomicAdd((&counts[_e824]), countOneBits(_e844));
-            atomicStore((&words[_e824]), 0u);
-        }
-    }
-    if _e819 {
-        if (_e861 == 0u) {
-            let _e880 = atomicAdd((&counts[_e829]), countOneBits(_e847));
-            atomicStore((&words[(1024u + _e829)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e890 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 320u) + (_e54 % 32u))) < _e73);
-    let _e898 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 352u) + (_e54 % 32u))) < _e73);
-    let _e903 = (_e67 + ((_e326 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e908 = (_e67 + ((_e338 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e890 {
-        let _e914 = atomicOr((&words[_e903]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    if _e898 {
-        let _e921 = atomicOr((&words[(1024u + _e908)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e923 = atomicLoad((&words[_e903]));
-    let _e926 = atomicLoad((&words[(1024u + _e908)]));
-    let _e933 = countOneBits((_e923 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e940 = countOneBits((_e926 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e942 = atomicLoad((&counts[_e903]));
-    let _e943 = (_e942 + _e933);
-    let _e945 = atomicLoad((&counts[_e908]));
-    let _e947 = atomicLoad((&words[_e908]));
-    let _e950 = ((_e945 + countOneBits(_e947)) + _e940);
-    workgroupBarrier();
-    if _e890 {
-        if (_e933 == 0u) {
-            let _e954 = atomicAdd((&counts[_e903]), countOneBits(_e923));
-            atomicStore((&words[_e903]), 0u);
-        }
-    }
-    if _e898 {
-        if (_e940 == 0u) {
-            let _e959 = atomicAdd((&counts[_e908]), countOneBits(_e926));
-            atomicStore((&words[(1024u + _e908)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e969 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 384u) + (_e54 % 32u))) < _e73);
-    let _e977 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 416u) + (_e54 % 32u))) < _e73);
-    let _e982 = (_e67 + ((_e374 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e987 = (_e67 + ((_e386 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e969 {
-        let _e993 = atomicOr((&words[_e982]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    if _e977 {
-        let _e1000 = atomicOr((&words[(1024u + _e987)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e1002 = atomicLoad((&words[_e982]));
-    let _e1005 = atomicLoad((&words[(1024u + _e987)]));
-    let _e1012 = countOneBits((_e1002 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e1019 = countOneBits((_e1005 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e1021 = atomicLoad((&counts[_e982]));
-    let _e1022 = (_e1021 + _e1012);
-    let _e1024 = atomicLoad((&counts[_e987]));
-    let _e1026 = atomicLoad((&words[_e987]));
-    let _e1029 = ((_e1024 + countOneBits(_e1026)) + _e1019);
-    workgroupBarrier();
-    if _e969 {
-        if (_e1012 == 0u) {
-            let _e1033 = atomicAdd((&counts[_e982]), countOneBits(_e1002));
-            atomicStore((&words[_e982]), 0u);
-        }
-    }
-    if _e977 {
-        if (_e1019 == 0u) {
-            let _e1038 = atomicAdd((&counts[_e987]), countOneBits(_e1005));
-            atomicStore((&words[(1024u + _e987)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e1048 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 448u) + (_e54 % 32u))) < _e73);
-    let _e1056 = (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 480u) + (_e54 % 32u))) < _e73);
-    let _e1061 = (_e67 + ((_e422 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    let _e1066 = (_e67 + ((_e434 >> bitcast<u32>((_e70 & 31u))) & 255u));
-    if _e1048 {
-        let _e1072 = atomicOr((&words[_e1061]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    if _e1056 {
-        let _e1079 = atomicOr((&words[(1024u + _e1066)]), (1u << bitcast<u32>(((_e54 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e1081 = atomicLoad((&words[_e1061]));
-    let _e1084 = atomicLoad((&words[(1024u + _e1066)]));
-    let _e1091 = countOneBits((_e1081 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e1098 = countOneBits((_e1084 & ((1u << bitcast<u32>(((_e54 % 32u) & 31u))) - 1u)));
-    let _e1100 = atomicLoad((&counts[_e1061]));
-    let _e1101 = (_e1100 + _e1091);
-    let _e1103 = atomicLoad((&counts[_e1066]));
-    let _e1105 = atomicLoad((&words[_e1066]));
-    let _e1108 = ((_e1103 + countOneBits(_e1105)) + _e1098);
-    workgroupBarrier();
-    if _e1048 {
-        if (_e1091 == 0u) {
-            let _e1113 = atomicAdd((&counts[_e1061]), countOneBits(_e1081));
-            atomicStore((&words[_e1061]), 0u);
-        }
-    }
-    if _e1056 {
-        if (_e1098 == 0u) {
-            let _e1118 = atomicAdd((&counts[_e1066]), countOneBits(_e1084));
-            atomicStore((&words[(1024u + _e1066)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    phi_1647_ = type_9(0u, 2u);
-    phi_1650_ = 0u;
-    phi_1652_ = 0u;
-    loop {
-        let _e1122 = phi_1647_;
-        let _e1124 = phi_1650_;
-        let _e1126 = phi_1652_;
-        local = _e1126;
-        local_7 = _e1126;
-        local_2 = _e1126;
-        local_3 = _e1124;
-        local_8 = _e1124;
-        local_5 = _e1124;
-        let _e1129 = (_e1122.member < _e1122.member_1);
-        let _e1142 = (bitcast<i32>(select(0u, 1u, _e1129)) != 0i);
-        if _e1142 {
-            let _e1144 = ((2u * _e54) + select(type_9().member_1, _e1122.member, _e1129));
-            phi_1687_ = type_9(0u, 4u);
-            phi_1690_ = _e1126;
-            loop {
-                let _e1146 = phi_1687_;
-                let _e1148 = phi_1690_;
-                local_6 = _e1148;
-                let _e1151 = (_e1146.member < _e1146.member_1);
-                let _e1164 = (bitcast<i32>(select(0u, 1u, _e1151)) != 0i);
-                if _e1164 {
-                    let _e1168 = atomicLoad((&counts[((select(type_9().member_1, _e1146.member, _e1151) * 256u) + _e1144)]));
-                    phi_1691_ = (_e1148 + _e1168);
-                } else {
-                    phi_1691_ = u32();
-                }
-                let _e1171 = phi_1691_;
-                continue;
-                continuing {
-                    phi_1687_ = type_9(select(_e1146.member, (_e1146.member + 1u), _e1151), select(_e1146.member_1, _e1146.member_1, _e1151));
-                    phi_1690_ = _e1171;
-                    break if !(_e1164);
-                }
+    let _e693 = (2u * _e43);
+    if (_e43 < 128u) {
+        phi_992_ = type_9(0u, 8u);
+        phi_995_ = 0u;
+        loop {
+            let _e696 = phi_992_;
+            let _e698 = phi_995_;
+            local = _e698;
+            local_1 = _e698;
+            let _e701 = (_e696.member < _e696.member_1);
+            let _e714 = (bitcast<i32>(select(0u, 1u, _e701)) != 0i);
+            if _e714 {
+                let _e718 = atomicLoad((&counts[((select(type_9().member_1, _e696.member, _e701) * 128u) + _e43)]));
+                phi_996_ = (_e698 + _e718);
+            } else {
+                phi_996_ = u32();
             }
-            let _e1176 = table.member[((256u * _e76) + _e1144)];
-            phi_1651_ = (_e1124 + _e1176);
-            let _e2737 = local_6;
-            phi_1653_ = _e2737;
-        } else {
-            phi_1651_ = u32();
-            phi_1653_ = u32();
+            let _e721 = phi_996_;
+            continue;
+            continuing {
+                phi_992_ = type_9(select(_e696.member, (_e696.member + 1u), _e701), select(_e696.member_1, _e696.member_1, _e701));
+                phi_995_ = _e721;
+                break if !(_e714);
+            }
         }
-        let _e1179 = phi_1651_;
-        let _e1181 = phi_1653_;
-        continue;
-        continuing {
-            phi_1647_ = type_9(select(_e1122.member, (_e1122.member + 1u), _e1129), select(_e1122.member_1, _e1122.member_1, _e1129));
-            phi_1650_ = _e1179;
-            phi_1652_ = _e1181;
-            break if !(_e1142);
-        }
+        let _e724 = local;
+        let _e727 = local_1;
+        let _e734 = table.member[((256u * _e65) + _e693)];
+        let _e739 = table.member[(((256u * _e65) + _e693) + 1u)];
+        phi_1060_ = array<u32, 2>(_e734, _e739);
+        phi_1061_ = array<u32, 2>((_e724 & 65535u), (_e727 >> bitcast<u32>(16i)));
+    } else {
+        phi_1060_ = array<u32, 2>(0u, 0u);
+        phi_1061_ = array<u32, 2>(0u, 0u);
     }
-    let _e1185 = local;
-    atomicStore((&words[_e54]), _e1185);
-    phi_1742_ = type_9(0u, 7u);
-    phi_1745_ = 0u;
-    phi_1747_ = 1u;
-    let _e2744 = local_7;
-    phi_1749_ = _e2744;
-    phi_1746_ = 1024u;
+    let _e742 = phi_1060_;
+    let _e744 = phi_1061_;
+    let _e747 = (_e744[0] + _e744[1]);
+    let _e750 = (_e742[0] + _e742[1]);
+    atomicStore((&words[_e43]), _e747);
+    phi_1071_ = type_9(0u, 8u);
+    phi_1074_ = 0u;
+    phi_1076_ = 1u;
+    phi_1078_ = _e747;
+    phi_1075_ = 256u;
     loop {
-        let _e1187 = phi_1742_;
-        let _e1189 = phi_1745_;
-        let _e1191 = phi_1747_;
-        let _e1193 = phi_1749_;
-        let _e1195 = phi_1746_;
-        local_1 = _e1193;
-        let _e1198 = (_e1187.member < _e1187.member_1);
-        let _e1209 = (bitcast<i32>(select(0u, 1u, _e1198)) != 0i);
-        if _e1209 {
+        let _e753 = phi_1071_;
+        let _e755 = phi_1074_;
+        let _e757 = phi_1076_;
+        let _e759 = phi_1078_;
+        let _e761 = phi_1075_;
+        local_2 = _e759;
+        let _e764 = (_e753.member < _e753.member_1);
+        let _e775 = (bitcast<i32>(select(0u, 1u, _e764)) != 0i);
+        if _e775 {
             workgroupBarrier();
-            if (_e54 >= _e1191) {
-                let _e1214 = atomicLoad((&words[((_e1189 + _e54) - _e1191)]));
-                phi_1788_ = (_e1193 + _e1214);
+            if (_e43 >= _e757) {
+                let _e780 = atomicLoad((&words[((_e755 + _e43) - _e757)]));
+                phi_1117_ = (_e759 + _e780);
             } else {
-                phi_1788_ = _e1193;
+                phi_1117_ = _e759;
             }
-            let _e1217 = phi_1788_;
-            atomicStore((&words[(_e1195 + _e54)]), _e1217);
-            phi_1748_ = (_e1191 * 2u);
-            phi_1750_ = _e1217;
+            let _e783 = phi_1117_;
+            atomicStore((&words[(_e761 + _e43)]), _e783);
+            phi_1077_ = (_e757 * 2u);
+            phi_1079_ = _e783;
         } else {
-            phi_1748_ = u32();
-            phi_1750_ = u32();
+            phi_1077_ = u32();
+            phi_1079_ = u32();
         }
-        let _e1222 = phi_1748_;
-        let _e1224 = phi_1750_;
+        let _e788 = phi_1077_;
+        let _e790 = phi_1079_;
         continue;
         continuing {
-            phi_1742_ = type_9(select(_e1187.member, (_e1187.member + 1u), _e1198), select(_e1187.member_1, _e1187.member_1, _e1198));
-            phi_1745_ = _e1195;
-            phi_1747_ = _e1222;
-            phi_1749_ = _e1224;
-            phi_1746_ = _e1189;
-            break if !(_e1209);
+            phi_1071_ = type_9(select(_e753.member, (_e753.member + 1u), _e764), select(_e753.member_1, _e753.member_1, _e764));
+            phi_1074_ = _e761;
+            phi_1076_ = _e788;
+            phi_1078_ = _e790;
+            phi_1075_ = _e755;
+            break if !(_e775);
         }
     }
     workgroupBarrier();
-    let _e1227 = local_1;
-    let _e1229 = local_2;
-    let _e1233 = local_3;
-    atomicStore((&words[_e54]), _e1233);
-    phi_1796_ = type_9(0u, 7u);
-    phi_1799_ = 0u;
-    phi_1801_ = 1u;
-    let _e2757 = local_8;
-    phi_1803_ = _e2757;
-    phi_1800_ = 1024u;
+    let _e793 = local_2;
+    let _e794 = (_e793 - _e747);
+    atomicStore((&words[_e43]), _e750);
+    phi_1125_ = type_9(0u, 8u);
+    phi_1128_ = 0u;
+    phi_1130_ = 1u;
+    phi_1132_ = _e750;
+    phi_1129_ = 256u;
     loop {
-        let _e1235 = phi_1796_;
-        let _e1237 = phi_1799_;
-        let _e1239 = phi_1801_;
-        let _e1241 = phi_1803_;
-        let _e1243 = phi_1800_;
-        local_4 = _e1241;
-        let _e1246 = (_e1235.member < _e1235.member_1);
-        let _e1257 = (bitcast<i32>(select(0u, 1u, _e1246)) != 0i);
-        if _e1257 {
+        let _e797 = phi_1125_;
+        let _e799 = phi_1128_;
+        let _e801 = phi_1130_;
+        let _e803 = phi_1132_;
+        let _e805 = phi_1129_;
+        local_3 = _e803;
+        let _e808 = (_e797.member < _e797.member_1);
+        let _e819 = (bitcast<i32>(select(0u, 1u, _e808)) != 0i);
+        if _e819 {
             workgroupBarrier();
-            if (_e54 >= _e1239) {
-                let _e1262 = atomicLoad((&words[((_e1237 + _e54) - _e1239)]));
-                phi_1842_ = (_e1241 + _e1262);
+            if (_e43 >= _e801) {
+                let _e824 = atomicLoad((&words[((_e799 + _e43) - _e801)]));
+                phi_1171_ = (_e803 + _e824);
             } else {
-                phi_1842_ = _e1241;
+                phi_1171_ = _e803;
             }
-            let _e1265 = phi_1842_;
-            atomicStore((&words[(_e1243 + _e54)]), _e1265);
-            phi_1802_ = (_e1239 * 2u);
-            phi_1804_ = _e1265;
+            let _e827 = phi_1171_;
+            atomicStore((&words[(_e805 + _e43)]), _e827);
+            phi_1131_ = (_e801 * 2u);
+            phi_1133_ = _e827;
         } else {
-            phi_1802_ = u32();
-            phi_1804_ = u32();
+            phi_1131_ = u32();
+            phi_1133_ = u32();
         }
-        let _e1270 = phi_1802_;
-        let _e1272 = phi_1804_;
+        let _e832 = phi_1131_;
+        let _e834 = phi_1133_;
         continue;
         continuing {
-            phi_1796_ = type_9(select(_e1235.member, (_e1235.member + 1u), _e1246), select(_e1235.member_1, _e1235.member_1, _e1246));
-            phi_1799_ = _e1243;
-            phi_1801_ = _e1270;
-            phi_1803_ = _e1272;
-            phi_1800_ = _e1237;
-            break if !(_e1257);
+            phi_1125_ = type_9(select(_e797.member, (_e797.member + 1u), _e808), select(_e797.member_1, _e797.member_1, _e808));
+            phi_1128_ = _e805;
+            phi_1130_ = _e832;
+            phi_1132_ = _e834;
+            phi_1129_ = _e799;
+            break if !(_e819);
         }
     }
     workgroupBarrier();
-    let _e1275 = local_4;
-    let _e1277 = local_5;
-    phi_1849_ = type_9(0u, 2u);
-    phi_1852_ = (_e1275 - _e1277);
-    phi_1854_ = (_e1227 - _e1229);
-    loop {
-        let _e1280 = phi_1849_;
-        let _e1282 = phi_1852_;
-        let _e1284 = phi_1854_;
-        let _e1287 = (_e1280.member < _e1280.member_1);
-        let _e1300 = (bitcast<i32>(select(0u, 1u, _e1287)) != 0i);
-        if _e1300 {
-            let _e1302 = ((2u * _e54) + select(type_9().member_1, _e1280.member, _e1287));
-            if (_e65 < _e76) {
-                let _e1307 = table.member[((_e1302 * _e76) + _e65)];
-                phi_1903_ = _e1307;
-            } else {
-                phi_1903_ = 0u;
-            }
-            let _e1309 = phi_1903_;
-            starts[_e1302] = ((_e1282 + _e1309) - _e1284);
-            let _e1316 = table.member[((256u * _e76) + _e1302)];
-            phi_1922_ = type_9(0u, 4u);
-            phi_1925_ = _e1284;
-            loop {
-                let _e1319 = phi_1922_;
-                let _e1321 = phi_1925_;
-                local_9 = _e1321;
-                let _e1324 = (_e1319.member < _e1319.member_1);
-                let _e1335 = select(type_9().member_1, _e1319.member, _e1324);
-                let _e1337 = (bitcast<i32>(select(0u, 1u, _e1324)) != 0i);
-                if _e1337 {
-                    let _e1341 = atomicLoad((&counts[((_e1335 * 256u) + _e1302)]));
-                    atomicStore((&counts[((_e1335 * 256u) + _e1302)]), _e1321);
-                    phi_1926_ = (_e1321 + _e1341);
-                } else {
-                    phi_1926_ = u32();
-                }
-                let _e1347 = phi_1926_;
-                continue;
-                continuing {
-                    phi_1922_ = type_9(select(_e1319.member, (_e1319.member + 1u), _e1324), select(_e1319.member_1, _e1319.member_1, _e1324));
-                    phi_1925_ = _e1347;
-                    break if !(_e1337);
-                }
-            }
-            phi_1853_ = (_e1282 + _e1316);
-            let _e2774 = local_9;
-            phi_1855_ = _e2774;
+    let _e837 = local_3;
+    let _e838 = (_e837 - _e750);
+    if (_e43 < 128u) {
+        if (_e54 < _e65) {
+            let _e844 = table.member[((_e693 * _e65) + _e54)];
+            let _e849 = table.member[(((_e693 + 1u) * _e65) + _e54)];
+            phi_1211_ = array<u32, 2>(_e844, _e849);
         } else {
-            phi_1853_ = u32();
-            phi_1855_ = u32();
+            phi_1211_ = array<u32, 2>(0u, 0u);
         }
-        let _e1350 = phi_1853_;
-        let _e1352 = phi_1855_;
-        continue;
-        continuing {
-            phi_1849_ = type_9(select(_e1280.member, (_e1280.member + 1u), _e1287), select(_e1280.member_1, _e1280.member_1, _e1287));
-            phi_1852_ = _e1350;
-            phi_1854_ = _e1352;
-            break if !(_e1300);
+        let _e852 = phi_1211_;
+        let _e854 = (_e794 + _e744[0]);
+        starts[_e693] = ((_e838 + _e852[0]) - _e794);
+        starts[(_e693 + 1u)] = (((_e838 + _e742[0]) + _e852[1]) - _e854);
+        phi_1229_ = type_9(0u, 8u);
+        phi_1232_ = (_e794 | (_e854 << bitcast<u32>(16i)));
+        loop {
+            let _e870 = phi_1229_;
+            let _e872 = phi_1232_;
+            let _e875 = (_e870.member < _e870.member_1);
+            let _e886 = select(type_9().member_1, _e870.member, _e875);
+            let _e888 = (bitcast<i32>(select(0u, 1u, _e875)) != 0i);
+            if _e888 {
+                let _e892 = atomicLoad((&counts[((_e886 * 128u) + _e43)]));
+                atomicStore((&counts[((_e886 * 128u) + _e43)]), _e872);
+                phi_1233_ = (_e872 + _e892);
+            } else {
+                phi_1233_ = u32();
+            }
+            let _e898 = phi_1233_;
+            continue;
+            continuing {
+                phi_1229_ = type_9(select(_e870.member, (_e870.member + 1u), _e875), select(_e870.member_1, _e870.member_1, _e875));
+                phi_1232_ = _e898;
+                break if !(_e888);
+            }
         }
     }
     workgroupBarrier();
-    if (((_e65 * 2048u) + (((_e54 / 32u) * 512u) + (_e54 % 32u))) < _e73) {
-        let _e1367 = atomicLoad((&counts[(_e67 + ((_e87 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1368 = (_e548 + _e1367);
-        atomicStore((&words[_e1368]), _e87);
-        phi_1985_ = array<u32, 16>(_e1368, _e555, _e627, _e634, _e706, _e713, _e785, _e792, _e864, _e871, _e943, _e950, _e1022, _e1029, _e1101, _e1108);
+    if (((_e54 * 2048u) + (((_e43 / 32u) * 256u) + (_e43 % 32u))) < _e62) {
+        let _e911 = (_e56 + ((_e76 >> bitcast<u32>((_e59 & 31u))) & 255u));
+        let _e914 = atomicLoad((&counts[(_e911 / 2u)]));
+        let _e921 = (_e337 + ((_e914 >> bitcast<u32>(((16u * (_e911 % 2u)) & 31u))) & 65535u));
+        atomicStore((&words[_e921]), _e76);
+        phi_1298_ = array<u32, 8>(_e921, _e386, _e435, _e484, _e533, _e582, _e631, _e680);
     } else {
-        phi_1985_ = array<u32, 16>(_e548, _e555, _e627, _e634, _e706, _e713, _e785, _e792, _e864, _e871, _e943, _e950, _e1022, _e1029, _e1101, _e1108);
+        phi_1298_ = array<u32, 8>(_e337, _e386, _e435, _e484, _e533, _e582, _e631, _e680);
     }
-    let _e1372 = phi_1985_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 32u) + (_e54 % 32u))) < _e73) {
-        let _e1387 = atomicLoad((&counts[(_e67 + ((_e99 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1389 = (_e1372[1] + _e1387);
-        atomicStore((&words[_e1389]), _e99);
-        phi_2008_ = array<u32, 16>(_e1372[0], _e1389, _e1372[2], _e1372[3], _e1372[4], _e1372[5], _e1372[6], _e1372[7], _e1372[8], _e1372[9], _e1372[10], _e1372[11], _e1372[12], _e1372[13], _e1372[14], _e1372[15]);
+    let _e925 = phi_1298_;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 32u) + (_e43 % 32u))) < _e62) {
+        let _e938 = (_e56 + ((_e99 >> bitcast<u32>((_e59 & 31u))) & 255u));
+        let _e941 = atomicLoad((&counts[(_e938 / 2u)]));
+        let _e949 = (_e925[1] + ((_e941 >> bitcast<u32>(((16u * (_e938 % 2u)) & 31u))) & 65535u));
+        atomicStore((&words[_e949]), _e99);
+        phi_1327_ = array<u32, 8>(_e925[0], _e949, _e925[2], _e925[3], _e925[4], _e925[5], _e925[6], _e925[7]);
     } else {
-        phi_2008_ = _e1372;
+        phi_1327_ = _e925;
     }
-    let _e1408 = phi_2008_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 64u) + (_e54 % 32u))) < _e73) {
-        let _e1423 = atomicLoad((&counts[(_e67 + ((_e134 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1425 = (_e1408[2] + _e1423);
-        atomicStore((&words[_e1425]), _e134);
-        phi_2031_ = array<u32, 16>(_e1408[0], _e1408[1], _e1425, _e1408[3], _e1408[4], _e1408[5], _e1408[6], _e1408[7], _e1408[8], _e1408[9], _e1408[10], _e1408[11], _e1408[12], _e1408[13], _e1408[14], _e1408[15]);
+    let _e960 = phi_1327_;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 64u) + (_e43 % 32u))) < _e62) {
+        let _e973 = (_e56 + ((_e123 >> bitcast<u32>((_e59 & 31u))) & 255u));
+        let _e976 = atomicLoad((&counts[(_e973 / 2u)]));
+        let _e984 = (_e960[2] + ((_e976 >> bitcast<u32>(((16u * (_e973 % 2u)) & 31u))) & 65535u));
+        atomicStore((&words[_e984]), _e123);
+        phi_1356_ = array<u32, 8>(_e960[0], _e960[1], _e984, _e960[3], _e960[4], _e960[5], _e960[6], _e960[7]);
     } else {
-        phi_2031_ = _e1408;
+        phi_1356_ = _e960;
     }
-    let _e1444 = phi_2031_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 96u) + (_e54 % 32u))) < _e73) {
-        let _e1459 = atomicLoad((&counts[(_e67 + ((_e146 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1461 = (_e1444[3] + _e1459);
-        atomicStore((&words[_e1461]), _e146);
-        phi_2054_ = array<u32, 16>(_e1444[0], _e1444[1], _e1444[2], _e1461, _e1444[4], _e1444[5], _e1444[6], _e1444[7], _e1444[8], _e1444[9], _e1444[10], _e1444[11], _e1444[12], _e1444[13], _e1444[14], _e1444[15]);
+    let _e995 = phi_1356_;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 96u) + (_e43 % 32u))) < _e62) {
+        let _e1008 = (_e56 + ((_e147 >> bitcast<u32>((_e59 & 31u))) & 255u));
+        let _e1011 = atomicLoad((&counts[(_e1008 / 2u)]));
+        let _e1019 = (_e995[3] + ((_e1011 >> bitcast<u32>(((16u * (_e1008 % 2u)) & 31u))) & 65535u));
+        atomicStore((&words[_e1019]), _e147);
+        phi_1385_ = array<u32, 8>(_e995[0], _e995[1], _e995[2], _e1019, _e995[4], _e995[5], _e995[6], _e995[7]);
     } else {
-        phi_2054_ = _e1444;
+        phi_1385_ = _e995;
     }
-    let _e1480 = phi_2054_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 128u) + (_e54 % 32u))) < _e73) {
-        let _e1495 = atomicLoad((&counts[(_e67 + ((_e182 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1497 = (_e1480[4] + _e1495);
-        atomicStore((&words[_e1497]), _e182);
-        phi_2077_ = array<u32, 16>(_e1480[0], _e1480[1], _e1480[2], _e1480[3], _e1497, _e1480[5], _e1480[6], _e1480[7], _e1480[8], _e1480[9], _e1480[10], _e1480[11], _e1480[12], _e1480[13], _e1480[14], _e1480[15]);
+    let _e1030 = phi_1385_;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 128u) + (_e43 % 32u))) < _e62) {
+        let _e1043 = (_e56 + ((_e171 >> bitcast<u32>((_e59 & 31u))) & 255u));
+        let _e1046 = atomicLoad((&counts[(_e1043 / 2u)]));
+        let _e1054 = (_e1030[4] + ((_e1046 >> bitcast<u32>(((16u * (_e1043 % 2u)) & 31u))) & 65535u));
+        atomicStore((&words[_e1054]), _e171);
+        phi_1414_ = array<u32, 8>(_e1030[0], _e1030[1], _e1030[2], _e1030[3], _e1054, _e1030[5], _e1030[6], _e1030[7]);
     } else {
-        phi_2077_ = _e1480;
+        phi_1414_ = _e1030;
     }
-    let _e1516 = phi_2077_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 160u) + (_e54 % 32u))) < _e73) {
-        let _e1531 = atomicLoad((&counts[(_e67 + ((_e194 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1533 = (_e1516[5] + _e1531);
-        atomicStore((&words[_e1533]), _e194);
-        phi_2100_ = array<u32, 16>(_e1516[0], _e1516[1], _e1516[2], _e1516[3], _e1516[4], _e1533, _e1516[6], _e1516[7], _e1516[8], _e1516[9], _e1516[10], _e1516[11], _e1516[12], _e1516[13], _e1516[14], _e1516[15]);
+    let _e1065 = phi_1414_;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 160u) + (_e43 % 32u))) < _e62) {
+        let _e1078 = (_e56 + ((_e195 >> bitcast<u32>((_e59 & 31u))) & 255u));
+        let _e1081 = atomicLoad((&counts[(_e1078 / 2u)]));
+        let _e1089 = (_e1065[5] + ((_e1081 >> bitcast<u32>(((16u * (_e1078 % 2u)) & 31u))) & 65535u));
+        atomicStore((&words[_e1089]), _e195);
+        phi_1443_ = array<u32, 8>(_e1065[0], _e1065[1], _e1065[2], _e1065[3], _e1065[4], _e1089, _e1065[6], _e1065[7]);
     } else {
-        phi_2100_ = _e1516;
+        phi_1443_ = _e1065;
     }
-    let _e1552 = phi_2100_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 192u) + (_e54 % 32u))) < _e73) {
-        let _e1567 = atomicLoad((&counts[(_e67 + ((_e230 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1569 = (_e1552[6] + _e1567);
-        atomicStore((&words[_e1569]), _e230);
-        phi_2123_ = array<u32, 16>(_e1552[0], _e1552[1], _e1552[2], _e1552[3], _e1552[4], _e1552[5], _e1569, _e1552[7], _e1552[8], _e1552[9], _e1552[10], _e1552[11], _e1552[12], _e1552[13], _e1552[14], _e1552[15]);
+    let _e1100 = phi_1443_;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 192u) + (_e43 % 32u))) < _e62) {
+        let _e1113 = (_e56 + ((_e219 >> bitcast<u32>((_e59 & 31u))) & 255u));
+        let _e1116 = atomicLoad((&counts[(_e1113 / 2u)]));
+        let _e1124 = (_e1100[6] + ((_e1116 >> bitcast<u32>(((16u * (_e1113 % 2u)) & 31u))) & 65535u));
+        atomicStore((&words[_e1124]), _e219);
+        phi_1472_ = array<u32, 8>(_e1100[0], _e1100[1], _e1100[2], _e1100[3], _e1100[4], _e1100[5], _e1124, _e1100[7]);
     } else {
-        phi_2123_ = _e1552;
+        phi_1472_ = _e1100;
     }
-    let _e1588 = phi_2123_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 224u) + (_e54 % 32u))) < _e73) {
-        let _e1603 = atomicLoad((&counts[(_e67 + ((_e242 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1605 = (_e1588[7] + _e1603);
-        atomicStore((&words[_e1605]), _e242);
-        phi_2146_ = array<u32, 16>(_e1588[0], _e1588[1], _e1588[2], _e1588[3], _e1588[4], _e1588[5], _e1588[6], _e1605, _e1588[8], _e1588[9], _e1588[10], _e1588[11], _e1588[12], _e1588[13], _e1588[14], _e1588[15]);
+    let _e1135 = phi_1472_;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 224u) + (_e43 % 32u))) < _e62) {
+        let _e1148 = (_e56 + ((_e243 >> bitcast<u32>((_e59 & 31u))) & 255u));
+        let _e1151 = atomicLoad((&counts[(_e1148 / 2u)]));
+        let _e1159 = (_e1135[7] + ((_e1151 >> bitcast<u32>(((16u * (_e1148 % 2u)) & 31u))) & 65535u));
+        atomicStore((&words[_e1159]), _e243);
+        phi_1501_ = array<u32, 8>(_e1135[0], _e1135[1], _e1135[2], _e1135[3], _e1135[4], _e1135[5], _e1135[6], _e1159);
     } else {
-        phi_2146_ = _e1588;
+        phi_1501_ = _e1135;
     }
-    let _e1624 = phi_2146_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 256u) + (_e54 % 32u))) < _e73) {
-        let _e1639 = atomicLoad((&counts[(_e67 + ((_e278 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1641 = (_e1624[8] + _e1639);
-        atomicStore((&words[_e1641]), _e278);
-        phi_2169_ = array<u32, 16>(_e1624[0], _e1624[1], _e1624[2], _e1624[3], _e1624[4], _e1624[5], _e1624[6], _e1624[7], _e1641, _e1624[9], _e1624[10], _e1624[11], _e1624[12], _e1624[13], _e1624[14], _e1624[15]);
-    } else {
-        phi_2169_ = _e1624;
-    }
-    let _e1660 = phi_2169_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 288u) + (_e54 % 32u))) < _e73) {
-        let _e1675 = atomicLoad((&counts[(_e67 + ((_e290 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1677 = (_e1660[9] + _e1675);
-        atomicStore((&words[_e1677]), _e290);
-        phi_2192_ = array<u32, 16>(_e1660[0], _e1660[1], _e1660[2], _e1660[3], _e1660[4], _e1660[5], _e1660[6], _e1660[7], _e1660[8], _e1677, _e1660[10], _e1660[11], _e1660[12], _e1660[13], _e1660[14], _e1660[15]);
-    } else {
-        phi_2192_ = _e1660;
-    }
-    let _e1696 = phi_2192_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 320u) + (_e54 % 32u))) < _e73) {
-        let _e1711 = atomicLoad((&counts[(_e67 + ((_e326 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1713 = (_e1696[10] + _e1711);
-        atomicStore((&words[_e1713]), _e326);
-        phi_2215_ = array<u32, 16>(_e1696[0], _e1696[1], _e1696[2], _e1696[3], _e1696[4], _e1696[5], _e1696[6], _e1696[7], _e1696[8], _e1696[9], _e1713, _e1696[11], _e1696[12], _e1696[13], _e1696[14], _e1696[15]);
-    } else {
-        phi_2215_ = _e1696;
-    }
-    let _e1732 = phi_2215_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 352u) + (_e54 % 32u))) < _e73) {
-        let _e1747 = atomicLoad((&counts[(_e67 + ((_e338 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1749 = (_e1732[11] + _e1747);
-        atomicStore((&words[_e1749]), _e338);
-        phi_2238_ = array<u32, 16>(_e1732[0], _e1732[1], _e1732[2], _e1732[3], _e1732[4], _e1732[5], _e1732[6], _e1732[7], _e1732[8], _e1732[9], _e1732[10], _e1749, _e1732[12], _e1732[13], _e1732[14], _e1732[15]);
-    } else {
-        phi_2238_ = _e1732;
-    }
-    let _e1768 = phi_2238_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 384u) + (_e54 % 32u))) < _e73) {
-        let _e1783 = atomicLoad((&counts[(_e67 + ((_e374 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1785 = (_e1768[12] + _e1783);
-        atomicStore((&words[_e1785]), _e374);
-        phi_2261_ = array<u32, 16>(_e1768[0], _e1768[1], _e1768[2], _e1768[3], _e1768[4], _e1768[5], _e1768[6], _e1768[7], _e1768[8], _e1768[9], _e1768[10], _e1768[11], _e1785, _e1768[13], _e1768[14], _e1768[15]);
-    } else {
-        phi_2261_ = _e1768;
-    }
-    let _e1804 = phi_2261_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 416u) + (_e54 % 32u))) < _e73) {
-        let _e1819 = atomicLoad((&counts[(_e67 + ((_e386 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1821 = (_e1804[13] + _e1819);
-        atomicStore((&words[_e1821]), _e386);
-        phi_2284_ = array<u32, 16>(_e1804[0], _e1804[1], _e1804[2], _e1804[3], _e1804[4], _e1804[5], _e1804[6], _e1804[7], _e1804[8], _e1804[9], _e1804[10], _e1804[11], _e1804[12], _e1821, _e1804[14], _e1804[15]);
-    } else {
-        phi_2284_ = _e1804;
-    }
-    let _e1840 = phi_2284_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 448u) + (_e54 % 32u))) < _e73) {
-        let _e1855 = atomicLoad((&counts[(_e67 + ((_e422 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1857 = (_e1840[14] + _e1855);
-        atomicStore((&words[_e1857]), _e422);
-        phi_2307_ = array<u32, 16>(_e1840[0], _e1840[1], _e1840[2], _e1840[3], _e1840[4], _e1840[5], _e1840[6], _e1840[7], _e1840[8], _e1840[9], _e1840[10], _e1840[11], _e1840[12], _e1840[13], _e1857, _e1840[15]);
-    } else {
-        phi_2307_ = _e1840;
-    }
-    let _e1876 = phi_2307_;
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 480u) + (_e54 % 32u))) < _e73) {
-        let _e1891 = atomicLoad((&counts[(_e67 + ((_e434 >> bitcast<u32>((_e70 & 31u))) & 255u))]));
-        let _e1893 = (_e1876[15] + _e1891);
-        atomicStore((&words[_e1893]), _e434);
-        phi_2330_ = array<u32, 16>(_e1876[0], _e1876[1], _e1876[2], _e1876[3], _e1876[4], _e1876[5], _e1876[6], _e1876[7], _e1876[8], _e1876[9], _e1876[10], _e1876[11], _e1876[12], _e1876[13], _e1876[14], _e1893);
-    } else {
-        phi_2330_ = _e1876;
-    }
-    let _e1912 = phi_2330_;
+    let _e1170 = phi_1501_;
     workgroupBarrier();
-    if (((_e65 * 2048u) + _e54) < _e73) {
-        let _e1917 = atomicLoad((&words[_e54]));
-        let _e1923 = starts[((_e1917 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e1924 = (_e1923 + _e54);
-        keys_out.member[_e1924] = _e1917;
-        phi_2349_ = array<u32, 16>(_e1924, _e99, _e134, _e146, _e182, _e194, _e230, _e242, _e278, _e290, _e326, _e338, _e374, _e386, _e422, _e434);
+    if (((_e54 * 2048u) + _e43) < _e62) {
+        let _e1175 = atomicLoad((&words[_e43]));
+        let _e1181 = starts[((_e1175 >> bitcast<u32>((_e59 & 31u))) & 255u)];
+        let _e1182 = (_e1181 + _e43);
+        keys_out.member[_e1182] = _e1175;
+        phi_1520_ = array<u32, 8>(_e1182, _e99, _e123, _e147, _e171, _e195, _e219, _e243);
     } else {
-        phi_2349_ = array<u32, 16>(_e87, _e99, _e134, _e146, _e182, _e194, _e230, _e242, _e278, _e290, _e326, _e338, _e374, _e386, _e422, _e434);
+        phi_1520_ = array<u32, 8>(_e76, _e99, _e123, _e147, _e171, _e195, _e219, _e243);
     }
-    let _e1928 = phi_2349_;
-    let _e1929 = (128u + _e54);
-    if (((_e65 * 2048u) + _e1929) < _e73) {
-        let _e1934 = atomicLoad((&words[_e1929]));
-        let _e1940 = starts[((_e1934 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e1941 = (_e1940 + _e1929);
-        keys_out.member[_e1941] = _e1934;
-        phi_2368_ = array<u32, 16>(_e1928[0], _e1941, _e1928[2], _e1928[3], _e1928[4], _e1928[5], _e1928[6], _e1928[7], _e1928[8], _e1928[9], _e1928[10], _e1928[11], _e1928[12], _e1928[13], _e1928[14], _e1928[15]);
+    let _e1186 = phi_1520_;
+    let _e1187 = (256u + _e43);
+    if (((_e54 * 2048u) + _e1187) < _e62) {
+        let _e1192 = atomicLoad((&words[_e1187]));
+        let _e1198 = starts[((_e1192 >> bitcast<u32>((_e59 & 31u))) & 255u)];
+        let _e1199 = (_e1198 + _e1187);
+        keys_out.member[_e1199] = _e1192;
+        phi_1539_ = array<u32, 8>(_e1186[0], _e1199, _e1186[2], _e1186[3], _e1186[4], _e1186[5], _e1186[6], _e1186[7]);
     } else {
-        phi_2368_ = _e1928;
+        phi_1539_ = _e1186;
     }
-    let _e1960 = phi_2368_;
-    let _e1961 = (256u + _e54);
-    if (((_e65 * 2048u) + _e1961) < _e73) {
-        let _e1966 = atomicLoad((&words[_e1961]));
-        let _e1972 = starts[((_e1966 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e1973 = (_e1972 + _e1961);
-        keys_out.member[_e1973] = _e1966;
-        phi_2387_ = array<u32, 16>(_e1960[0], _e1960[1], _e1973, _e1960[3], _e1960[4], _e1960[5], _e1960[6], _e1960[7], _e1960[8], _e1960[9], _e1960[10], _e1960[11], _e1960[12], _e1960[13], _e1960[14], _e1960[15]);
+    let _e1210 = phi_1539_;
+    let _e1211 = (512u + _e43);
+    if (((_e54 * 2048u) + _e1211) < _e62) {
+        let _e1216 = atomicLoad((&words[_e1211]));
+        let _e1222 = starts[((_e1216 >> bitcast<u32>((_e59 & 31u))) & 255u)];
+        let _e1223 = (_e1222 + _e1211);
+        keys_out.member[_e1223] = _e1216;
+        phi_1558_ = array<u32, 8>(_e1210[0], _e1210[1], _e1223, _e1210[3], _e1210[4], _e1210[5], _e1210[6], _e1210[7]);
     } else {
-        phi_2387_ = _e1960;
+        phi_1558_ = _e1210;
     }
-    let _e1992 = phi_2387_;
-    let _e1993 = (384u + _e54);
-    if (((_e65 * 2048u) + _e1993) < _e73) {
-        let _e1998 = atomicLoad((&words[_e1993]));
-        let _e2004 = starts[((_e1998 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2005 = (_e2004 + _e1993);
-        keys_out.member[_e2005] = _e1998;
-        phi_2406_ = array<u32, 16>(_e1992[0], _e1992[1], _e1992[2], _e2005, _e1992[4], _e1992[5], _e1992[6], _e1992[7], _e1992[8], _e1992[9], _e1992[10], _e1992[11], _e1992[12], _e1992[13], _e1992[14], _e1992[15]);
+    let _e1234 = phi_1558_;
+    let _e1235 = (768u + _e43);
+    if (((_e54 * 2048u) + _e1235) < _e62) {
+        let _e1240 = atomicLoad((&words[_e1235]));
+        let _e1246 = starts[((_e1240 >> bitcast<u32>((_e59 & 31u))) & 255u)];
+        let _e1247 = (_e1246 + _e1235);
+        keys_out.member[_e1247] = _e1240;
+        phi_1577_ = array<u32, 8>(_e1234[0], _e1234[1], _e1234[2], _e1247, _e1234[4], _e1234[5], _e1234[6], _e1234[7]);
     } else {
-        phi_2406_ = _e1992;
+        phi_1577_ = _e1234;
     }
-    let _e2024 = phi_2406_;
-    let _e2025 = (512u + _e54);
-    if (((_e65 * 2048u) + _e2025) < _e73) {
-        let _e2030 = atomicLoad((&words[_e2025]));
-        let _e2036 = starts[((_e2030 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2037 = (_e2036 + _e2025);
-        keys_out.member[_e2037] = _e2030;
-        phi_2425_ = array<u32, 16>(_e2024[0], _e2024[1], _e2024[2], _e2024[3], _e2037, _e2024[5], _e2024[6], _e2024[7], _e2024[8], _e2024[9], _e2024[10], _e2024[11], _e2024[12], _e2024[13], _e2024[14], _e2024[15]);
+    let _e1258 = phi_1577_;
+    let _e1259 = (1024u + _e43);
+    if (((_e54 * 2048u) + _e1259) < _e62) {
+        let _e1264 = atomicLoad((&words[_e1259]));
+        let _e1270 = starts[((_e1264 >> bitcast<u32>((_e59 & 31u))) & 255u)];
+        let _e1271 = (_e1270 + _e1259);
+        keys_out.member[_e1271] = _e1264;
+        phi_1596_ = array<u32, 8>(_e1258[0], _e1258[1], _e1258[2], _e1258[3], _e1271, _e1258[5], _e1258[6], _e1258[7]);
     } else {
-        phi_2425_ = _e2024;
+        phi_1596_ = _e1258;
     }
-    let _e2056 = phi_2425_;
-    let _e2057 = (640u + _e54);
-    if (((_e65 * 2048u) + _e2057) < _e73) {
-        let _e2062 = atomicLoad((&words[_e2057]));
-        let _e2068 = starts[((_e2062 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2069 = (_e2068 + _e2057);
-        keys_out.member[_e2069] = _e2062;
-        phi_2444_ = array<u32, 16>(_e2056[0], _e2056[1], _e2056[2], _e2056[3], _e2056[4], _e2069, _e2056[6], _e2056[7], _e2056[8], _e2056[9], _e2056[10], _e2056[11], _e2056[12], _e2056[13], _e2056[14], _e2056[15]);
+    let _e1282 = phi_1596_;
+    let _e1283 = (1280u + _e43);
+    if (((_e54 * 2048u) + _e1283) < _e62) {
+        let _e1288 = atomicLoad((&words[_e1283]));
+        let _e1294 = starts[((_e1288 >> bitcast<u32>((_e59 & 31u))) & 255u)];
+        let _e1295 = (_e1294 + _e1283);
+        keys_out.member[_e1295] = _e1288;
+        phi_1615_ = array<u32, 8>(_e1282[0], _e1282[1], _e1282[2], _e1282[3], _e1282[4], _e1295, _e1282[6], _e1282[7]);
     } else {
-        phi_2444_ = _e2056;
+        phi_1615_ = _e1282;
     }
-    let _e2088 = phi_2444_;
-    let _e2089 = (768u + _e54);
-    if (((_e65 * 2048u) + _e2089) < _e73) {
-        let _e2094 = atomicLoad((&words[_e2089]));
-        let _e2100 = starts[((_e2094 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2101 = (_e2100 + _e2089);
-        keys_out.member[_e2101] = _e2094;
-        phi_2463_ = array<u32, 16>(_e2088[0], _e2088[1], _e2088[2], _e2088[3], _e2088[4], _e2088[5], _e2101, _e2088[7], _e2088[8], _e2088[9], _e2088[10], _e2088[11], _e2088[12], _e2088[13], _e2088[14], _e2088[15]);
+    let _e1306 = phi_1615_;
+    let _e1307 = (1536u + _e43);
+    if (((_e54 * 2048u) + _e1307) < _e62) {
+        let _e1312 = atomicLoad((&words[_e1307]));
+        let _e1318 = starts[((_e1312 >> bitcast<u32>((_e59 & 31u))) & 255u)];
+        let _e1319 = (_e1318 + _e1307);
+        keys_out.member[_e1319] = _e1312;
+        phi_1634_ = array<u32, 8>(_e1306[0], _e1306[1], _e1306[2], _e1306[3], _e1306[4], _e1306[5], _e1319, _e1306[7]);
     } else {
-        phi_2463_ = _e2088;
+        phi_1634_ = _e1306;
     }
-    let _e2120 = phi_2463_;
-    let _e2121 = (896u + _e54);
-    if (((_e65 * 2048u) + _e2121) < _e73) {
-        let _e2126 = atomicLoad((&words[_e2121]));
-        let _e2132 = starts[((_e2126 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2133 = (_e2132 + _e2121);
-        keys_out.member[_e2133] = _e2126;
-        phi_2482_ = array<u32, 16>(_e2120[0], _e2120[1], _e2120[2], _e2120[3], _e2120[4], _e2120[5], _e2120[6], _e2133, _e2120[8], _e2120[9], _e2120[10], _e2120[11], _e2120[12], _e2120[13], _e2120[14], _e2120[15]);
+    let _e1330 = phi_1634_;
+    let _e1331 = (1792u + _e43);
+    if (((_e54 * 2048u) + _e1331) < _e62) {
+        let _e1336 = atomicLoad((&words[_e1331]));
+        let _e1342 = starts[((_e1336 >> bitcast<u32>((_e59 & 31u))) & 255u)];
+        let _e1343 = (_e1342 + _e1331);
+        keys_out.member[_e1343] = _e1336;
+        phi_1653_ = array<u32, 8>(_e1330[0], _e1330[1], _e1330[2], _e1330[3], _e1330[4], _e1330[5], _e1330[6], _e1343);
     } else {
-        phi_2482_ = _e2120;
+        phi_1653_ = _e1330;
     }
-    let _e2152 = phi_2482_;
-    let _e2153 = (1024u + _e54);
-    if (((_e65 * 2048u) + _e2153) < _e73) {
-        let _e2158 = atomicLoad((&words[_e2153]));
-        let _e2164 = starts[((_e2158 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2165 = (_e2164 + _e2153);
-        keys_out.member[_e2165] = _e2158;
-        phi_2501_ = array<u32, 16>(_e2152[0], _e2152[1], _e2152[2], _e2152[3], _e2152[4], _e2152[5], _e2152[6], _e2152[7], _e2165, _e2152[9], _e2152[10], _e2152[11], _e2152[12], _e2152[13], _e2152[14], _e2152[15]);
-    } else {
-        phi_2501_ = _e2152;
-    }
-    let _e2184 = phi_2501_;
-    let _e2185 = (1152u + _e54);
-    if (((_e65 * 2048u) + _e2185) < _e73) {
-        let _e2190 = atomicLoad((&words[_e2185]));
-        let _e2196 = starts[((_e2190 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2197 = (_e2196 + _e2185);
-        keys_out.member[_e2197] = _e2190;
-        phi_2520_ = array<u32, 16>(_e2184[0], _e2184[1], _e2184[2], _e2184[3], _e2184[4], _e2184[5], _e2184[6], _e2184[7], _e2184[8], _e2197, _e2184[10], _e2184[11], _e2184[12], _e2184[13], _e2184[14], _e2184[15]);
-    } else {
-        phi_2520_ = _e2184;
-    }
-    let _e2216 = phi_2520_;
-    let _e2217 = (1280u + _e54);
-    if (((_e65 * 2048u) + _e2217) < _e73) {
-        let _e2222 = atomicLoad((&words[_e2217]));
-        let _e2228 = starts[((_e2222 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2229 = (_e2228 + _e2217);
-        keys_out.member[_e2229] = _e2222;
-        phi_2539_ = array<u32, 16>(_e2216[0], _e2216[1], _e2216[2], _e2216[3], _e2216[4], _e2216[5], _e2216[6], _e2216[7], _e2216[8], _e2216[9], _e2229, _e2216[11], _e2216[12], _e2216[13], _e2216[14], _e2216[15]);
-    } else {
-        phi_2539_ = _e2216;
-    }
-    let _e2248 = phi_2539_;
-    let _e2249 = (1408u + _e54);
-    if (((_e65 * 2048u) + _e2249) < _e73) {
-        let _e2254 = atomicLoad((&words[_e2249]));
-        let _e2260 = starts[((_e2254 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2261 = (_e2260 + _e2249);
-        keys_out.member[_e2261] = _e2254;
-        phi_2558_ = array<u32, 16>(_e2248[0], _e2248[1], _e2248[2], _e2248[3], _e2248[4], _e2248[5], _e2248[6], _e2248[7], _e2248[8], _e2248[9], _e2248[10], _e2261, _e2248[12], _e2248[13], _e2248[14], _e2248[15]);
-    } else {
-        phi_2558_ = _e2248;
-    }
-    let _e2280 = phi_2558_;
-    let _e2281 = (1536u + _e54);
-    if (((_e65 * 2048u) + _e2281) < _e73) {
-        let _e2286 = atomicLoad((&words[_e2281]));
-        let _e2292 = starts[((_e2286 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2293 = (_e2292 + _e2281);
-        keys_out.member[_e2293] = _e2286;
-        phi_2577_ = array<u32, 16>(_e2280[0], _e2280[1], _e2280[2], _e2280[3], _e2280[4], _e2280[5], _e2280[6], _e2280[7], _e2280[8], _e2280[9], _e2280[10], _e2280[11], _e2293, _e2280[13], _e2280[14], _e2280[15]);
-    } else {
-        phi_2577_ = _e2280;
-    }
-    let _e2312 = phi_2577_;
-    let _e2313 = (1664u + _e54);
-    if (((_e65 * 2048u) + _e2313) < _e73) {
-        let _e2318 = atomicLoad((&words[_e2313]));
-        let _e2324 = starts[((_e2318 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2325 = (_e2324 + _e2313);
-        keys_out.member[_e2325] = _e2318;
-        phi_2596_ = array<u32, 16>(_e2312[0], _e2312[1], _e2312[2], _e2312[3], _e2312[4], _e2312[5], _e2312[6], _e2312[7], _e2312[8], _e2312[9], _e2312[10], _e2312[11], _e2312[12], _e2325, _e2312[14], _e2312[15]);
-    } else {
-        phi_2596_ = _e2312;
-    }
-    let _e2344 = phi_2596_;
-    let _e2345 = (1792u + _e54);
-    if (((_e65 * 2048u) + _e2345) < _e73) {
-        let _e2350 = atomicLoad((&words[_e2345]));
-        let _e2356 = starts[((_e2350 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2357 = (_e2356 + _e2345);
-        keys_out.member[_e2357] = _e2350;
-        phi_2615_ = array<u32, 16>(_e2344[0], _e2344[1], _e2344[2], _e2344[3], _e2344[4], _e2344[5], _e2344[6], _e2344[7], _e2344[8], _e2344[9], _e2344[10], _e2344[11], _e2344[12], _e2344[13], _e2357, _e2344[15]);
-    } else {
-        phi_2615_ = _e2344;
-    }
-    let _e2376 = phi_2615_;
-    let _e2377 = (1920u + _e54);
-    if (((_e65 * 2048u) + _e2377) < _e73) {
-        let _e2382 = atomicLoad((&words[_e2377]));
-        let _e2388 = starts[((_e2382 >> bitcast<u32>((_e70 & 31u))) & 255u)];
-        let _e2389 = (_e2388 + _e2377);
-        keys_out.member[_e2389] = _e2382;
-        phi_2634_ = array<u32, 16>(_e2376[0], _e2376[1], _e2376[2], _e2376[3], _e2376[4], _e2376[5], _e2376[6], _e2376[7], _e2376[8], _e2376[9], _e2376[10], _e2376[11], _e2376[12], _e2376[13], _e2376[14], _e2389);
-    } else {
-        phi_2634_ = _e2376;
-    }
-    let _e2408 = phi_2634_;
+    let _e1354 = phi_1653_;
     workgroupBarrier();
-    if (((_e65 * 2048u) + (((_e54 / 32u) * 512u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[0]]), _e110);
+    if (((_e54 * 2048u) + (((_e43 / 32u) * 256u) + (_e43 % 32u))) < _e62) {
+        atomicStore((&words[_e1170[0]]), _e87);
     }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 32u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[1]]), _e122);
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 32u) + (_e43 % 32u))) < _e62) {
+        atomicStore((&words[_e1170[1]]), _e111);
     }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 64u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[2]]), _e158);
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 64u) + (_e43 % 32u))) < _e62) {
+        atomicStore((&words[_e1170[2]]), _e135);
     }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 96u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[3]]), _e170);
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 96u) + (_e43 % 32u))) < _e62) {
+        atomicStore((&words[_e1170[3]]), _e159);
     }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 128u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[4]]), _e206);
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 128u) + (_e43 % 32u))) < _e62) {
+        atomicStore((&words[_e1170[4]]), _e183);
     }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 160u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[5]]), _e218);
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 160u) + (_e43 % 32u))) < _e62) {
+        atomicStore((&words[_e1170[5]]), _e207);
     }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 192u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[6]]), _e254);
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 192u) + (_e43 % 32u))) < _e62) {
+        atomicStore((&words[_e1170[6]]), _e231);
     }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 224u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[7]]), _e266);
-    }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 256u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[8]]), _e302);
-    }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 288u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[9]]), _e314);
-    }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 320u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[10]]), _e350);
-    }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 352u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[11]]), _e362);
-    }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 384u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[12]]), _e398);
-    }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 416u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[13]]), _e410);
-    }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 448u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[14]]), _e447);
-    }
-    if (((_e65 * 2048u) + ((((_e54 / 32u) * 512u) + 480u) + (_e54 % 32u))) < _e73) {
-        atomicStore((&words[_e1912[15]]), _e459);
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 224u) + (_e43 % 32u))) < _e62) {
+        atomicStore((&words[_e1170[7]]), _e256);
     }
     workgroupBarrier();
-    if (((_e65 * 2048u) + _e54) < _e73) {
-        let _e2573 = atomicLoad((&words[_e54]));
-        values_out.member[_e2408[0]] = _e2573;
+    if (((_e54 * 2048u) + _e43) < _e62) {
+        let _e1439 = atomicLoad((&words[_e43]));
+        values_out.member[_e1354[0]] = _e1439;
     }
-    let _e2575 = (128u + _e54);
-    if (((_e65 * 2048u) + _e2575) < _e73) {
-        let _e2581 = atomicLoad((&words[_e2575]));
-        values_out.member[_e2408[1]] = _e2581;
+    let _e1441 = (256u + _e43);
+    if (((_e54 * 2048u) + _e1441) < _e62) {
+        let _e1447 = atomicLoad((&words[_e1441]));
+        values_out.member[_e1354[1]] = _e1447;
     }
-    let _e2583 = (256u + _e54);
-    if (((_e65 * 2048u) + _e2583) < _e73) {
-        let _e2589 = atomicLoad((&words[_e2583]));
-        values_out.member[_e2408[2]] = _e2589;
+    let _e1449 = (512u + _e43);
+    if (((_e54 * 2048u) + _e1449) < _e62) {
+        let _e1455 = atomicLoad((&words[_e1449]));
+        values_out.member[_e1354[2]] = _e1455;
     }
-    let _e2591 = (384u + _e54);
-    if (((_e65 * 2048u) + _e2591) < _e73) {
-        let _e2597 = atomicLoad((&words[_e2591]));
-        values_out.member[_e2408[3]] = _e2597;
+    let _e1457 = (768u + _e43);
+    if (((_e54 * 2048u) + _e1457) < _e62) {
+        let _e1463 = atomicLoad((&words[_e1457]));
+        values_out.member[_e1354[3]] = _e1463;
     }
-    let _e2599 = (512u + _e54);
-    if (((_e65 * 2048u) + _e2599) < _e73) {
-        let _e2605 = atomicLoad((&words[_e2599]));
-        values_out.member[_e2408[4]] = _e2605;
+    let _e1465 = (1024u + _e43);
+    if (((_e54 * 2048u) + _e1465) < _e62) {
+        let _e1471 = atomicLoad((&words[_e1465]));
+        values_out.member[_e1354[4]] = _e1471;
     }
-    let _e2607 = (640u + _e54);
-    if (((_e65 * 2048u) + _e2607) < _e73) {
-        let _e2613 = atomicLoad((&words[_e2607]));
-        values_out.member[_e2408[5]] = _e2613;
+    let _e1473 = (1280u + _e43);
+    if (((_e54 * 2048u) + _e1473) < _e62) {
+        let _e1479 = atomicLoad((&words[_e1473]));
+        values_out.member[_e1354[5]] = _e1479;
     }
-    let _e2615 = (768u + _e54);
-    if (((_e65 * 2048u) + _e2615) < _e73) {
-        let _e2621 = atomicLoad((&words[_e2615]));
-        values_out.member[_e2408[6]] = _e2621;
+    let _e1481 = (1536u + _e43);
+    if (((_e54 * 2048u) + _e1481) < _e62) {
+        let _e1487 = atomicLoad((&words[_e1481]));
+        values_out.member[_e1354[6]] = _e1487;
     }
-    let _e2623 = (896u + _e54);
-    if (((_e65 * 2048u) + _e2623) < _e73) {
-        let _e2629 = atomicLoad((&words[_e2623]));
-        values_out.member[_e2408[7]] = _e2629;
-    }
-    let _e2631 = (1024u + _e54);
-    if (((_e65 * 2048u) + _e2631) < _e73) {
-        let _e2637 = atomicLoad((&words[_e2631]));
-        values_out.member[_e2408[8]] = _e2637;
-    }
-    let _e2639 = (1152u + _e54);
-    if (((_e65 * 2048u) + _e2639) < _e73) {
-        let _e2645 = atomicLoad((&words[_e2639]));
-        values_out.member[_e2408[9]] = _e2645;
-    }
-    let _e2647 = (1280u + _e54);
-    if (((_e65 * 2048u) + _e2647) < _e73) {
-        let _e2653 = atomicLoad((&words[_e2647]));
-        values_out.member[_e2408[10]] = _e2653;
-    }
-    let _e2655 = (1408u + _e54);
-    if (((_e65 * 2048u) + _e2655) < _e73) {
-        let _e2661 = atomicLoad((&words[_e2655]));
-        values_out.member[_e2408[11]] = _e2661;
-    }
-    let _e2663 = (1536u + _e54);
-    if (((_e65 * 2048u) + _e2663) < _e73) {
-        let _e2669 = atomicLoad((&words[_e2663]));
-        values_out.member[_e2408[12]] = _e2669;
-    }
-    let _e2671 = (1664u + _e54);
-    if (((_e65 * 2048u) + _e2671) < _e73) {
-        let _e2677 = atomicLoad((&words[_e2671]));
-        values_out.member[_e2408[13]] = _e2677;
-    }
-    let _e2679 = (1792u + _e54);
-    if (((_e65 * 2048u) + _e2679) < _e73) {
-        let _e2685 = atomicLoad((&words[_e2679]));
-        values_out.member[_e2408[14]] = _e2685;
-    }
-    let _e2687 = (1920u + _e54);
-    if (((_e65 * 2048u) + _e2687) < _e73) {
-        let _e2693 = atomicLoad((&words[_e2687]));
-        values_out.member[_e2408[15]] = _e2693;
+    let _e1489 = (1792u + _e43);
+    if (((_e54 * 2048u) + _e1489) < _e62) {
+        let _e1495 = atomicLoad((&words[_e1489]));
+        values_out.member[_e1354[7]] = _e1495;
     }
     return;
 }
 
-@compute @workgroup_size(128, 1, 1) 
+@compute @workgroup_size(256, 1, 1) 
 fn sort_scatter(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     function_(id, n, lane);
 }

@@ -89,27 +89,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_2: type_18;
     var local_3: type_22;
     var local_4: type_18;
-    var phi_146_: u32;
-    var phi_160_: type_9;
-    var phi_272_: type_9;
-    var phi_275_: f32;
-    var phi_276_: f32;
+    var phi_149_: u32;
+    var phi_163_: type_9;
+    var phi_275_: type_9;
+    var phi_278_: f32;
+    var phi_279_: f32;
     var local_5: f32;
     var local_6: f32;
-    var phi_338_: f32;
-    var phi_390_: type_9;
-    var phi_478_: u32;
-    var phi_501_: type_9;
-    var phi_504_: u32;
-    var phi_506_: u32;
-    var phi_508_: u32;
-    var phi_505_: u32;
-    var phi_507_: u32;
-    var phi_509_: u32;
-    var local_7: u32;
-    var local_8: u32;
-    var local_9: u32;
-    var local_10: u32;
+    var phi_341_: f32;
+    var phi_393_: type_9;
+    var phi_481_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -117,182 +106,213 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e51 = id_2;
-    let _e52 = n_2;
-    let _e53 = lane_2;
-    let _e66 = ((((_e51.y * _e52.x) + _e51.x) * 256u) + _e53);
-    let _e70 = params.member.member.member_2[3u];
-    if (_e66 < _e70) {
-        let _e75 = params.member.member.member_2[2u];
-        if (_e66 >= _e75) {
-            phi_146_ = 2u;
+    let _e58 = id_2;
+    let _e59 = n_2;
+    let _e60 = lane_2;
+    let _e73 = ((((_e58.y * _e59.x) + _e58.x) * 256u) + _e60);
+    let _e77 = params.member.member.member_2[3u];
+    if (_e73 < _e77) {
+        let _e82 = params.member.member.member_2[2u];
+        if (_e73 >= _e82) {
+            phi_149_ = 2u;
         } else {
-            let _e78 = params.member.member.member_2[1u];
-            phi_146_ = select(0u, 1u, (_e66 >= _e78));
+            let _e85 = params.member.member.member_2[1u];
+            phi_149_ = select(0u, 1u, (_e73 >= _e85));
         }
-        let _e82 = phi_146_;
-        let _e84 = worlds.member[_e66];
-        let _e85 = (6u * _e84);
+        let _e89 = phi_149_;
+        let _e91 = worlds.member[_e73];
+        let _e92 = (6u * _e91);
         local_2 = type_18(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_160_ = type_9(0u, 3u);
+        phi_163_ = type_9(0u, 3u);
         loop {
-            let _e87 = phi_160_;
-            let _e90 = (_e87.member < _e87.member_1);
-            let _e101 = select(type_9().member_1, _e87.member, _e90);
-            let _e103 = (bitcast<i32>(select(0u, 1u, _e90)) != 0i);
-            if _e103 {
-                let _e106 = words.member[(_e85 + _e101)];
-                let _e107 = ~(_e106);
-                local_2.member[_e101] = bitcast<f32>(select(~(_e107), (_e107 & 2147483647u), ((_e107 >> bitcast<u32>(31i)) == 1u)));
-                let _e120 = words.member[((_e85 + 3u) + _e101)];
-                local_2.member_1[_e101] = bitcast<f32>(select(~(_e120), (_e120 & 2147483647u), ((_e120 >> bitcast<u32>(31i)) == 1u)));
+            let _e94 = phi_163_;
+            let _e97 = (_e94.member < _e94.member_1);
+            let _e108 = select(type_9().member_1, _e94.member, _e97);
+            let _e110 = (bitcast<i32>(select(0u, 1u, _e97)) != 0i);
+            if _e110 {
+                let _e113 = words.member[(_e92 + _e108)];
+                let _e114 = ~(_e113);
+                local_2.member[_e108] = bitcast<f32>(select(~(_e114), (_e114 & 2147483647u), ((_e114 >> bitcast<u32>(31i)) == 1u)));
+                let _e127 = words.member[((_e92 + 3u) + _e108)];
+                local_2.member_1[_e108] = bitcast<f32>(select(~(_e127), (_e127 & 2147483647u), ((_e127 >> bitcast<u32>(31i)) == 1u)));
             }
             continue;
             continuing {
-                phi_160_ = type_9(select(_e87.member, (_e87.member + 1u), _e90), select(_e87.member_1, _e87.member_1, _e90));
-                break if !(_e103);
+                phi_163_ = type_9(select(_e94.member, (_e94.member + 1u), _e97), select(_e94.member_1, _e94.member_1, _e97));
+                break if !(_e110);
             }
         }
-        let _e131 = local_2;
-        local_4 = _e131;
-        phi_272_ = type_9(0u, 3u);
-        phi_275_ = 0f;
+        let _e138 = local_2;
+        local_4 = _e138;
+        phi_275_ = type_9(0u, 3u);
+        phi_278_ = 0f;
         loop {
-            let _e133 = phi_272_;
-            let _e135 = phi_275_;
-            local_5 = _e135;
-            local_6 = _e135;
-            let _e138 = (_e133.member < _e133.member_1);
-            let _e149 = select(type_9().member_1, _e133.member, _e138);
-            let _e151 = (bitcast<i32>(select(0u, 1u, _e138)) != 0i);
-            if _e151 {
-                let _e154 = local_4.member_1[_e149];
-                let _e158 = local_4.member[_e149];
-                let _e160 = ((_e154 * 0.5f) - (_e158 * 0.5f));
-                phi_276_ = select(_e135, _e160, (_e160 > _e135));
+            let _e140 = phi_275_;
+            let _e142 = phi_278_;
+            local_5 = _e142;
+            local_6 = _e142;
+            let _e145 = (_e140.member < _e140.member_1);
+            let _e156 = select(type_9().member_1, _e140.member, _e145);
+            let _e158 = (bitcast<i32>(select(0u, 1u, _e145)) != 0i);
+            if _e158 {
+                let _e161 = local_4.member_1[_e156];
+                let _e165 = local_4.member[_e156];
+                let _e167 = ((_e161 * 0.5f) - (_e165 * 0.5f));
+                phi_279_ = select(_e142, _e167, (_e167 > _e142));
             } else {
-                phi_276_ = f32();
+                phi_279_ = f32();
             }
-            let _e164 = phi_276_;
+            let _e171 = phi_279_;
             continue;
             continuing {
-                phi_272_ = type_9(select(_e133.member, (_e133.member + 1u), _e138), select(_e133.member_1, _e133.member_1, _e138));
-                phi_275_ = _e164;
-                break if !(_e151);
+                phi_275_ = type_9(select(_e140.member, (_e140.member + 1u), _e145), select(_e140.member_1, _e140.member_1, _e145));
+                phi_278_ = _e171;
+                break if !(_e158);
             }
         }
-        let _e167 = local_5;
-        if (_e167 > 0.000000000000000000000000000001f) {
-            let _e171 = local_6;
-            phi_338_ = ((0.5f * 1024f) / _e171);
+        let _e174 = local_5;
+        if (_e174 > 0.000000000000000000000000000001f) {
+            let _e178 = local_6;
+            phi_341_ = ((0.5f * 1024f) / _e178);
         } else {
-            phi_338_ = 0f;
+            phi_341_ = 0f;
         }
-        let _e174 = phi_338_;
-        let _e176 = local_4.member;
-        local_3 = type_22(_e176, _e174, (1024f - 1f));
-        let _e181 = params.member.member_2.member;
-        let _e183 = boxes.member[_e66];
-        local_1 = type_18(array<f32, 3>(_e183.member.x, _e183.member.y, _e183.member_1.x), array<f32, 3>(_e183.member_1.y, _e183.member_2.x, _e183.member_2.y));
+        let _e181 = phi_341_;
+        let _e183 = local_4.member;
+        local_3 = type_22(_e183, _e181, (1024f - 1f));
+        let _e188 = params.member.member_2.member;
+        let _e190 = boxes.member[_e73];
+        local_1 = type_18(array<f32, 3>(_e190.member.x, _e190.member.y, _e190.member_1.x), array<f32, 3>(_e190.member_1.y, _e190.member_2.x, _e190.member_2.y));
         local = array<u32, 3>(0u, 0u, 0u);
-        phi_390_ = type_9(0u, 3u);
+        phi_393_ = type_9(0u, 3u);
         loop {
-            let _e200 = phi_390_;
-            let _e203 = (_e200.member < _e200.member_1);
-            let _e214 = select(type_9().member_1, _e200.member, _e203);
-            let _e216 = (bitcast<i32>(select(0u, 1u, _e203)) != 0i);
-            if _e216 {
-                let _e219 = local_1.member[_e214];
-                let _e223 = local_1.member_1[_e214];
-                let _e228 = local_3.member[_e214];
-                let _e231 = local_3.member_1;
-                let _e232 = ((((_e219 * 0.5f) + (_e223 * 0.5f)) - _e228) * _e231);
-                let _e234 = local_3.member_2;
-                if (_e232 >= _e234) {
-                    let _e244 = local_3.member_2;
-                    phi_478_ = select(select(u32(_e244), 0u, (_e244 < 0f)), 4294967295u, (_e244 > 4294967000f));
+            let _e207 = phi_393_;
+            let _e210 = (_e207.member < _e207.member_1);
+            let _e221 = select(type_9().member_1, _e207.member, _e210);
+            let _e223 = (bitcast<i32>(select(0u, 1u, _e210)) != 0i);
+            if _e223 {
+                let _e226 = local_1.member[_e221];
+                let _e230 = local_1.member_1[_e221];
+                let _e235 = local_3.member[_e221];
+                let _e238 = local_3.member_1;
+                let _e239 = ((((_e226 * 0.5f) + (_e230 * 0.5f)) - _e235) * _e238);
+                let _e241 = local_3.member_2;
+                if (_e239 >= _e241) {
+                    let _e251 = local_3.member_2;
+                    phi_481_ = select(select(u32(_e251), 0u, (_e251 < 0f)), 4294967295u, (_e251 > 4294967000f));
                 } else {
-                    phi_478_ = select(0u, select(select(u32(_e232), 0u, (_e232 < 0f)), 4294967295u, (_e232 > 4294967000f)), (_e232 > 0f));
+                    phi_481_ = select(0u, select(select(u32(_e239), 0u, (_e239 < 0f)), 4294967295u, (_e239 > 4294967000f)), (_e239 > 0f));
                 }
-                let _e251 = phi_478_;
-                local[_e214] = _e251;
+                let _e258 = phi_481_;
+                local[_e221] = _e258;
             }
             continue;
             continuing {
-                phi_390_ = type_9(select(_e200.member, (_e200.member + 1u), _e203), select(_e200.member_1, _e200.member_1, _e203));
-                break if !(_e216);
+                phi_393_ = type_9(select(_e207.member, (_e207.member + 1u), _e210), select(_e207.member_1, _e207.member_1, _e210));
+                break if !(_e223);
             }
         }
-        let _e254 = local;
-        phi_501_ = type_9(1u, 10u);
-        phi_504_ = _e254[2];
-        phi_506_ = _e254[0];
-        phi_508_ = _e254[1];
-        loop {
-            let _e259 = phi_501_;
-            let _e261 = phi_504_;
-            let _e263 = phi_506_;
-            let _e265 = phi_508_;
-            local_7 = _e265;
-            local_8 = _e263;
-            local_9 = _e261;
-            local_10 = _e263;
-            let _e268 = (_e259.member < _e259.member_1);
-            let _e281 = (bitcast<i32>(select(0u, 1u, _e268)) != 0i);
-            if _e281 {
-                let _e282 = (10u - select(type_9().member_1, _e259.member, _e268));
-                let _e286 = ((1u << bitcast<u32>((_e282 & 31u))) - 1u);
-                let _e293 = (_e263 ^ (_e286 & (0u - ((_e263 >> bitcast<u32>((_e282 & 31u))) & 1u))));
-                let _e298 = (0u - ((_e265 >> bitcast<u32>((_e282 & 31u))) & 1u));
-                let _e302 = (((_e293 ^ _e265) & _e286) & ~(_e298));
-                let _e305 = ((_e293 ^ (_e286 & _e298)) ^ _e302);
-                let _e311 = (0u - ((_e261 >> bitcast<u32>((_e282 & 31u))) & 1u));
-                let _e315 = (((_e305 ^ _e261) & _e286) & ~(_e311));
-                phi_505_ = (_e261 ^ _e315);
-                phi_507_ = ((_e305 ^ (_e286 & _e311)) ^ _e315);
-                phi_509_ = (_e265 ^ _e302);
-            } else {
-                phi_505_ = u32();
-                phi_507_ = u32();
-                phi_509_ = u32();
-            }
-            let _e321 = phi_505_;
-            let _e323 = phi_507_;
-            let _e325 = phi_509_;
-            continue;
-            continuing {
-                phi_501_ = type_9(select(_e259.member, (_e259.member + 1u), _e268), select(_e259.member_1, _e259.member_1, _e268));
-                phi_504_ = _e321;
-                phi_506_ = _e323;
-                phi_508_ = _e325;
-                break if !(_e281);
-            }
-        }
-        let _e328 = local_7;
-        let _e330 = local_8;
-        let _e331 = (_e328 ^ _e330);
-        let _e333 = local_9;
-        let _e334 = (_e333 ^ _e331);
-        let _e337 = (_e334 ^ (_e334 >> bitcast<u32>(1i)));
-        let _e340 = (_e337 ^ (_e337 >> bitcast<u32>(2i)));
-        let _e343 = (_e340 ^ (_e340 >> bitcast<u32>(4i)));
-        let _e346 = (_e343 ^ (_e343 >> bitcast<u32>(8i)));
-        let _e351 = ((_e346 ^ (_e346 >> bitcast<u32>(16i))) >> bitcast<u32>(1i));
-        let _e353 = local_10;
-        let _e357 = ((_e353 ^ _e351) & 1023u);
-        let _e361 = ((_e357 | (_e357 << bitcast<u32>(16i))) & 50331903u);
-        let _e365 = ((_e361 | (_e361 << bitcast<u32>(8i))) & 50393103u);
-        let _e369 = ((_e365 | (_e365 << bitcast<u32>(4i))) & 51130563u);
-        let _e376 = ((_e331 ^ _e351) & 1023u);
-        let _e380 = ((_e376 | (_e376 << bitcast<u32>(16i))) & 50331903u);
-        let _e384 = ((_e380 | (_e380 << bitcast<u32>(8i))) & 50393103u);
-        let _e388 = ((_e384 | (_e384 << bitcast<u32>(4i))) & 51130563u);
-        let _e396 = ((_e334 ^ _e351) & 1023u);
-        let _e400 = ((_e396 | (_e396 << bitcast<u32>(16i))) & 50331903u);
-        let _e404 = ((_e400 | (_e400 << bitcast<u32>(8i))) & 50393103u);
-        let _e408 = ((_e404 | (_e404 << bitcast<u32>(4i))) & 51130563u);
-        keys.member[_e66] = (((_e82 << bitcast<u32>(30i)) | (_e84 << bitcast<u32>(((30u - _e181) & 31u)))) | ((((((_e369 | (_e369 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(2i)) | (((_e388 | (_e388 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(1i))) | ((_e408 | (_e408 << bitcast<u32>(2i))) & 153391689u)) >> bitcast<u32>((_e181 & 31u))));
-        order.member[_e66] = _e66;
+        let _e261 = local;
+        let _e270 = (_e261[0] ^ (511u & (0u - ((_e261[0] >> bitcast<u32>(9u)) & 1u))));
+        let _e274 = (0u - ((_e261[1] >> bitcast<u32>(9u)) & 1u));
+        let _e278 = (((_e270 ^ _e261[1]) & 511u) & ~(_e274));
+        let _e281 = ((_e270 ^ (511u & _e274)) ^ _e278);
+        let _e282 = (_e261[1] ^ _e278);
+        let _e286 = (0u - ((_e261[2] >> bitcast<u32>(9u)) & 1u));
+        let _e290 = (((_e281 ^ _e261[2]) & 511u) & ~(_e286));
+        let _e293 = ((_e281 ^ (511u & _e286)) ^ _e290);
+        let _e294 = (_e261[2] ^ _e290);
+        let _e300 = (_e293 ^ (255u & (0u - ((_e293 >> bitcast<u32>(8u)) & 1u))));
+        let _e304 = (0u - ((_e282 >> bitcast<u32>(8u)) & 1u));
+        let _e308 = (((_e300 ^ _e282) & 255u) & ~(_e304));
+        let _e311 = ((_e300 ^ (255u & _e304)) ^ _e308);
+        let _e312 = (_e282 ^ _e308);
+        let _e316 = (0u - ((_e294 >> bitcast<u32>(8u)) & 1u));
+        let _e320 = (((_e311 ^ _e294) & 255u) & ~(_e316));
+        let _e323 = ((_e311 ^ (255u & _e316)) ^ _e320);
+        let _e324 = (_e294 ^ _e320);
+        let _e330 = (_e323 ^ (127u & (0u - ((_e323 >> bitcast<u32>(7u)) & 1u))));
+        let _e334 = (0u - ((_e312 >> bitcast<u32>(7u)) & 1u));
+        let _e338 = (((_e330 ^ _e312) & 127u) & ~(_e334));
+        let _e341 = ((_e330 ^ (127u & _e334)) ^ _e338);
+        let _e342 = (_e312 ^ _e338);
+        let _e346 = (0u - ((_e324 >> bitcast<u32>(7u)) & 1u));
+        let _e350 = (((_e341 ^ _e324) & 127u) & ~(_e346));
+        let _e353 = ((_e341 ^ (127u & _e346)) ^ _e350);
+        let _e354 = (_e324 ^ _e350);
+        let _e360 = (_e353 ^ (63u & (0u - ((_e353 >> bitcast<u32>(6u)) & 1u))));
+        let _e364 = (0u - ((_e342 >> bitcast<u32>(6u)) & 1u));
+        let _e368 = (((_e360 ^ _e342) & 63u) & ~(_e364));
+        let _e371 = ((_e360 ^ (63u & _e364)) ^ _e368);
+        let _e372 = (_e342 ^ _e368);
+        let _e376 = (0u - ((_e354 >> bitcast<u32>(6u)) & 1u));
+        let _e380 = (((_e371 ^ _e354) & 63u) & ~(_e376));
+        let _e383 = ((_e371 ^ (63u & _e376)) ^ _e380);
+        let _e384 = (_e354 ^ _e380);
+        let _e390 = (_e383 ^ (31u & (0u - ((_e383 >> bitcast<u32>(5u)) & 1u))));
+        let _e394 = (0u - ((_e372 >> bitcast<u32>(5u)) & 1u));
+        let _e398 = (((_e390 ^ _e372) & 31u) & ~(_e394));
+        let _e401 = ((_e390 ^ (31u & _e394)) ^ _e398);
+        let _e402 = (_e372 ^ _e398);
+        let _e406 = (0u - ((_e384 >> bitcast<u32>(5u)) & 1u));
+        let _e410 = (((_e401 ^ _e384) & 31u) & ~(_e406));
+        let _e413 = ((_e401 ^ (31u & _e406)) ^ _e410);
+        let _e414 = (_e384 ^ _e410);
+        let _e420 = (_e413 ^ (15u & (0u - ((_e413 >> bitcast<u32>(4u)) & 1u))));
+        let _e424 = (0u - ((_e402 >> bitcast<u32>(4u)) & 1u));
+        let _e428 = (((_e420 ^ _e402) & 15u) & ~(_e424));
+        let _e431 = ((_e420 ^ (15u & _e424)) ^ _e428);
+        let _e432 = (_e402 ^ _e428);
+        let _e436 = (0u - ((_e414 >> bitcast<u32>(4u)) & 1u));
+        let _e440 = (((_e431 ^ _e414) & 15u) & ~(_e436));
+        let _e443 = ((_e431 ^ (15u & _e436)) ^ _e440);
+        let _e444 = (_e414 ^ _e440);
+        let _e450 = (_e443 ^ (7u & (0u - ((_e443 >> bitcast<u32>(3u)) & 1u))));
+        let _e454 = (0u - ((_e432 >> bitcast<u32>(3u)) & 1u));
+        let _e458 = (((_e450 ^ _e432) & 7u) & ~(_e454));
+        let _e461 = ((_e450 ^ (7u & _e454)) ^ _e458);
+        let _e462 = (_e432 ^ _e458);
+        let _e466 = (0u - ((_e444 >> bitcast<u32>(3u)) & 1u));
+        let _e470 = (((_e461 ^ _e444) & 7u) & ~(_e466));
+        let _e473 = ((_e461 ^ (7u & _e466)) ^ _e470);
+        let _e474 = (_e444 ^ _e470);
+        let _e480 = (_e473 ^ (3u & (0u - ((_e473 >> bitcast<u32>(2u)) & 1u))));
+        let _e484 = (0u - ((_e462 >> bitcast<u32>(2u)) & 1u));
+        let _e488 = (((_e480 ^ _e462) & 3u) & ~(_e484));
+        let _e491 = ((_e480 ^ (3u & _e484)) ^ _e488);
+        let _e492 = (_e462 ^ _e488);
+        let _e496 = (0u - ((_e474 >> bitcast<u32>(2u)) & 1u));
+        let _e500 = (((_e491 ^ _e474) & 3u) & ~(_e496));
+        let _e503 = ((_e491 ^ (3u & _e496)) ^ _e500);
+        let _e504 = (_e474 ^ _e500);
+        let _e510 = (_e503 ^ (1u & (0u - ((_e503 >> bitcast<u32>(1u)) & 1u))));
+        let _e514 = (0u - ((_e492 >> bitcast<u32>(1u)) & 1u));
+        let _e518 = (((_e510 ^ _e492) & 1u) & ~(_e514));
+        let _e521 = ((_e510 ^ (1u & _e514)) ^ _e518);
+        let _e526 = (0u - ((_e504 >> bitcast<u32>(1u)) & 1u));
+        let _e530 = (((_e521 ^ _e504) & 1u) & ~(_e526));
+        let _e533 = ((_e521 ^ (1u & _e526)) ^ _e530);
+        let _e535 = ((_e492 ^ _e518) ^ _e533);
+        let _e536 = ((_e504 ^ _e530) ^ _e535);
+        let _e539 = (_e536 ^ (_e536 >> bitcast<u32>(1i)));
+        let _e542 = (_e539 ^ (_e539 >> bitcast<u32>(2i)));
+        let _e545 = (_e542 ^ (_e542 >> bitcast<u32>(4i)));
+        let _e548 = (_e545 ^ (_e545 >> bitcast<u32>(8i)));
+        let _e553 = ((_e548 ^ (_e548 >> bitcast<u32>(16i))) >> bitcast<u32>(1i));
+        let _e557 = ((_e533 ^ _e553) & 1023u);
+        let _e561 = ((_e557 | (_e557 << bitcast<u32>(16i))) & 50331903u);
+        let _e565 = ((_e561 | (_e561 << bitcast<u32>(8i))) & 50393103u);
+        let _e569 = ((_e565 | (_e565 << bitcast<u32>(4i))) & 51130563u);
+        let _e576 = ((_e535 ^ _e553) & 1023u);
+        let _e580 = ((_e576 | (_e576 << bitcast<u32>(16i))) & 50331903u);
+        let _e584 = ((_e580 | (_e580 << bitcast<u32>(8i))) & 50393103u);
+        let _e588 = ((_e584 | (_e584 << bitcast<u32>(4i))) & 51130563u);
+        let _e596 = ((_e536 ^ _e553) & 1023u);
+        let _e600 = ((_e596 | (_e596 << bitcast<u32>(16i))) & 50331903u);
+        let _e604 = ((_e600 | (_e600 << bitcast<u32>(8i))) & 50393103u);
+        let _e608 = ((_e604 | (_e604 << bitcast<u32>(4i))) & 51130563u);
+        keys.member[_e73] = (((_e89 << bitcast<u32>(30i)) | (_e91 << bitcast<u32>(((30u - _e188) & 31u)))) | ((((((_e569 | (_e569 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(2i)) | (((_e588 | (_e588 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(1i))) | ((_e608 | (_e608 << bitcast<u32>(2i))) & 153391689u)) >> bitcast<u32>((_e188 & 31u))));
+        order.member[_e73] = _e73;
     }
     return;
 }

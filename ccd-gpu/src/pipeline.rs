@@ -33,7 +33,7 @@ impl Pipeline {
     /// Compiles a kernel, through one of the paths for shaders, or takes it from the cache.
     pub fn compile(
         device: &wgpu::Device,
-        path: Path,
+        (path, backend): (Path, wgpu::Backend),
         id: Id,
         cache: Option<&wgpu::PipelineCache>,
         checked: Option<&Checked>,
@@ -44,10 +44,22 @@ impl Pipeline {
             Path::Wgsl => {
                 let source = String::from_utf8(module()).unwrap_or_default();
                 let source = wgpu::ShaderSource::Wgsl(source.into());
-                device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                    label: Some(row.name),
-                    source,
-                })
+                let descriptor = wgpu::ShaderModuleDescriptor { label: Some(row.name), source };
+                if backend == wgpu::Backend::Vulkan {
+                    let checks = wgpu::ShaderRuntimeChecks {
+                        bounds_checks: false,
+                        force_loop_bounding: false,
+                        ..wgpu::ShaderRuntimeChecks::checked()
+                    };
+                    // SAFETY: of indices as for SPIR-V below, of which these modules are
+                    // translations. Every loop has a bound.
+                    #[allow(unsafe_code, reason = "wgpu trusts no shader to stay in its memory")]
+                    unsafe {
+                        device.create_shader_module_trusted(descriptor, checks)
+                    }
+                } else {
+                    device.create_shader_module(descriptor)
+                }
             }
             Path::Passthrough => {
                 let spirv =

@@ -3,27 +3,29 @@
 use crate::entry::kernel;
 use crate::workgroup::{add_shared, barrier, get, or_shared, set};
 use ccd_core::backend::kernel::memory::{at, put};
-use ccd_core::backend::kernel::sort::{DIGITS, KEYS, THREADS, TILE, before, digit, place};
+use ccd_core::backend::kernel::sort::{
+    COUNT_THREADS, DIGITS, KEYS, THREADS, TILE, before, digit, place,
+};
 
 /// Runs of 32 threads of a workgroup.
 const RUNS: u32 = THREADS / 32;
-/// Masks of one key a thread.
-const HALF: u32 = RUNS * DIGITS;
+/// Words of the counts of a run: two digits in one, which are below 2^16.
+const PAIRS: u32 = DIGITS / 2;
 
 kernel! {
     /// A workgroup counts the digits of its tile into `table[digit n_tiles + tile]`.
     sort_count[128](t; params: SortPass; counts: [u32; 256]; keys: [u32], mut table: [u32]) {
         let tile = t.group;
         set(counts, t.lane, 0);
-        set(counts, t.lane + THREADS, 0);
+        set(counts, t.lane + COUNT_THREADS, 0);
         barrier();
         let first = tile * TILE + t.lane;
         let shift = params.args.shift;
         // All loads before the first addition, so that they overlap.
         macro_rules! count {
             ($($k:literal)*) => {
-                let loaded = [$(load(keys, params.dispatch.n, first + $k * THREADS)),*];
-                $(if first + $k * THREADS < params.dispatch.n {
+                let loaded = [$(load(keys, params.dispatch.n, first + $k * COUNT_THREADS)),*];
+                $(if first + $k * COUNT_THREADS < params.dispatch.n {
                     add_shared(counts, digit(loaded[$k], shift), 1);
                 })*
             };
@@ -32,7 +34,7 @@ kernel! {
         barrier();
         if tile < params.args.n_tiles {
             for half in 0..2 {
-                let d = t.lane + half * THREADS;
+                let d = t.lane + half * COUNT_THREADS;
                 put(table, (d * params.args.n_tiles + tile) as usize, get(counts, d));
             }
         }
@@ -114,7 +116,7 @@ kernel! {
     /// A workgroup moves the keys and values of its tile to where they belong after this pass:
     /// first within the tile, in workgroup memory, so that neighbouring threads then write
     /// neighbouring words.
-    sort_scatter[128](t; params: SortPass; words: [u32; 2048], counts: [u32; 1024],
+    sort_scatter[256](t; params: SortPass; words: [u32; 2048], counts: [u32; 1024],
         starts: [u32; 256]; table: [u32], keys: [u32], values: [u32], mut keys_out: [u32],
         mut values_out: [u32]) {
         let tile = t.group;
@@ -122,124 +124,119 @@ kernel! {
         let n_tiles = params.args.n_tiles;
         // Unrolled, so that what is indexed by `k` stays in registers.
         macro_rules! move_all {
-            ($($k:literal $second:literal)*) => {
+            ($($k:literal)*) => {
                 let (mut sorted, mut carried) = ([0u32; KEYS as usize], [0u32; KEYS as usize]);
                 // All loads before the first barrier, so that they overlap.
                 $(
                     sorted[$k] = load(keys, n_keys, tile * TILE + place(t.lane, $k));
-                    sorted[$second] = load(keys, n_keys, tile * TILE + place(t.lane, $second));
                     carried[$k] = load(values, n_keys, tile * TILE + place(t.lane, $k));
-                    carried[$second] = load(values, n_keys, tile * TILE + place(t.lane, $second));
                 )*
-                for k in 0..8 {
+                for k in 0..RUNS * DIGITS / THREADS {
                     set(words, k * THREADS + t.lane, 0);
-                    set(words, HALF + k * THREADS + t.lane, 0);
+                }
+                for k in 0..RUNS * PAIRS / THREADS {
                     set(counts, k * THREADS + t.lane, 0);
                 }
                 barrier();
-                // Rank of every key among those of the same digit before it in its run; two
-                // keys a thread between barriers. The words are masks of lanes.
+                // Rank of every key among those of the same digit before it in its run. The words
+                // are masks of lanes.
                 let mut ranks = [0u32; KEYS as usize];
                 $(
                     let active = tile * TILE + place(t.lane, $k) < n_keys;
-                    let next_there = tile * TILE + place(t.lane, $second) < n_keys;
-                    let first = run + digit(sorted[$k], shift);
-                    let second = run + digit(sorted[$second], shift);
+                    let slot = run + digit(sorted[$k], shift);
                     if active {
-                        or_shared(words, first, 1 << (t.lane % 32));
-                    }
-                    if next_there {
-                        or_shared(words, HALF + second, 1 << (t.lane % 32));
+                        or_shared(words, slot, 1 << (t.lane % 32));
                     }
                     barrier();
-                    let (mask, next_mask) = (get(words, first), get(words, HALF + second));
-                    let (earlier, next_earlier) = (before(mask, t.lane), before(next_mask, t.lane));
-                    ranks[$k] = get(counts, first) + earlier;
-                    ranks[$second] =
-                        get(counts, second) + get(words, second).count_ones() + next_earlier;
+                    let mask = get(words, slot);
+                    let earlier = before(mask, t.lane);
+                    ranks[$k] = half(get(counts, slot / 2), slot) + earlier;
                     barrier();
                     if active && earlier == 0 {
-                        add_shared(counts, first, mask.count_ones());
-                        set(words, first, 0);
-                    }
-                    if next_there && next_earlier == 0 {
-                        add_shared(counts, second, next_mask.count_ones());
-                        set(words, HALF + second, 0);
+                        add_shared(counts, slot / 2, mask.count_ones() << (16 * (slot % 2)));
+                        set(words, slot, 0);
                     }
                     barrier();
                 )*
-                // Where each digit starts in the tile and in all: a thread has two digits. Masks
-                // are of no more use.
-                let (mut here, mut all) = (0, 0);
-                for half in 0..2 {
-                    let d = 2 * t.lane + half;
+                // Where each digit starts in the tile and in all: the first threads have two digits
+                // each. Masks are of no more use.
+                let (mut here, mut all) = ([0, 0], [0, 0]);
+                let d = 2 * t.lane;
+                let mut both = 0;
+                if t.lane < PAIRS {
                     for r in 0..RUNS {
-                        here += get(counts, r * DIGITS + d);
+                        both += get(counts, r * PAIRS + t.lane);
                     }
-                    all += at(table, (DIGITS * n_tiles + d) as usize);
+                    here = [both & 0xffff, both >> 16];
+                    all = [
+                        at(table, (DIGITS * n_tiles + d) as usize),
+                        at(table, (DIGITS * n_tiles + d + 1) as usize),
+                    ];
                 }
-                let mut in_tile = scan(t.lane, 7, HALF, here, words) - here;
-                let mut in_all = scan(t.lane, 7, HALF, all, words) - all;
-                for half in 0..2 {
-                    let d = 2 * t.lane + half;
-                    let in_tiles =
-                        if tile < n_tiles { at(table, (d * n_tiles + tile) as usize) } else { 0 };
-                    // What a key of this digit adds to its place in the tile.
-                    set(starts, d, (in_all + in_tiles).wrapping_sub(in_tile));
-                    in_all += at(table, (DIGITS * n_tiles + d) as usize);
+                let sum = [here[0] + here[1], all[0] + all[1]];
+                let in_tile = scan(t.lane, 8, THREADS, sum[0], words) - sum[0];
+                let in_all = scan(t.lane, 8, THREADS, sum[1], words) - sum[1];
+                if t.lane < PAIRS {
+                    let mut in_tiles = [0, 0];
+                    if tile < n_tiles {
+                        in_tiles = [
+                            at(table, (d * n_tiles + tile) as usize),
+                            at(table, ((d + 1) * n_tiles + tile) as usize),
+                        ];
+                    }
+                    // What a key of these digits adds to its place in the tile.
+                    let second = in_tile + here[0];
+                    set(starts, d, (in_all + in_tiles[0]).wrapping_sub(in_tile));
+                    set(starts, d + 1, (in_all + all[0] + in_tiles[1]).wrapping_sub(second));
+                    let mut begin = in_tile | second << 16;
                     for r in 0..RUNS {
-                        let count = get(counts, r * DIGITS + d);
-                        set(counts, r * DIGITS + d, in_tile);
-                        in_tile += count;
+                        let count = get(counts, r * PAIRS + t.lane);
+                        set(counts, r * PAIRS + t.lane, begin);
+                        begin += count;
                     }
                 }
                 barrier();
                 // The words are now the keys of the tile in order, then its values.
-                macro_rules! keep {
-                    ($i:literal) => {
-                        if tile * TILE + place(t.lane, $i) < n_keys {
-                            ranks[$i] += get(counts, run + digit(sorted[$i], shift));
-                            set(words, ranks[$i], sorted[$i]);
-                        }
-                    };
-                }
-                $(keep!($k); keep!($second);)*
+                $(
+                    if tile * TILE + place(t.lane, $k) < n_keys {
+                        let slot = run + digit(sorted[$k], shift);
+                        ranks[$k] += half(get(counts, slot / 2), slot);
+                        set(words, ranks[$k], sorted[$k]);
+                    }
+                )*
                 barrier();
                 // `sorted` is from here on where the words go.
-                macro_rules! hand_over {
-                    ($i:literal) => {
-                        let i = $i * THREADS + t.lane;
-                        if tile * TILE + i < n_keys {
-                            let key = get(words, i);
-                            sorted[$i] = get(starts, digit(key, shift)).wrapping_add(i);
-                            put(keys_out, sorted[$i] as usize, key);
-                        }
-                    };
-                }
-                $(hand_over!($k); hand_over!($second);)*
+                $(
+                    let i = $k * THREADS + t.lane;
+                    if tile * TILE + i < n_keys {
+                        let key = get(words, i);
+                        sorted[$k] = get(starts, digit(key, shift)).wrapping_add(i);
+                        put(keys_out, sorted[$k] as usize, key);
+                    }
+                )*
                 barrier();
-                macro_rules! keep_value {
-                    ($i:literal) => {
-                        if tile * TILE + place(t.lane, $i) < n_keys {
-                            set(words, ranks[$i], carried[$i]);
-                        }
-                    };
-                }
-                $(keep_value!($k); keep_value!($second);)*
+                $(
+                    if tile * TILE + place(t.lane, $k) < n_keys {
+                        set(words, ranks[$k], carried[$k]);
+                    }
+                )*
                 barrier();
-                macro_rules! hand_over_value {
-                    ($i:literal) => {
-                        let i = $i * THREADS + t.lane;
-                        if tile * TILE + i < n_keys {
-                            put(values_out, sorted[$i] as usize, get(words, i));
-                        }
-                    };
-                }
-                $(hand_over_value!($k); hand_over_value!($second);)*
+                $(
+                    let i = $k * THREADS + t.lane;
+                    if tile * TILE + i < n_keys {
+                        put(values_out, sorted[$k] as usize, get(words, i));
+                    }
+                )*
             };
         }
-        move_all!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+        move_all!(0 1 2 3 4 5 6 7);
     }
+}
+
+/// The count of a digit, of the two in a word.
+#[inline(always)]
+fn half(word: u32, digit: u32) -> u32 {
+    word >> (16 * (digit % 2)) & 0xffff
 }
 
 /// Element `i` of `n`, 0 past the end.

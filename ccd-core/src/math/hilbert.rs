@@ -10,16 +10,36 @@
 /// `bits` from 1 to 32, coordinates below `2^bits`.
 #[inline]
 pub fn hilbert_cell(cell: [u32; 3], bits: u32) -> [u32; 3] {
-    let [mut x, mut y, mut z] = cell;
+    let mut turned = cell;
     for k in 1..bits {
-        let bit = bits - k;
-        let below = (1 << bit) - 1;
-        x ^= below & is_set(x, bit);
-        (x, y) = turned(x, y, is_set(y, bit), below);
-        (x, z) = turned(x, z, is_set(z, bit), below);
+        turned = turned_at(turned, bits - k);
     }
-    y ^= x;
-    z ^= y;
+    coded(turned)
+}
+
+/// The same for 10 bits, written out: what is a loop here stays one on a device.
+#[inline]
+pub fn hilbert_cell_of_10(cell: [u32; 3]) -> [u32; 3] {
+    let turned = turned_at(turned_at(turned_at(cell, 9), 8), 7);
+    let turned = turned_at(turned_at(turned_at(turned, 6), 5), 4);
+    coded(turned_at(turned_at(turned_at(turned, 3), 2), 1))
+}
+
+/// The cell as the curve inside of its octant of a level sees it.
+#[inline(always)]
+fn turned_at([x, y, z]: [u32; 3], bit: u32) -> [u32; 3] {
+    let below = (1 << bit) - 1;
+    let x = x ^ (below & is_set(x, bit));
+    let (x, y) = turned(x, y, is_set(y, bit), below);
+    let (x, z) = turned(x, z, is_set(z, bit), below);
+    [x, y, z]
+}
+
+/// The cell that is turned at all levels, by Gray code.
+#[inline(always)]
+fn coded([x, y, z]: [u32; 3]) -> [u32; 3] {
+    let y = y ^ x;
+    let z = z ^ y;
     let turns = above(z);
     [x ^ turns, y ^ turns, z ^ turns]
 }
@@ -76,6 +96,14 @@ mod tests {
                     assert!(part.iter().all(|c| octant(c) == octant(&part[0])));
                 }
             }
+        }
+    }
+
+    #[test]
+    fn ten_levels_are_the_same_without_a_loop() {
+        for i in 0..1u32 << 16 {
+            let cell = [0, 7, 13].map(|k: u32| i.wrapping_mul(2_654_435_761) >> k & 1023);
+            assert_eq!(hilbert_cell_of_10(cell), hilbert_cell(cell, 10), "{cell:?}");
         }
     }
 

@@ -37,7 +37,7 @@ const PAIRS_A_GROUP: u32 = 512;
 
 /// Pairs of blocks that a workgroup takes at most. Four at a time take a thread some 1,300 rounds,
 /// and took 2,100 when this was chosen: if all boxes overlap it has 32 candidates of them, each of
-/// which is looked for among excluded features in up to 32 rounds, in eight passes of four shares
+/// which is looked for among excluded features in up to 32 rounds, in eleven passes of three shares
 /// with rounds of their own.
 const BLOCK_PAIRS_A_GROUP: u32 = 96;
 

@@ -90,7 +90,8 @@ impl Device {
         let Inner { device, info, cache, checked, .. } = &*self.inner;
         self.compiled().kernels += 1;
         let cache = cache.as_ref().map(|cache| &cache.kernels);
-        Pipeline::compile(device, info.path, id, cache, checked.as_ref())
+        let how = (info.path, info.adapter.backend);
+        Pipeline::compile(device, how, id, cache, checked.as_ref())
     }
 
     fn compiled(&self) -> MutexGuard<'_, Compilation> {

@@ -9,12 +9,12 @@
 //!
 //! Twin: on a CPU `block_pairs.rs`, whose sink looks at candidates.
 
-use super::block_pairs::{Hits, KEPT, Teams, WANTED, entries};
+use super::block_pairs::{Hits, KEPT, Places, Teams, WANTED, entries};
 use crate::entry::kernel;
 use crate::records::{BoxWords, box_at, ends_at, leaf_at};
 use crate::workgroup::{add_shared, barrier, count, get, set, write_pair};
 use ccd_core::Aabb;
-use ccd_core::backend::broad_phase::block_bvh::{POOL, TEAMS, THREADS, WIDTH, sets, slot};
+use ccd_core::backend::broad_phase::block_bvh::{POOL, TEAMS, THREADS};
 use ccd_core::backend::broad_phase::candidate::{are_neighbours, overlap_surely, wanted};
 use ccd_core::backend::layout::{EDGE_EDGE, Frame, Pair};
 use ccd_core::narrow_phase::cascade;
@@ -25,23 +25,16 @@ impl<const N: usize> Teams<'_, N> {
     #[inline(always)]
     fn hits_of_leaves(&mut self, kind: u32, (pair, some): (Pair, bool)) -> Hits {
         self.clear();
-        let [set_a, set_b] = sets(kind);
-        if self.t.lane % WIDTH == 0 {
-            let (args, team) = (&self.params.args, self.t.lane / WIDTH);
-            set(self.firsts, 2 * team, slot(args, 0, set_a, pair.a * WIDTH) as u32);
-            set(self.firsts, 2 * team + 1, slot(args, 0, set_b, pair.b * WIDTH) as u32);
-        }
         let same = kind == EDGE_EDGE && pair.a == pair.b;
-        let row = self.gather(pair, some, 1, same);
+        let row = self.gather(pair, some, same);
         self.test(row, same, true, 0)
     }
 
     /// Where the two leaves of a hit of the pool are.
     #[inline(always)]
     fn places(&self, h: u32) -> [usize; 2] {
-        let [team, i, j] = self.hit(h);
-        let (a, b) = (get(self.firsts, 2 * team) + i, get(self.firsts, 2 * team + 1) + j);
-        [a as usize, b as usize]
+        let [p, q] = self.hit(h);
+        [p as usize, q as usize]
     }
 
     /// Whether two leaves of a hit, which was counted, are a candidate; if not, it is no longer
@@ -83,13 +76,7 @@ impl<const N: usize> Teams<'_, N> {
     /// Appends the hits of the pool that were kept to `list`, as pairs of ids. `kept`: which of its
     /// shares this thread keeps, as bits.
     #[inline(always)]
-    fn write_kept(
-        &mut self,
-        (kind, n): (u32, u32),
-        kept: u32,
-        leaves: &[UVec4],
-        list: &mut [u32],
-    ) {
+    fn write_kept(&mut self, (kind, n): (u32, u32), kept: u32, leaves: &[UVec4], list: &mut [u32]) {
         let capacity = self.params.dispatch.capacity_out;
         // All threads at once, of which a compiler makes one addition of many.
         let mut to = add_shared(self.counters, KEPT, kept.count_ones());
@@ -173,24 +160,24 @@ impl Teams<'_, 1> {
 kernel! {
     /// From pairs of nodes of level 1 to candidates, as pairs of ids; with `FLAG_ENDS` those that
     /// are near at an end. For exact boxes, without bodies.
-    list_candidates[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
-        ranges: [u32; 1], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512],
-        firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4], ends: [Vec4], input: [u32],
+    list_candidates[128](t; params: Blocks; rows: [u32; 4], columns: [Aabb; 128],
+        names: [u32; 128], ranges: [u32; 1], counters: [u32; 8], n_hits: [u32; 1],
+        hits: [u32; 384]; nodes: [BoxWords], leaves: [UVec4], ends: [Vec4], input: [u32],
         mut output: [u32]) {
-        let n = entries(params, input);
-        Teams { t, params, n, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
+        let (n, at) = (entries(params, input), Places::of(&params.args, 1));
+        Teams { t, params, n, nodes, at, rows, columns, names, ranges, counters, n_hits, hits }
             .list::<false>(leaves, ends, (input, input), input, output);
     }
 }
 
 kernel! {
     /// The same where bodies select pairs or boxes were rounded.
-    list_wanted[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
-        ranges: [u32; 1], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512],
-        firsts: [u32; 8]; nodes: [BoxWords], leaves: [UVec4], ends: [Vec4], bodies: [u32],
+    list_wanted[128](t; params: Blocks; rows: [u32; 4], columns: [Aabb; 128],
+        names: [u32; 128], ranges: [u32; 1], counters: [u32; 8], n_hits: [u32; 1],
+        hits: [u32; 384]; nodes: [BoxWords], leaves: [UVec4], ends: [Vec4], bodies: [u32],
         keys: [u32], input: [u32], mut output: [u32]) {
-        let n = entries(params, input);
-        Teams { t, params, n, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
+        let (n, at) = (entries(params, input), Places::of(&params.args, 1));
+        Teams { t, params, n, nodes, at, rows, columns, names, ranges, counters, n_hits, hits }
             .list::<true>(leaves, ends, (bodies, keys), input, output);
     }
 }

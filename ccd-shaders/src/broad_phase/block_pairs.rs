@@ -14,7 +14,7 @@ use crate::workgroup::{
 };
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{
-    POOL, TEAMS, THREADS, WIDTH, is_still, pack, sets, slot, unpack,
+    POOL, TEAMS, THREADS, WIDTH, is_still, sets, slot,
 };
 use ccd_core::backend::broad_phase::worlds::{meet, range};
 use ccd_core::backend::layout::{Blocks, EDGE_EDGE, Frame, Pair, Params};
@@ -34,7 +34,11 @@ pub(super) struct Teams<'a, const N: usize> {
     /// Entries that are looked at.
     pub n: u32,
     pub nodes: &'a [BoxWords],
-    /// Children of each team's second node that reach into the first, and their numbers.
+    /// Where the nodes are.
+    pub at: Places,
+    /// Where the first child of each team's first node is.
+    pub rows: &'a mut [u32; 4],
+    /// Children of each team's second node that reach into the first, and where they are.
     pub columns: &'a mut [Aabb; 128],
     pub names: &'a mut [u32; 128],
     /// Worlds of each team's second node's children.
@@ -42,10 +46,31 @@ pub(super) struct Teams<'a, const N: usize> {
     pub counters: &'a mut [u32; 8],
     /// Hits of all teams.
     pub n_hits: &'a mut [u32; 1],
-    /// Those that are worked on.
-    pub hits: &'a mut [u32; 512],
-    /// First child of both nodes of each team.
-    pub firsts: &'a mut [u32; 8],
+    /// Those that are worked on: a thread, whose row it is, and a column, in seven bits each.
+    pub hits: &'a mut [u32; 384],
+}
+
+/// Where the nodes of a level and their children begin.
+#[derive(Clone, Copy)]
+pub(super) struct Places {
+    /// First nodes, and their children.
+    nodes: u32,
+    rows: u32,
+    /// Children of second nodes.
+    columns: u32,
+}
+
+impl Places {
+    /// For pairs of nodes of a level.
+    #[inline(always)]
+    pub(super) fn of(args: &Blocks, level: u32) -> Self {
+        let [a, b] = sets(args.kind);
+        Self {
+            nodes: slot(args, level, a, 0) as u32,
+            rows: slot(args, level - 1, a, 0) as u32,
+            columns: slot(args, level - 1, b, 0) as u32,
+        }
+    }
 }
 
 /// Entries of a list that a dispatch looks at: from `dispatch.first` on every `args.step`-th.
@@ -80,21 +105,23 @@ impl<const N: usize> Teams<'_, N> {
         barrier();
     }
 
-    /// Gathers the columns of each team, and returns this thread's child of the first node. `level`
-    /// is that of the nodes; `same`: both are one, all of whose children are columns.
+    /// Gathers the columns of each team, and returns this thread's child of the first node. `same`:
+    /// both nodes are one, all of whose children are columns.
     #[inline(always)]
-    pub(super) fn gather(&mut self, pair: Pair, some: bool, level: u32, same: bool) -> Aabb {
-        let (args, nodes) = (&self.params.args, self.nodes);
-        let [set_a, set_b] = sets(args.kind);
-        let (team, child) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
-        let a = box_at(nodes, slot(args, level, set_a, pair.a));
-        let row = box_at(nodes, slot(args, level - 1, set_a, pair.a * WIDTH + child));
-        let column = box_at(nodes, slot(args, level - 1, set_b, pair.b * WIDTH + child));
+    pub(super) fn gather(&mut self, pair: Pair, some: bool, same: bool) -> Aabb {
+        let (at, nodes, lane) = (self.at, self.nodes, self.t.lane);
+        let (team, child) = (lane / WIDTH, lane % WIDTH);
+        let (place, name) = (at.rows + pair.a * WIDTH + child, at.columns + pair.b * WIDTH + child);
+        let a = box_at(nodes, (at.nodes + pair.a) as usize);
+        let (row, column) = (box_at(nodes, place as usize), box_at(nodes, name as usize));
+        if child == 0 {
+            set(self.rows, team, place);
+        }
         if some && (same || column.overlaps(&a)) {
             let next = add_shared(self.counters, team, 1);
             let to = team * WIDTH + if same { child } else { next };
             set(self.columns, to, column);
-            set(self.names, to, child);
+            set(self.names, to, name);
         }
         barrier();
         row
@@ -108,7 +135,8 @@ impl<const N: usize> Teams<'_, N> {
         let (team, i) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
         let (first, n) = (team * WIDTH, get(self.counters, team));
         let mut columns = 0;
-        for four in 0..n.div_ceil(4) {
+        // In two instructions; `div_ceil` takes four.
+        for four in 0..(n + 3) / 4 {
             let c = 4 * four;
             let hit = |k: u32| row.overlaps(&get(self.columns, first + c + k)) as u32;
             columns |= (hit(0) | hit(1) << 1 | hit(2) << 2 | hit(3) << 3) << c;
@@ -129,7 +157,7 @@ impl<const N: usize> Teams<'_, N> {
         }
         if N > 1 {
             for c in 0..n {
-                let j = get(self.names, first + c);
+                let j = get(self.names, first + c) % WIDTH;
                 if !meet(worlds, get(self.ranges, first + j)) {
                     columns &= !(1 << c);
                 }
@@ -153,13 +181,12 @@ impl<const N: usize> Teams<'_, N> {
     /// Fills the pool for the `pass`-th time; returns how many it has.
     #[inline(always)]
     pub(super) fn fill(&mut self, hits: &Hits, pass: u32) -> u32 {
-        let (team, i) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
-        let first = pass * POOL;
-        let (mut columns, mut hit) = (hits.columns, pack(team, i, 0));
+        let (lane, team, first) = (self.t.lane, self.t.lane / WIDTH, pass * POOL);
+        let (mut columns, mut hit) = (hits.columns, lane * THREADS + team * WIDTH);
         let mut to = hits.number.wrapping_sub(first);
         if columns != 0 {
             // Column by column, for all rows at once: few instructions, of which none waits.
-            for _ in 0..get(self.counters, team).div_ceil(4) {
+            for _ in 0..(get(self.counters, team) + 3) / 4 {
                 to = self.put(columns & 1, hit, to);
                 to = self.put(columns & 2, hit + 1, to);
                 to = self.put(columns & 4, hit + 2, to);
@@ -182,11 +209,12 @@ impl<const N: usize> Teams<'_, N> {
         if is_hit != 0 { to.wrapping_add(1) } else { to }
     }
 
-    /// A hit of the pool: which pair of nodes, which child of either side.
+    /// Where the two children of a hit of the pool are.
     #[inline(always)]
-    pub(super) fn hit(&self, h: u32) -> [u32; 3] {
-        let [team, i, c] = unpack(get(self.hits, h));
-        [team, i, get(self.names, team * WIDTH + c)]
+    pub(super) fn hit(&self, h: u32) -> [u32; 2] {
+        let hit = get(self.hits, h);
+        let row = get(self.rows, hit / (THREADS * WIDTH)) + hit / THREADS % WIDTH;
+        [row, get(self.names, hit % THREADS)]
     }
 
     /// Reserves entries of `list` for what the workgroup kept, `counters[KEPT]`, and returns the
@@ -209,16 +237,12 @@ impl<const N: usize> Teams<'_, N> {
     #[inline(always)]
     fn children(mut self, worlds: &[u32], input: &[u32], output: &mut [u32]) {
         let Params { frame, dispatch, args } = self.params;
-        let (lane, team, i) = (self.t.lane, self.t.lane / WIDTH, self.t.lane % WIDTH);
+        let (lane, i) = (self.t.lane, self.t.lane % WIDTH);
         let mut four = self.t.group;
         while four < self.n.div_ceil(TEAMS) {
             let (pair, some) = self.pair(input, four);
             four += self.t.groups;
             self.clear();
-            if i == 0 {
-                set(self.firsts, 2 * team, pair.a * WIDTH);
-                set(self.firsts, 2 * team + 1, pair.b * WIDTH);
-            }
             let mut of_row = 0;
             if N > 1 {
                 let ([a, b], level, n) = (sets(args.kind), args.level - 1, frame.count);
@@ -226,7 +250,7 @@ impl<const N: usize> Teams<'_, N> {
                 set(self.ranges, lane, range(args, level, b, pair.b * WIDTH + i, n[b], worlds));
             }
             let same = args.kind == EDGE_EDGE && pair.a == pair.b;
-            let row = self.gather(pair, some, args.level, same);
+            let row = self.gather(pair, some, same);
             let mut hits = self.test(row, same, false, of_row);
             for pass in 0..self.number(&mut hits) {
                 let n = self.fill(&hits, pass);
@@ -239,10 +263,9 @@ impl<const N: usize> Teams<'_, N> {
                     if h >= n {
                         break;
                     }
-                    let [team, i, j] = self.hit(h);
-                    let a = get(self.firsts, 2 * team) + i;
-                    let b = get(self.firsts, 2 * team + 1) + j;
-                    write_pair(output, dispatch.capacity_out, base + h, Pair { a, b });
+                    let [a, b] = self.hit(h);
+                    let pair = Pair { a: a - self.at.rows, b: b - self.at.columns };
+                    write_pair(output, dispatch.capacity_out, base + h, pair);
                 }
                 barrier();
             }
@@ -260,22 +283,22 @@ pub(super) struct Hits {
 
 kernel! {
     /// From pairs of nodes of level `args.level` to those of their children that overlap.
-    node_pairs[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128], ranges: [u32; 1],
-        counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512], firsts: [u32; 8];
+    node_pairs[128](t; params: Blocks; rows: [u32; 4], columns: [Aabb; 128], names: [u32; 128],
+        ranges: [u32; 1], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 384];
         nodes: [BoxWords], input: [u32], mut output: [u32]) {
-        let n = entries(params, input);
-        Teams { t, params, n, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
+        let (n, at) = (entries(params, input), Places::of(&params.args, params.args.level));
+        Teams { t, params, n, nodes, at, rows, columns, names, ranges, counters, n_hits, hits }
             .children(input, input, output);
     }
 }
 
 kernel! {
     /// As `node_pairs`, of nodes that have a world in common. `worlds`: of the leaves of level 0.
-    node_pairs_of_worlds[128](t; params: Blocks; columns: [Aabb; 128], names: [u32; 128],
-        ranges: [u32; 128], counters: [u32; 8], n_hits: [u32; 1], hits: [u32; 512],
-        firsts: [u32; 8]; nodes: [BoxWords], worlds: [u32], input: [u32], mut output: [u32]) {
-        let n = entries(params, input);
-        Teams { t, params, n, nodes, columns, names, ranges, counters, n_hits, hits, firsts }
+    node_pairs_of_worlds[128](t; params: Blocks; rows: [u32; 4], columns: [Aabb; 128],
+        names: [u32; 128], ranges: [u32; 128], counters: [u32; 8], n_hits: [u32; 1],
+        hits: [u32; 384]; nodes: [BoxWords], worlds: [u32], input: [u32], mut output: [u32]) {
+        let (n, at) = (entries(params, input), Places::of(&params.args, params.args.level));
+        Teams { t, params, n, nodes, at, rows, columns, names, ranges, counters, n_hits, hits }
             .children(worlds, input, output);
     }
 }

@@ -21,9 +21,10 @@ pub const THREADS: u32 = TEAMS * WIDTH;
 /// Nodes of a set on a level are padded to a multiple of this, so that a workgroup that fits eight
 /// blocks has one set.
 pub const PADDING: u32 = 8 * WIDTH;
-/// Hits that a workgroup works on at once. `TEAMS` pairs of nodes rarely give more; then the pool
-/// is filled again. With 2048, half as many workgroups ran at a time on an NVIDIA H100.
-pub const POOL: u32 = 512;
+/// Hits that a workgroup works on at once; where `TEAMS` pairs of nodes give more, the pool is filled
+/// again. A device runs as many workgroups at a time as their memory allows: on an NVIDIA H200 real
+/// scenes take as long with 512 and longer with 256, boxes with few pairs the less the smaller.
+pub const POOL: u32 = 384;
 
 /// The sets that a kind of pairs is between.
 #[inline(always)]
@@ -46,7 +47,7 @@ pub const END_WORDS: usize = 3;
 #[inline(always)]
 pub fn end_slot(i: usize, k: usize) -> usize {
     let width = WIDTH as usize;
-    (i / width * END_WORDS + k) * width + i % width
+    END_WORDS * i - (END_WORDS - 1) * (i % width) + k * width
 }
 
 /// A box, not of leaves but of nodes above them, that says whether all below it stands still: by
@@ -161,18 +162,6 @@ fn four_boxes<N: Stored<Aabb<f32>>>(i: usize, end: usize, nodes: &[N]) -> Aabb<f
     a.union(&b).union(&c.union(&d))
 }
 
-/// A hit in one word: which pair of nodes, which child of the first, which column.
-#[inline(always)]
-pub fn pack(team: u32, i: u32, column: u32) -> u32 {
-    team << 10 | i << 5 | column
-}
-
-/// The parts of [`pack`].
-#[inline(always)]
-pub fn unpack(hit: u32) -> [u32; 3] {
-    [hit >> 10 & 3, hit >> 5 & 31, hit & 31]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -201,13 +190,5 @@ mod tests {
             }
         }
         assert_eq!(marked(&Aabb::EMPTY, true), Aabb::EMPTY);
-    }
-
-    #[test]
-    fn hits_pack() {
-        for hit in [[0, 0, 0], [3, 31, 7], [TEAMS - 1, WIDTH - 1, WIDTH - 1]] {
-            let [team, i, column] = hit;
-            assert_eq!(unpack(pack(team, i, column)), hit);
-        }
     }
 }

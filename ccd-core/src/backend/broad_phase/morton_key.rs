@@ -2,7 +2,7 @@
 
 use crate::kernel::memory::{Stored, at};
 use crate::math::aabb::Aabb;
-use crate::math::hilbert::hilbert_cell;
+use crate::math::hilbert::hilbert_cell_of_10;
 use crate::math::morton::{MortonGrid, morton30, morton63};
 
 /// A curve through the cells of a grid.
@@ -16,11 +16,11 @@ pub enum Curve {
 }
 
 impl Curve {
-    /// The cell whose Morton code is that of `cell` along this curve, on a grid with `2^bits` cells
-    /// a side.
+    /// The cell whose Morton code is that of `cell` along this curve, on a grid with `2^10` cells a
+    /// side.
     #[inline(always)]
-    pub fn place(self, cell: [u32; 3], bits: u32) -> [u32; 3] {
-        if self == Self::Hilbert { hilbert_cell(cell, bits) } else { cell }
+    pub fn place(self, cell: [u32; 3]) -> [u32; 3] {
+        if self == Self::Hilbert { hilbert_cell_of_10(cell) } else { cell }
     }
 }
 
@@ -85,7 +85,7 @@ pub fn morton(i: usize, boxes: &[Aabb<f32>], grid: &MortonGrid) -> [u32; 2] {
 /// Code along a curve, in 30 bits, of the centre of a box.
 #[inline(always)]
 pub fn code30(aabb: &Aabb<f32>, grid: &MortonGrid, curve: Curve) -> u32 {
-    morton30(curve.place(grid.cell(aabb), 10))
+    morton30(curve.place(grid.cell(aabb)))
 }
 
 /// Key by which a device sorts box `i`: its set, then 30 bits of code on a grid of 2^10 cells a

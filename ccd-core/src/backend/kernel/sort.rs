@@ -10,12 +10,19 @@
 
 /// Digits of a pass.
 pub const DIGITS: u32 = 256;
-/// Threads of a workgroup of the count and of the scatter.
-pub const THREADS: u32 = 128;
-/// Keys of each thread.
-pub const KEYS: u32 = 16;
+/// Threads of a workgroup of the count.
+pub const COUNT_THREADS: u32 = 128;
+/// Keys of each of them.
+pub const COUNT_KEYS: u32 = 16;
+/// Threads of a workgroup of the scatter. A device runs as many workgroups at a time as their memory
+/// allows, and what waits for memory are threads: twice as many for the same tile are faster.
+pub const THREADS: u32 = 256;
+/// Keys of each of them.
+pub const KEYS: u32 = 8;
 /// Keys of a workgroup.
 pub const TILE: u32 = THREADS * KEYS;
+
+const _: () = assert!(TILE == COUNT_THREADS * COUNT_KEYS);
 
 /// The digit of `key` at bit `shift`.
 #[inline(always)]

@@ -36,7 +36,7 @@ macro_rules! kernels {
             SortScan = sort_scan(256 threads, 3 barriers, f32, Params<SortPass>)
                 { table: Write }
             /// One pass of the sort.
-            SortScatter = sort_scatter(128 threads, 33 barriers, f32, Params<SortPass>)
+            SortScatter = sort_scatter(256 threads, 33 barriers, f32, Params<SortPass>)
                 { table: Read, keys: Read, values: Read, keys_out: Write, values_out: Write }
             /// Boxes that follow each other in order by halves.
             HalveRuns = halve_runs(256 threads, 16 barriers, f32, Params<Blocks>)

@@ -5,7 +5,7 @@ use crate::broad_phase::{
     block_bvh, halves, key_intervals, nearest_pair, pair_workers, ploc, wide_nodes,
 };
 
-const _: () = assert!(Id::SortCount.threads() == super::sort::THREADS);
+const _: () = assert!(Id::SortCount.threads() == super::sort::COUNT_THREADS);
 const _: () = assert!(Id::SortScatter.threads() == super::sort::THREADS);
 const _: () = assert!(Id::IntervalPairs.threads() == key_intervals::GROUP);
 const _: () = assert!(Id::NearNodes.threads() == wide_nodes::TILE);
