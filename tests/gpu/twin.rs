@@ -35,7 +35,7 @@ pub fn code(b: &Aabb, scene: &Aabb, curve: Curve) -> u32 {
     let cell = |k: usize| {
         (((b.min[k] * 0.5 + b.max[k] * 0.5) - scene.min[k]) * scale).clamp(0.0, 1023.0) as u32
     };
-    let cells = curve.place([cell(0), cell(1), cell(2)], 10);
+    let cells = curve.place([cell(0), cell(1), cell(2)]);
     (0..30).fold(0, |code, i| code | (cells[2 - i as usize % 3] >> (i / 3) & 1) << i)
 }
 
