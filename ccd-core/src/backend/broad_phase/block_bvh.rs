@@ -21,9 +21,10 @@ pub const THREADS: u32 = TEAMS * WIDTH;
 /// Nodes of a set on a level are padded to a multiple of this, so that a workgroup that fits eight
 /// blocks has one set.
 pub const PADDING: u32 = 8 * WIDTH;
-/// Hits that a workgroup works on at once; where `TEAMS` pairs of nodes give more, the pool is filled
-/// again. A device runs as many workgroups at a time as their memory allows: on an NVIDIA H200 real
-/// scenes take as long with 512 and longer with 256, boxes with few pairs the less the smaller.
+/// Hits that a workgroup works on at once; where `TEAMS` pairs of nodes give more, the pool is
+/// filled again. A device runs as many workgroups at a time as their memory allows: on an NVIDIA
+/// H200 real scenes take as long with 512, and longer with 256; boxes with few pairs take less time
+/// with a smaller one.
 pub const POOL: u32 = 384;
 
 /// The sets that a kind of pairs is between.

@@ -14,8 +14,8 @@ pub const DIGITS: u32 = 256;
 pub const COUNT_THREADS: u32 = 128;
 /// Keys of each of them.
 pub const COUNT_KEYS: u32 = 16;
-/// Threads of a workgroup of the scatter. A device runs as many workgroups at a time as their memory
-/// allows, and what waits for memory are threads: twice as many for the same tile are faster.
+/// Threads of a workgroup of the scatter. A device runs as many workgroups at a time as their
+/// memory allows, so that more threads for the same tile hide more of what each waits for.
 pub const THREADS: u32 = 256;
 /// Keys of each of them.
 pub const KEYS: u32 = 8;
