@@ -167,7 +167,8 @@ impl Device {
     }
 
     /// Uses a device that an application owns; see [`Device::features`]. The application keeps its
-    /// callbacks for errors and for the loss of the device.
+    /// callbacks for errors and for the loss of the device. On Vulkan it has `robustBufferAccess`
+    /// on, as every device that wgpu opens.
     ///
     /// # Errors
     /// [`Error::Unavailable`] for a device through OpenGL, one with less than the limits of WebGPU,

@@ -187,7 +187,10 @@ fn check_dropped(device: &Device) {
             let found = session.step(&step.x0, &step.x1).expect(&what);
             assert!(found.contacts == want.0, "{what}: after {polls} polls, other contacts");
         }
-        assert!(n_dropped >= 3, "{what}: {n_dropped} were in flight");
+        // A GPU may be done before the poll that began the step has encoded the next.
+        if device.info().adapter.device_type == ccd::gpu::wgpu::DeviceType::Cpu {
+            assert!(n_dropped >= 3, "{what}: {n_dropped} were in flight");
+        }
         // Candidates have two readings.
         let mut futures = pin!(session.candidates_async(&step.x0, &step.x1));
         assert!(futures.as_mut().poll(context).is_pending());
