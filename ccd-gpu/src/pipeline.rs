@@ -1,6 +1,6 @@
 //! Compiled kernels: from a row of the kernel table and its module to a pipeline.
 
-use crate::adapter::Path;
+use crate::adapter::{Info, Path};
 use crate::shaders::module;
 use ccd_core::backend::kernel::{Access, Id};
 use std::iter::once;
@@ -33,26 +33,26 @@ impl Pipeline {
     /// Compiles a kernel, through one of the paths for shaders, or takes it from the cache.
     pub fn compile(
         device: &wgpu::Device,
-        (path, backend): (Path, wgpu::Backend),
+        info: &Info,
         id: Id,
         cache: Option<&wgpu::PipelineCache>,
         checked: Option<&Checked>,
     ) -> Self {
         let row = id.row();
-        let module = || module(id, path);
-        let shader = match path {
+        let module = || module(id, info.path);
+        let shader = match info.path {
             Path::Wgsl => {
                 let source = String::from_utf8(module()).unwrap_or_default();
                 let source = wgpu::ShaderSource::Wgsl(source.into());
                 let descriptor = wgpu::ShaderModuleDescriptor { label: Some(row.name), source };
-                if backend == wgpu::Backend::Vulkan {
+                if info.adapter.backend == wgpu::Backend::Vulkan {
                     let checks = wgpu::ShaderRuntimeChecks {
                         bounds_checks: false,
                         force_loop_bounding: false,
                         ..wgpu::ShaderRuntimeChecks::checked()
                     };
-                    // SAFETY: of indices as for SPIR-V below, of which these modules are
-                    // translations. Every loop has a bound.
+                    // SAFETY: every loop ends. The indices are those of the SPIR-V from which the
+                    // module was translated, and as safe as they are below.
                     #[allow(unsafe_code, reason = "wgpu trusts no shader to stay in its memory")]
                     unsafe {
                         device.create_shader_module_trusted(descriptor, checks)

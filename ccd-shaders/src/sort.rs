@@ -162,8 +162,8 @@ kernel! {
                 // each. Masks are of no more use.
                 let (mut here, mut all) = ([0, 0], [0, 0]);
                 let d = 2 * t.lane;
-                let mut both = 0;
                 if t.lane < PAIRS {
+                    let mut both = 0;
                     for r in 0..RUNS {
                         both += get(counts, r * PAIRS + t.lane);
                     }

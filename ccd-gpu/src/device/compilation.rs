@@ -90,8 +90,7 @@ impl Device {
         let Inner { device, info, cache, checked, .. } = &*self.inner;
         self.compiled().kernels += 1;
         let cache = cache.as_ref().map(|cache| &cache.kernels);
-        let how = (info.path, info.adapter.backend);
-        Pipeline::compile(device, how, id, cache, checked.as_ref())
+        Pipeline::compile(device, info, id, cache, checked.as_ref())
     }
 
     fn compiled(&self) -> MutexGuard<'_, Compilation> {

@@ -2,10 +2,10 @@
 //! threads each.
 //!
 //! A thread holds one child of the first node; the children of the second that reach into the first
-//! are gathered in workgroup memory, and every thread whose child reaches into the second tests it
-//! against all of them. The hits of all teams are numbered, and worked on together, one a thread:
-//! as many at once as the pool takes, which is small, because a device runs as many workgroups at a
-//! time as their memory allows.
+//! are gathered in workgroup memory, and every thread tests its child against all of them. The hits
+//! of all teams are numbered, and worked on together, one a thread: as many at once as the pool
+//! takes, which is small, because a device runs as many workgroups at a time as their memory
+//! allows.
 
 use crate::entry::{Thread, kernel};
 use crate::records::{BoxWords, box_at};
@@ -135,7 +135,7 @@ impl<const N: usize> Teams<'_, N> {
         let (team, i) = (self.t.lane / WIDTH, self.t.lane % WIDTH);
         let (first, n) = (team * WIDTH, get(self.counters, team));
         let mut columns = 0;
-        // In two instructions; `div_ceil` takes four.
+        // Not `div_ceil`, which takes twice as many instructions.
         for four in 0..(n + 3) / 4 {
             let c = 4 * four;
             let hit = |k: u32| row.overlaps(&get(self.columns, first + c + k)) as u32;

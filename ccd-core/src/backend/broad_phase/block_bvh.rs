@@ -2,9 +2,9 @@
 //! level a pass.
 //!
 //! Boxes in the order of a curve are taken 32 at a time; so are the blocks, up to the top. A
-//! workgroup takes a pair of nodes, keeps of either side the children that reach into the other's
-//! box, and tests those against each other. No stack, no order between workgroups, and reads of
-//! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see
+//! workgroup takes a pair of nodes, keeps the children of the second that reach into the first, and
+//! tests all children of the first against those. No stack, no order between workgroups, and reads
+//! of whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see
 //! docs/GPU-STEP.md).
 
 use crate::kernel::memory::Stored;
