@@ -97,24 +97,24 @@ struct type_35 {
 }
 
 struct type_36 {
-    member: array<f64, 4>,
-    member_1: array<f64, 4>,
-    member_2: array<f64, 4>,
-}
-
-struct type_37 {
     member: type_33,
     member_1: f64,
 }
 
-struct type_38 {
+struct type_37 {
     member: u32,
     member_1: f64,
 }
 
-struct type_39 {
-    member: type_38,
+struct type_38 {
+    member: type_37,
     member_1: u32,
+}
+
+struct type_39 {
+    member: array<f64, 4>,
+    member_1: array<f64, 4>,
+    member_2: array<f64, 4>,
 }
 
 struct type_41 {
@@ -144,15 +144,15 @@ var<storage> positions: type_30;
 var<storage> elements: type_11;
 @group(0) @binding(1) 
 var<storage> paths: type_26;
-@group(0) @binding(6) 
-var<storage, read_write> earliest: type_46;
 @group(0) @binding(5) 
 var<storage, read_write> contacts: type_46;
+@group(0) @binding(6) 
+var<storage, read_write> earliest: type_46;
 
 fn function_(param: array<f32, 3>) -> array<f64, 3> {
-    var phi_235_: f64;
-    var phi_278_: f64;
-    var phi_321_: f64;
+    var phi_244_: f64;
+    var phi_287_: f64;
+    var phi_330_: f64;
 
     let _e10 = bitcast<u32>(param[0]);
     let _e11 = (_e10 & 2147483647u);
@@ -160,330 +160,330 @@ fn function_(param: array<f32, 3>) -> array<f64, 3> {
         let _e20 = bitcast<u32>(param[0]);
         let _e21 = (_e20 & 2147483647u);
         let _e22 = (_e21 < 8388608u);
-        phi_235_ = bitcast<f64>(((u64(select(((_e20 ^ _e21) | ((_e21 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e22)) * 4294967296lu) + u64(select((_e20 << bitcast<u32>(29i)), 0u, _e22))));
+        phi_244_ = bitcast<f64>(((u64(select(((_e20 ^ _e21) | ((_e21 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e22)) * 4294967296lu) + u64(select((_e20 << bitcast<u32>(29i)), 0u, _e22))));
     } else {
-        phi_235_ = select(-((f64(_e11) * 1.401298464324817e-45lf)), (f64(_e11) * 1.401298464324817e-45lf), (_e10 == _e11));
+        phi_244_ = select(-((f64(_e11) * 1.401298464324817e-45lf)), (f64(_e11) * 1.401298464324817e-45lf), (_e10 == _e11));
     }
-    let _e38 = phi_235_;
+    let _e38 = phi_244_;
     let _e40 = bitcast<u32>(param[1]);
     let _e41 = (_e40 & 2147483647u);
     if (_e41 >= 8388608u) {
         let _e50 = bitcast<u32>(param[1]);
         let _e51 = (_e50 & 2147483647u);
         let _e52 = (_e51 < 8388608u);
-        phi_278_ = bitcast<f64>(((u64(select(((_e50 ^ _e51) | ((_e51 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e52)) * 4294967296lu) + u64(select((_e50 << bitcast<u32>(29i)), 0u, _e52))));
+        phi_287_ = bitcast<f64>(((u64(select(((_e50 ^ _e51) | ((_e51 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e52)) * 4294967296lu) + u64(select((_e50 << bitcast<u32>(29i)), 0u, _e52))));
     } else {
-        phi_278_ = select(-((f64(_e41) * 1.401298464324817e-45lf)), (f64(_e41) * 1.401298464324817e-45lf), (_e40 == _e41));
+        phi_287_ = select(-((f64(_e41) * 1.401298464324817e-45lf)), (f64(_e41) * 1.401298464324817e-45lf), (_e40 == _e41));
     }
-    let _e68 = phi_278_;
+    let _e68 = phi_287_;
     let _e70 = bitcast<u32>(param[2]);
     let _e71 = (_e70 & 2147483647u);
     if (_e71 >= 8388608u) {
         let _e80 = bitcast<u32>(param[2]);
         let _e81 = (_e80 & 2147483647u);
         let _e82 = (_e81 < 8388608u);
-        phi_321_ = bitcast<f64>(((u64(select(((_e80 ^ _e81) | ((_e81 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e82)) * 4294967296lu) + u64(select((_e80 << bitcast<u32>(29i)), 0u, _e82))));
+        phi_330_ = bitcast<f64>(((u64(select(((_e80 ^ _e81) | ((_e81 >> bitcast<u32>(3i)) + 939524096u)), 0u, _e82)) * 4294967296lu) + u64(select((_e80 << bitcast<u32>(29i)), 0u, _e82))));
     } else {
-        phi_321_ = select(-((f64(_e71) * 1.401298464324817e-45lf)), (f64(_e71) * 1.401298464324817e-45lf), (_e70 == _e71));
+        phi_330_ = select(-((f64(_e71) * 1.401298464324817e-45lf)), (f64(_e71) * 1.401298464324817e-45lf), (_e70 == _e71));
     }
-    let _e98 = phi_321_;
+    let _e98 = phi_330_;
     return array<f64, 3>(_e38, _e68, _e98);
 }
 
-fn function_1(param_1: array<f64, 3>, param_2: array<f64, 3>) -> array<f64, 3> {
-    let _e24 = ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2])));
-    return array<f64, 3>(select(param_1[0], param_2[0], _e24), select(param_1[1], param_2[1], _e24), select(param_1[2], param_2[2], _e24));
+fn function_1(param_1: f64) -> array<u32, 2> {
+    let _e2 = bitcast<u64>(param_1);
+    return array<u32, 2>(u32(_e2), u32((_e2 / 4294967296lu)));
 }
 
-fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: u32) -> array<f64, 3> {
-    var phi_842_: array<array<f64, 3>, 4>;
+fn function_2(param_2: array<f64, 3>, param_3: array<f64, 3>) -> array<f64, 3> {
+    let _e24 = ((((param_3[0] * param_3[0]) + (param_3[1] * param_3[1])) + (param_3[2] * param_3[2])) < (((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])));
+    return array<f64, 3>(select(param_2[0], param_3[0], _e24), select(param_2[1], param_3[1], _e24), select(param_2[2], param_3[2], _e24));
+}
 
-    let _e9 = (param_3[0] - param_4[0]);
-    let _e12 = (param_3[1] - param_4[1]);
-    let _e15 = (param_3[2] - param_4[2]);
-    if (param_6 != 0u) {
-        let _e163 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
+fn function_3(param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: array<f64, 3>, param_7: u32) -> array<f64, 3> {
+    var phi_858_: array<array<f64, 3>, 4>;
+
+    let _e9 = (param_4[0] - param_5[0]);
+    let _e12 = (param_4[1] - param_5[1]);
+    let _e15 = (param_4[2] - param_5[2]);
+    if (param_7 != 0u) {
+        let _e163 = ((((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         let _e171 = select(f64(0f), select(f64(1f), _e163, (_e163 < f64(1f))), (_e163 > f64(0f)));
-        let _e207 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
+        let _e207 = ((((param_4[0] * param_6[0]) + (param_4[1] * param_6[1])) + (param_4[2] * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         let _e215 = select(f64(0f), select(f64(1f), _e207, (_e207 < f64(1f))), (_e207 > f64(0f)));
-        let _e248 = ((((_e9 * param_5[0]) + (_e12 * param_5[1])) + (_e15 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
+        let _e248 = ((((_e9 * param_6[0]) + (_e12 * param_6[1])) + (_e15 * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         let _e256 = select(f64(0f), select(f64(1f), _e248, (_e248 < f64(1f))), (_e248 > f64(0f)));
-        let _e269 = (param_3[0] - param_5[0]);
-        let _e272 = (param_3[1] - param_5[1]);
-        let _e275 = (param_3[2] - param_5[2]);
-        let _e295 = ((((_e269 * param_4[0]) + (_e272 * param_4[1])) + (_e275 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
+        let _e269 = (param_4[0] - param_6[0]);
+        let _e272 = (param_4[1] - param_6[1]);
+        let _e275 = (param_4[2] - param_6[2]);
+        let _e295 = ((((_e269 * param_5[0]) + (_e272 * param_5[1])) + (_e275 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         let _e303 = select(f64(0f), select(f64(1f), _e295, (_e295 < f64(1f))), (_e295 > f64(0f)));
-        phi_842_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e171)), (param_3[1] - (param_4[1] * _e171)), (param_3[2] - (param_4[2] * _e171))), array<f64, 3>((param_3[0] - (param_5[0] * _e215)), (param_3[1] - (param_5[1] * _e215)), (param_3[2] - (param_5[2] * _e215))), array<f64, 3>((_e9 - (param_5[0] * _e256)), (_e12 - (param_5[1] * _e256)), (_e15 - (param_5[2] * _e256))), array<f64, 3>((_e269 - (param_4[0] * _e303)), (_e272 - (param_4[1] * _e303)), (_e275 - (param_4[2] * _e303))));
+        phi_858_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e171)), (param_4[1] - (param_5[1] * _e171)), (param_4[2] - (param_5[2] * _e171))), array<f64, 3>((param_4[0] - (param_6[0] * _e215)), (param_4[1] - (param_6[1] * _e215)), (param_4[2] - (param_6[2] * _e215))), array<f64, 3>((_e9 - (param_6[0] * _e256)), (_e12 - (param_6[1] * _e256)), (_e15 - (param_6[2] * _e256))), array<f64, 3>((_e269 - (param_5[0] * _e303)), (_e272 - (param_5[1] * _e303)), (_e275 - (param_5[2] * _e303))));
     } else {
-        let _e19 = (param_5[0] - param_4[0]);
-        let _e22 = (param_5[1] - param_4[1]);
-        let _e25 = (param_5[2] - param_4[2]);
+        let _e19 = (param_6[0] - param_5[0]);
+        let _e22 = (param_6[1] - param_5[1]);
+        let _e25 = (param_6[2] - param_5[2]);
         let _e36 = ((((_e9 * _e19) + (_e12 * _e22)) + (_e15 * _e25)) / (((_e19 * _e19) + (_e22 * _e22)) + (_e25 * _e25)));
         let _e44 = select(f64(0f), select(f64(1f), _e36, (_e36 < f64(1f))), (_e36 > f64(0f)));
         let _e51 = array<f64, 3>((_e9 - (_e19 * _e44)), (_e12 - (_e22 * _e44)), (_e15 - (_e25 * _e44)));
-        let _e74 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
+        let _e74 = ((((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         let _e82 = select(f64(0f), select(f64(1f), _e74, (_e74 < f64(1f))), (_e74 > f64(0f)));
-        let _e118 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
+        let _e118 = ((((param_4[0] * param_6[0]) + (param_4[1] * param_6[1])) + (param_4[2] * param_6[2])) / (((param_6[0] * param_6[0]) + (param_6[1] * param_6[1])) + (param_6[2] * param_6[2])));
         let _e126 = select(f64(0f), select(f64(1f), _e118, (_e118 < f64(1f))), (_e118 > f64(0f)));
-        phi_842_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e82)), (param_3[1] - (param_4[1] * _e82)), (param_3[2] - (param_4[2] * _e82))), array<f64, 3>((param_3[0] - (param_5[0] * _e126)), (param_3[1] - (param_5[1] * _e126)), (param_3[2] - (param_5[2] * _e126))), _e51, _e51);
+        phi_858_ = array<array<f64, 3>, 4>(array<f64, 3>((param_4[0] - (param_5[0] * _e82)), (param_4[1] - (param_5[1] * _e82)), (param_4[2] - (param_5[2] * _e82))), array<f64, 3>((param_4[0] - (param_6[0] * _e126)), (param_4[1] - (param_6[1] * _e126)), (param_4[2] - (param_6[2] * _e126))), _e51, _e51);
     }
-    let _e316 = phi_842_;
-    let _e319 = function_1(_e316[0], _e316[1]);
-    let _e321 = function_1(_e319, _e316[2]);
-    let _e323 = function_1(_e321, _e316[3]);
+    let _e316 = phi_858_;
+    let _e319 = function_2(_e316[0], _e316[1]);
+    let _e321 = function_2(_e319, _e316[2]);
+    let _e323 = function_2(_e321, _e316[3]);
     return _e323;
 }
 
-fn function_3(param_7: array<f64, 3>, param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: u32) -> array<f64, 3> {
-    var phi_441_: bool;
-    var phi_475_: array<f64, 3>;
-    var phi_476_: bool;
-    var phi_477_: array<f64, 3>;
-    var phi_478_: bool;
-    var phi_483_: array<f64, 3>;
+fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f64, 3>, param_11: u32) -> array<f64, 3> {
+    var phi_457_: bool;
+    var phi_491_: array<f64, 3>;
+    var phi_492_: bool;
+    var phi_493_: array<f64, 3>;
+    var phi_494_: bool;
+    var phi_499_: array<f64, 3>;
 
-    let _e23 = (((param_8[0] * param_8[0]) + (param_8[1] * param_8[1])) + (param_8[2] * param_8[2]));
-    let _e34 = (((param_8[0] * param_9[0]) + (param_8[1] * param_9[1])) + (param_8[2] * param_9[2]));
-    let _e45 = (((param_9[0] * param_9[0]) + (param_9[1] * param_9[1])) + (param_9[2] * param_9[2]));
-    let _e56 = (((param_7[0] * param_8[0]) + (param_7[1] * param_8[1])) + (param_7[2] * param_8[2]));
-    let _e67 = (((param_7[0] * param_9[0]) + (param_7[1] * param_9[1])) + (param_7[2] * param_9[2]));
+    let _e23 = (((param_9[0] * param_9[0]) + (param_9[1] * param_9[1])) + (param_9[2] * param_9[2]));
+    let _e34 = (((param_9[0] * param_10[0]) + (param_9[1] * param_10[1])) + (param_9[2] * param_10[2]));
+    let _e45 = (((param_10[0] * param_10[0]) + (param_10[1] * param_10[1])) + (param_10[2] * param_10[2]));
+    let _e56 = (((param_8[0] * param_9[0]) + (param_8[1] * param_9[1])) + (param_8[2] * param_9[2]));
+    let _e67 = (((param_8[0] * param_10[0]) + (param_8[1] * param_10[1])) + (param_8[2] * param_10[2]));
     let _e70 = ((_e23 * _e45) - (_e34 * _e34));
     let _e71 = f64(0f);
     let _e72 = f64(1f);
     let _e76 = (((_e56 * _e45) - (_e67 * _e34)) / _e70);
     let _e80 = (((_e67 * _e23) - (_e56 * _e34)) / _e70);
-    if (param_10 != 0u) {
+    if (param_11 != 0u) {
         let _e91 = (_e76 >= _e71);
         let _e92 = (_e80 >= _e71);
         let _e93 = (_e76 <= _e72);
-        phi_441_ = select(select(bool(), select(bool(), select(bool(), (_e80 <= _e72), _e93), _e92), _e91), false, select(true, select(true, select(true, false, _e93), _e92), _e91));
+        phi_457_ = select(select(bool(), select(bool(), select(bool(), (_e80 <= _e72), _e93), _e92), _e91), false, select(true, select(true, select(true, false, _e93), _e92), _e91));
     } else {
         let _e82 = (_e76 >= _e71);
         let _e83 = (_e80 >= _e71);
-        phi_441_ = select(select(bool(), select(bool(), ((_e76 + _e80) <= _e72), _e83), _e82), false, select(true, select(true, false, _e83), _e82));
+        phi_457_ = select(select(bool(), select(bool(), ((_e76 + _e80) <= _e72), _e83), _e82), false, select(true, select(true, false, _e83), _e82));
     }
-    let _e103 = phi_441_;
+    let _e103 = phi_457_;
     if (_e70 > ((_e23 * _e45) * (1.1102230246251565e-16lf * f64(64f)))) {
         if _e103 {
-            phi_475_ = array<f64, 3>((param_7[0] - ((param_8[0] * _e76) + (param_9[0] * _e80))), (param_7[1] - ((param_8[1] * _e76) + (param_9[1] * _e80))), (param_7[2] - ((param_8[2] * _e76) + (param_9[2] * _e80))));
-            phi_476_ = false;
+            phi_491_ = array<f64, 3>((param_8[0] - ((param_9[0] * _e76) + (param_10[0] * _e80))), (param_8[1] - ((param_9[1] * _e76) + (param_10[1] * _e80))), (param_8[2] - ((param_9[2] * _e76) + (param_10[2] * _e80))));
+            phi_492_ = false;
         } else {
-            phi_475_ = array<f64, 3>();
-            phi_476_ = true;
+            phi_491_ = array<f64, 3>();
+            phi_492_ = true;
         }
-        let _e132 = phi_475_;
-        let _e134 = phi_476_;
-        phi_477_ = _e132;
-        phi_478_ = _e134;
+        let _e132 = phi_491_;
+        let _e134 = phi_492_;
+        phi_493_ = _e132;
+        phi_494_ = _e134;
     } else {
-        phi_477_ = array<f64, 3>();
-        phi_478_ = true;
+        phi_493_ = array<f64, 3>();
+        phi_494_ = true;
     }
-    let _e136 = phi_477_;
-    let _e138 = phi_478_;
+    let _e136 = phi_493_;
+    let _e138 = phi_494_;
     if _e138 {
-        let _e139 = function_2(param_7, param_8, param_9, param_10);
-        phi_483_ = _e139;
+        let _e139 = function_3(param_8, param_9, param_10, param_11);
+        phi_499_ = _e139;
     } else {
-        phi_483_ = _e136;
+        phi_499_ = _e136;
     }
-    let _e141 = phi_483_;
+    let _e141 = phi_499_;
     return _e141;
-}
-
-fn function_4(param_11: f64) -> array<u32, 2> {
-    let _e2 = bitcast<u64>(param_11);
-    return array<u32, 2>(u32(_e2), u32((_e2 / 4294967296lu)));
 }
 
 fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<f32, 3>;
     var local_1: type_41;
-    var local_2: type_36;
-    var local_3: type_36;
-    var local_4: type_36;
+    var local_2: type_39;
+    var local_3: type_39;
+    var local_4: type_39;
     var local_5: type_33;
-    var phi_943_: u32;
-    var phi_988_: u32;
-    var phi_991_: type_9;
-    var phi_1163_: type_23;
-    var phi_1359_: type_31;
-    var phi_1520_: type_33;
-    var phi_1794_: bool;
-    var phi_1890_: type_37;
-    var phi_1891_: bool;
-    var phi_1892_: type_37;
-    var phi_1893_: bool;
-    var phi_1894_: type_37;
-    var phi_1895_: bool;
-    var phi_1900_: type_37;
-    var phi_2070_: type_16;
-    var phi_2073_: f64;
-    var phi_2071_: type_16;
-    var phi_2114_: type_17;
-    var phi_2074_: f64;
-    var local_6: f64;
-    var phi_2127_: f64;
-    var phi_3054_: type_39;
-    var phi_3055_: bool;
-    var phi_3056_: type_39;
-    var phi_3057_: bool;
-    var phi_3063_: type_16;
-    var phi_3066_: f64;
-    var phi_3068_: u32;
-    var phi_3070_: f64;
-    var phi_3064_: type_16;
-    var phi_3111_: type_17;
-    var phi_3554_: type_9;
-    var phi_3557_: f64;
-    var phi_3559_: f64;
-    var phi_3561_: f64;
-    var phi_3563_: f64;
-    var phi_3565_: bool;
-    var phi_3567_: u32;
-    var phi_3719_: array<f64, 3>;
-    var phi_3787_: type_16;
-    var phi_3790_: f64;
-    var phi_3788_: type_16;
-    var phi_3831_: type_17;
-    var phi_3791_: f64;
+    var local_6: type_35;
+    var phi_953_: u32;
+    var phi_998_: u32;
+    var phi_1001_: type_9;
+    var phi_1175_: type_23;
+    var phi_1371_: type_31;
+    var phi_1532_: type_33;
+    var phi_1806_: bool;
+    var phi_1902_: type_36;
+    var phi_1903_: bool;
+    var phi_1904_: type_36;
+    var phi_1905_: bool;
+    var phi_1906_: type_36;
+    var phi_1907_: bool;
+    var phi_1912_: type_36;
+    var phi_2082_: type_16;
+    var phi_2085_: f64;
+    var phi_2083_: type_16;
+    var phi_2126_: type_17;
+    var phi_2086_: f64;
     var local_7: f64;
-    var phi_3844_: f64;
-    var phi_3970_: type_36;
-    var phi_3971_: bool;
-    var phi_3972_: type_36;
-    var phi_3973_: bool;
-    var phi_3983_: type_36;
-    var phi_4155_: bool;
-    var phi_4156_: bool;
-    var phi_4157_: bool;
-    var phi_4158_: bool;
-    var phi_4159_: bool;
-    var phi_4160_: bool;
-    var phi_4462_: bool;
-    var phi_4463_: bool;
-    var phi_4464_: bool;
-    var phi_4465_: bool;
-    var phi_4466_: bool;
-    var phi_4467_: bool;
-    var phi_4475_: bool;
-    var phi_4585_: f64;
-    var phi_4586_: bool;
-    var phi_4587_: f64;
-    var phi_4588_: bool;
-    var phi_4589_: f64;
-    var phi_4590_: bool;
-    var phi_4591_: bool;
-    var phi_4657_: f64;
-    var phi_4658_: bool;
-    var phi_4659_: f64;
-    var phi_4660_: bool;
-    var phi_4661_: f64;
-    var phi_4662_: bool;
-    var phi_4663_: bool;
-    var phi_4734_: f64;
-    var phi_4735_: bool;
-    var phi_4736_: f64;
-    var phi_4737_: bool;
-    var phi_4738_: f64;
-    var phi_4739_: bool;
-    var phi_4740_: bool;
-    var phi_4806_: f64;
-    var phi_4807_: bool;
-    var phi_4808_: f64;
-    var phi_4809_: bool;
-    var phi_4810_: f64;
-    var phi_4811_: bool;
-    var phi_4812_: bool;
-    var phi_4989_: type_16;
-    var phi_4992_: f64;
-    var phi_4990_: type_16;
-    var phi_5033_: type_17;
-    var phi_4993_: f64;
+    var phi_2139_: f64;
+    var phi_3066_: type_38;
+    var phi_3067_: bool;
+    var phi_3068_: type_38;
+    var phi_3069_: bool;
+    var phi_3075_: type_16;
+    var phi_3078_: f64;
+    var phi_3080_: u32;
+    var phi_3082_: f64;
+    var phi_3076_: type_16;
+    var phi_3123_: type_17;
+    var phi_3566_: type_9;
+    var phi_3569_: f64;
+    var phi_3571_: f64;
+    var phi_3573_: f64;
+    var phi_3575_: f64;
+    var phi_3577_: bool;
+    var phi_3579_: u32;
+    var phi_3731_: array<f64, 3>;
+    var phi_3799_: type_16;
+    var phi_3802_: f64;
+    var phi_3800_: type_16;
+    var phi_3843_: type_17;
+    var phi_3803_: f64;
     var local_8: f64;
-    var phi_5046_: f64;
-    var phi_5323_: bool;
-    var phi_5324_: bool;
-    var phi_5351_: f64;
-    var phi_5352_: f64;
-    var phi_5353_: bool;
-    var phi_5354_: f64;
-    var phi_5355_: f64;
-    var phi_5356_: bool;
-    var phi_5357_: bool;
-    var phi_5358_: f64;
-    var phi_5359_: f64;
-    var phi_5360_: f64;
-    var phi_5361_: f64;
-    var phi_5362_: bool;
-    var phi_5363_: bool;
-    var phi_5364_: bool;
+    var phi_3856_: f64;
+    var phi_3982_: type_39;
+    var phi_3983_: bool;
+    var phi_3984_: type_39;
+    var phi_3985_: bool;
+    var phi_3995_: type_39;
+    var phi_4167_: bool;
+    var phi_4168_: bool;
+    var phi_4169_: bool;
+    var phi_4170_: bool;
+    var phi_4171_: bool;
+    var phi_4172_: bool;
+    var phi_4474_: bool;
+    var phi_4475_: bool;
+    var phi_4476_: bool;
+    var phi_4477_: bool;
+    var phi_4478_: bool;
+    var phi_4479_: bool;
+    var phi_4487_: bool;
+    var phi_4597_: f64;
+    var phi_4598_: bool;
+    var phi_4599_: f64;
+    var phi_4600_: bool;
+    var phi_4601_: f64;
+    var phi_4602_: bool;
+    var phi_4603_: bool;
+    var phi_4669_: f64;
+    var phi_4670_: bool;
+    var phi_4671_: f64;
+    var phi_4672_: bool;
+    var phi_4673_: f64;
+    var phi_4674_: bool;
+    var phi_4675_: bool;
+    var phi_4746_: f64;
+    var phi_4747_: bool;
+    var phi_4748_: f64;
+    var phi_4749_: bool;
+    var phi_4750_: f64;
+    var phi_4751_: bool;
+    var phi_4752_: bool;
+    var phi_4818_: f64;
+    var phi_4819_: bool;
+    var phi_4820_: f64;
+    var phi_4821_: bool;
+    var phi_4822_: f64;
+    var phi_4823_: bool;
+    var phi_4824_: bool;
+    var phi_5001_: type_16;
+    var phi_5004_: f64;
+    var phi_5002_: type_16;
+    var phi_5045_: type_17;
+    var phi_5005_: f64;
+    var local_9: f64;
+    var phi_5058_: f64;
+    var phi_5335_: bool;
+    var phi_5336_: bool;
+    var phi_5363_: f64;
+    var phi_5364_: f64;
     var phi_5365_: bool;
     var phi_5366_: f64;
     var phi_5367_: f64;
-    var phi_5368_: f64;
-    var phi_5369_: f64;
-    var phi_5370_: bool;
-    var phi_5371_: bool;
-    var phi_5372_: bool;
-    var phi_5373_: bool;
+    var phi_5368_: bool;
+    var phi_5369_: bool;
+    var phi_5370_: f64;
+    var phi_5371_: f64;
+    var phi_5372_: f64;
+    var phi_5373_: f64;
     var phi_5374_: bool;
-    var phi_5375_: f64;
-    var phi_5376_: f64;
-    var phi_5377_: f64;
+    var phi_5375_: bool;
+    var phi_5376_: bool;
+    var phi_5377_: bool;
     var phi_5378_: f64;
-    var phi_5379_: bool;
-    var phi_5380_: bool;
-    var phi_5381_: bool;
+    var phi_5379_: f64;
+    var phi_5380_: f64;
+    var phi_5381_: f64;
     var phi_5382_: bool;
     var phi_5383_: bool;
-    var phi_5721_: f64;
-    var phi_5723_: u32;
-    var phi_5724_: f64;
-    var phi_5725_: bool;
-    var phi_5726_: bool;
-    var phi_5727_: bool;
-    var phi_5728_: u32;
-    var phi_5729_: f64;
-    var phi_5730_: f64;
-    var phi_5731_: f64;
-    var phi_5732_: f64;
-    var phi_5733_: bool;
-    var phi_5734_: u32;
-    var phi_5735_: bool;
-    var phi_5736_: bool;
+    var phi_5384_: bool;
+    var phi_5385_: bool;
+    var phi_5386_: bool;
+    var phi_5387_: f64;
+    var phi_5388_: f64;
+    var phi_5389_: f64;
+    var phi_5390_: f64;
+    var phi_5391_: bool;
+    var phi_5392_: bool;
+    var phi_5393_: bool;
+    var phi_5394_: bool;
+    var phi_5395_: bool;
+    var phi_5733_: f64;
+    var phi_5735_: u32;
+    var phi_5736_: f64;
     var phi_5737_: bool;
     var phi_5738_: bool;
     var phi_5739_: bool;
-    var phi_5740_: bool;
-    var phi_5768_: f64;
-    var phi_5769_: f64;
-    var phi_5770_: f64;
-    var phi_5771_: f64;
-    var phi_5772_: bool;
-    var phi_5773_: u32;
-    var phi_5774_: bool;
-    var phi_5775_: bool;
-    var phi_5776_: bool;
-    var phi_5777_: bool;
-    var phi_5778_: bool;
-    var phi_5779_: bool;
-    var phi_3558_: f64;
-    var phi_3560_: f64;
-    var phi_3562_: f64;
-    var phi_3564_: f64;
-    var phi_3566_: bool;
-    var phi_3568_: u32;
+    var phi_5740_: u32;
+    var phi_5741_: f64;
+    var phi_5742_: f64;
+    var phi_5743_: f64;
+    var phi_5744_: f64;
+    var phi_5745_: bool;
+    var phi_5746_: u32;
+    var phi_5747_: bool;
+    var phi_5748_: bool;
+    var phi_5749_: bool;
+    var phi_5750_: bool;
+    var phi_5751_: bool;
+    var phi_5752_: bool;
     var phi_5780_: f64;
     var phi_5781_: f64;
-    var phi_5782_: bool;
-    var phi_5783_: bool;
+    var phi_5782_: f64;
+    var phi_5783_: f64;
     var phi_5784_: bool;
-    var phi_5785_: bool;
+    var phi_5785_: u32;
     var phi_5786_: bool;
     var phi_5787_: bool;
     var phi_5788_: bool;
-    var local_9: bool;
+    var phi_5789_: bool;
+    var phi_5790_: bool;
+    var phi_5791_: bool;
+    var phi_3570_: f64;
+    var phi_3572_: f64;
+    var phi_3574_: f64;
+    var phi_3576_: f64;
+    var phi_3578_: bool;
+    var phi_3580_: u32;
+    var phi_5792_: f64;
+    var phi_5793_: f64;
+    var phi_5794_: bool;
+    var phi_5795_: bool;
+    var phi_5796_: bool;
+    var phi_5797_: bool;
+    var phi_5798_: bool;
+    var phi_5799_: bool;
+    var phi_5800_: bool;
     var local_10: bool;
     var local_11: bool;
     var local_12: bool;
@@ -493,141 +493,141 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_16: bool;
     var local_17: bool;
     var local_18: bool;
-    var local_19: f64;
-    var local_20: bool;
-    var local_21: f64;
+    var local_19: bool;
+    var local_20: f64;
+    var local_21: bool;
     var local_22: f64;
     var local_23: f64;
-    var phi_5855_: f64;
-    var phi_5856_: bool;
-    var phi_6481_: type_16;
-    var phi_6484_: f64;
-    var phi_6482_: type_16;
-    var phi_6525_: type_17;
-    var phi_6485_: f64;
     var local_24: f64;
-    var phi_6538_: f64;
-    var phi_6776_: type_16;
-    var phi_6779_: f64;
-    var phi_6777_: type_16;
-    var phi_6820_: type_17;
-    var phi_6780_: f64;
+    var phi_5867_: f64;
+    var phi_5868_: bool;
+    var phi_6493_: type_16;
+    var phi_6496_: f64;
+    var phi_6494_: type_16;
+    var phi_6537_: type_17;
+    var phi_6497_: f64;
     var local_25: f64;
-    var phi_6833_: f64;
-    var phi_6865_: type_16;
-    var phi_6868_: f64;
-    var phi_6866_: type_16;
-    var phi_6909_: type_17;
-    var phi_6869_: f64;
+    var phi_6550_: f64;
+    var phi_6788_: type_16;
+    var phi_6791_: f64;
+    var phi_6789_: type_16;
+    var phi_6832_: type_17;
+    var phi_6792_: f64;
     var local_26: f64;
-    var phi_6922_: f64;
-    var phi_7240_: type_9;
-    var phi_7243_: f64;
-    var phi_7244_: f64;
+    var phi_6845_: f64;
+    var phi_6877_: type_16;
+    var phi_6880_: f64;
+    var phi_6878_: type_16;
+    var phi_6921_: type_17;
+    var phi_6881_: f64;
     var local_27: f64;
+    var phi_6934_: f64;
+    var phi_7252_: type_9;
+    var phi_7255_: f64;
+    var phi_7256_: f64;
     var local_28: f64;
-    var phi_7345_: type_16;
-    var phi_7348_: f64;
-    var phi_7346_: type_16;
-    var phi_7389_: type_17;
-    var phi_7349_: f64;
     var local_29: f64;
-    var phi_7402_: f64;
-    var phi_7409_: type_9;
-    var phi_7412_: f64;
-    var phi_7414_: bool;
-    var phi_7416_: bool;
-    var phi_7652_: f64;
-    var phi_7653_: f64;
-    var phi_7413_: f64;
-    var phi_7415_: bool;
-    var phi_7417_: bool;
+    var phi_7357_: type_16;
+    var phi_7360_: f64;
+    var phi_7358_: type_16;
+    var phi_7401_: type_17;
+    var phi_7361_: f64;
     var local_30: f64;
+    var phi_7414_: f64;
+    var phi_7421_: type_9;
+    var phi_7424_: f64;
+    var phi_7426_: bool;
+    var phi_7428_: bool;
+    var phi_7664_: f64;
+    var phi_7665_: f64;
+    var phi_7425_: f64;
+    var phi_7427_: bool;
+    var phi_7429_: bool;
     var local_31: f64;
-    var local_32: bool;
+    var local_32: f64;
     var local_33: bool;
     var local_34: bool;
     var local_35: bool;
-    var phi_7671_: type_42;
-    var phi_7672_: bool;
     var local_36: bool;
-    var phi_7694_: type_9;
-    var phi_7697_: f64;
-    var phi_7699_: f64;
-    var phi_7809_: f64;
-    var phi_7810_: f64;
-    var phi_7811_: f64;
-    var phi_7812_: f64;
-    var phi_7698_: f64;
-    var phi_7700_: f64;
-    var local_37: f64;
+    var phi_7683_: type_42;
+    var phi_7684_: bool;
+    var local_37: bool;
+    var phi_7706_: type_9;
+    var phi_7709_: f64;
+    var phi_7711_: f64;
+    var phi_7821_: f64;
+    var phi_7822_: f64;
+    var phi_7823_: f64;
+    var phi_7824_: f64;
+    var phi_7710_: f64;
+    var phi_7712_: f64;
     var local_38: f64;
     var local_39: f64;
-    var phi_7975_: bool;
-    var phi_7976_: bool;
-    var phi_7977_: bool;
-    var phi_7978_: bool;
-    var phi_7979_: bool;
-    var phi_7980_: bool;
+    var local_40: f64;
+    var phi_7987_: bool;
+    var phi_7988_: bool;
     var phi_7989_: bool;
     var phi_7990_: bool;
-    var phi_7999_: type_42;
-    var phi_8000_: type_42;
+    var phi_7991_: bool;
+    var phi_7992_: bool;
     var phi_8001_: bool;
-    var phi_8002_: type_42;
-    var phi_8003_: type_42;
-    var phi_8004_: bool;
-    var phi_8010_: type_42;
+    var phi_8002_: bool;
     var phi_8011_: type_42;
-    var phi_8012_: bool;
-    var phi_8016_: type_42;
-    var phi_8017_: type_42;
-    var phi_8018_: bool;
-    var phi_8019_: bool;
-    var phi_8020_: type_42;
-    var phi_8021_: type_42;
-    var phi_8022_: bool;
-    var phi_8023_: bool;
-    var phi_8058_: f64;
-    var phi_8059_: f64;
-    var phi_8060_: bool;
-    var phi_8061_: bool;
-    var phi_8062_: bool;
-    var phi_8063_: f64;
-    var phi_8064_: u32;
-    var phi_8065_: f64;
-    var phi_8066_: type_42;
-    var phi_8067_: u32;
-    var phi_8068_: u32;
-    var phi_8069_: bool;
-    var phi_8070_: bool;
-    var phi_8071_: bool;
-    var phi_8072_: f64;
-    var phi_8073_: u32;
-    var phi_8074_: f64;
-    var phi_8075_: type_42;
+    var phi_8012_: type_42;
+    var phi_8013_: bool;
+    var phi_8014_: type_42;
+    var phi_8015_: type_42;
+    var phi_8016_: bool;
+    var phi_8022_: type_42;
+    var phi_8023_: type_42;
+    var phi_8024_: bool;
+    var phi_8028_: type_42;
+    var phi_8029_: type_42;
+    var phi_8030_: bool;
+    var phi_8031_: bool;
+    var phi_8032_: type_42;
+    var phi_8033_: type_42;
+    var phi_8034_: bool;
+    var phi_8035_: bool;
+    var phi_8070_: f64;
+    var phi_8071_: f64;
+    var phi_8072_: bool;
+    var phi_8073_: bool;
+    var phi_8074_: bool;
+    var phi_8075_: f64;
     var phi_8076_: u32;
-    var phi_8077_: u32;
-    var phi_8078_: bool;
-    var phi_8079_: bool;
-    var phi_8080_: bool;
+    var phi_8077_: f64;
+    var phi_8078_: type_42;
+    var phi_8079_: u32;
+    var phi_8080_: u32;
     var phi_8081_: bool;
     var phi_8082_: bool;
-    var phi_8083_: f64;
-    var phi_3067_: f64;
-    var phi_3069_: u32;
-    var phi_3071_: f64;
-    var phi_8084_: type_42;
+    var phi_8083_: bool;
+    var phi_8084_: f64;
     var phi_8085_: u32;
     var phi_8086_: f64;
-    var phi_8087_: u32;
-    var phi_8088_: bool;
-    var phi_8089_: bool;
+    var phi_8087_: type_42;
+    var phi_8088_: u32;
+    var phi_8089_: u32;
     var phi_8090_: bool;
     var phi_8091_: bool;
     var phi_8092_: bool;
     var phi_8093_: bool;
-    var local_40: bool;
+    var phi_8094_: bool;
+    var phi_8095_: f64;
+    var phi_3079_: f64;
+    var phi_3081_: u32;
+    var phi_3083_: f64;
+    var phi_8096_: type_42;
+    var phi_8097_: u32;
+    var phi_8098_: f64;
+    var phi_8099_: u32;
+    var phi_8100_: bool;
+    var phi_8101_: bool;
+    var phi_8102_: bool;
+    var phi_8103_: bool;
+    var phi_8104_: bool;
+    var phi_8105_: bool;
     var local_41: bool;
     var local_42: bool;
     var local_43: bool;
@@ -635,54 +635,52 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_45: bool;
     var local_46: bool;
     var local_47: bool;
-    var local_48: type_42;
+    var local_48: bool;
     var local_49: type_42;
-    var local_50: u32;
-    var local_51: type_42;
-    var phi_8122_: type_39;
-    var phi_8123_: type_39;
-    var phi_8124_: bool;
-    var phi_8125_: bool;
-    var phi_8126_: bool;
-    var phi_8127_: bool;
-    var local_52: u32;
+    var local_50: type_42;
+    var local_51: u32;
+    var local_52: type_42;
+    var phi_8134_: type_38;
+    var phi_8135_: type_38;
+    var phi_8136_: bool;
+    var phi_8137_: bool;
+    var phi_8138_: bool;
+    var phi_8139_: bool;
     var local_53: u32;
-    var local_54: f64;
+    var local_54: u32;
     var local_55: f64;
     var local_56: f64;
-    var local_57: u32;
-    var phi_8161_: type_9;
-    var phi_8337_: type_16;
-    var phi_8340_: f64;
-    var phi_8338_: type_16;
-    var phi_8381_: type_17;
-    var phi_8341_: f64;
-    var local_58: f64;
-    var phi_8394_: f64;
-    var phi_8671_: bool;
-    var phi_8672_: bool;
-    var local_59: bool;
-    var phi_8684_: type_39;
-    var phi_8685_: bool;
-    var phi_8697_: type_39;
-    var phi_8698_: type_39;
-    var phi_8699_: bool;
-    var phi_8700_: bool;
-    var phi_8707_: type_39;
-    var phi_8708_: bool;
-    var phi_8712_: type_39;
-    var phi_8713_: type_39;
-    var phi_8714_: bool;
-    var phi_8718_: type_39;
-    var phi_8736_: type_35;
-    var phi_8737_: type_35;
-    var phi_8738_: type_9;
-    var phi_8778_: u32;
-    var phi_8792_: u32;
-    var phi_8862_: bool;
-    var phi_8863_: bool;
+    var local_57: f64;
+    var local_58: u32;
+    var phi_8173_: type_9;
+    var phi_8349_: type_16;
+    var phi_8352_: f64;
+    var phi_8350_: type_16;
+    var phi_8393_: type_17;
+    var phi_8353_: f64;
+    var local_59: f64;
+    var phi_8406_: f64;
+    var phi_8683_: bool;
+    var phi_8684_: bool;
     var local_60: bool;
+    var phi_8696_: type_38;
+    var phi_8697_: bool;
+    var phi_8709_: type_38;
+    var phi_8710_: type_38;
+    var phi_8711_: bool;
+    var phi_8712_: bool;
+    var phi_8719_: type_38;
+    var phi_8720_: bool;
+    var phi_8724_: type_38;
+    var phi_8725_: type_38;
+    var phi_8726_: bool;
+    var phi_8730_: type_38;
+    var phi_8748_: type_35;
+    var phi_8757_: type_9;
+    var phi_8782_: bool;
+    var phi_8825_: u32;
     var local_61: bool;
+    var local_62: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -690,2384 +688,2368 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e103 = id_2;
-    let _e104 = n_2;
-    let _e105 = lane_2;
-    let _e117 = ((_e103.y * _e104.x) + _e103.x);
-    let _e120 = (_e104.x * _e104.y);
-    let _e123 = params.member.member_1.member_2;
-    let _e125 = input.member[0u];
-    let _e127 = select(_e125, _e123, (_e123 < _e125));
-    let _e129 = params.member.member_1.member_1;
-    if (_e127 > _e129) {
-        let _e132 = params.member.member_1.member_1;
-        phi_943_ = (_e127 - _e132);
+    let _e104 = id_2;
+    let _e105 = n_2;
+    let _e106 = lane_2;
+    let _e118 = ((_e104.y * _e105.x) + _e104.x);
+    let _e121 = (_e105.x * _e105.y);
+    let _e124 = params.member.member_1.member_2;
+    let _e126 = input.member[0u];
+    let _e128 = select(_e126, _e124, (_e124 < _e126));
+    let _e130 = params.member.member_1.member_1;
+    if (_e128 > _e130) {
+        let _e133 = params.member.member_1.member_1;
+        phi_953_ = (_e128 - _e133);
     } else {
-        phi_943_ = 0u;
+        phi_953_ = 0u;
     }
-    let _e135 = phi_943_;
-    let _e137 = params.member.member_1.member;
-    let _e139 = select(_e135, _e137, (_e137 < _e135));
-    let _e140 = (_e139 / 64u);
-    let _e144 = select(_e140, (_e140 + 1u), ((_e139 % 64u) > 0u));
-    if (_e144 > _e117) {
-        let _e146 = (_e144 - _e117);
-        if (_e120 == 0u) {
+    let _e136 = phi_953_;
+    let _e138 = params.member.member_1.member;
+    let _e140 = select(_e136, _e138, (_e138 < _e136));
+    let _e141 = (_e140 / 64u);
+    let _e145 = select(_e141, (_e141 + 1u), ((_e140 % 64u) > 0u));
+    if (_e145 > _e118) {
+        let _e147 = (_e145 - _e118);
+        if (_e121 == 0u) {
             return;
         }
-        let _e148 = (_e146 / _e120);
-        if (_e120 == 0u) {
+        let _e149 = (_e147 / _e121);
+        if (_e121 == 0u) {
             return;
         }
-        phi_988_ = select(_e148, (_e148 + 1u), ((_e146 % _e120) > 0u));
+        phi_998_ = select(_e149, (_e149 + 1u), ((_e147 % _e121) > 0u));
     } else {
-        phi_988_ = 0u;
+        phi_998_ = 0u;
     }
-    let _e155 = phi_988_;
-    phi_991_ = type_9(0u, _e155);
+    let _e156 = phi_998_;
+    phi_1001_ = type_9(0u, _e156);
     loop {
-        let _e158 = phi_991_;
-        let _e161 = (_e158.member < _e158.member_1);
-        let _e174 = (bitcast<i32>(select(0u, 1u, _e161)) != 0i);
-        if _e174 {
-            let _e178 = (((_e117 + (select(type_9().member_1, _e158.member, _e161) * _e120)) * 64u) + _e105);
-            if (_e178 < _e139) {
-                let _e182 = params.member.member_1.member_1;
-                let _e184 = (2u * (_e182 + _e178));
-                let _e187 = input.member[(4u + _e184)];
-                let _e190 = input.member[(_e184 + 5u)];
-                let _e195 = (_e190 & 2147483647u);
-                if (select(1u, 0u, ((_e190 & 2147483648u) == 0u)) == 0u) {
-                    let _e214 = params.member.member.member[1u];
-                    let _e217 = ((2u * _e214) + (3u * _e195));
-                    let _e219 = elements.member[_e217];
-                    let _e222 = elements.member[(_e217 + 1u)];
-                    let _e225 = elements.member[(_e217 + 2u)];
-                    phi_1163_ = type_23(0u, array<u32, 4>(_e187, _e219, _e222, _e225));
+        let _e159 = phi_1001_;
+        let _e162 = (_e159.member < _e159.member_1);
+        let _e175 = (bitcast<i32>(select(0u, 1u, _e162)) != 0i);
+        if _e175 {
+            let _e179 = (((_e118 + (select(type_9().member_1, _e159.member, _e162) * _e121)) * 64u) + _e106);
+            local_6 = type_35(0u, 0u, array<u32, 2>(0u, 0u), false);
+            if (_e179 < _e140) {
+                let _e183 = params.member.member_1.member_1;
+                let _e185 = (2u * (_e183 + _e179));
+                let _e188 = input.member[(4u + _e185)];
+                let _e191 = input.member[(_e185 + 5u)];
+                let _e196 = (_e191 & 2147483647u);
+                if (select(1u, 0u, ((_e191 & 2147483648u) == 0u)) == 0u) {
+                    let _e215 = params.member.member.member[1u];
+                    let _e218 = ((2u * _e215) + (3u * _e196));
+                    let _e220 = elements.member[_e218];
+                    let _e223 = elements.member[(_e218 + 1u)];
+                    let _e226 = elements.member[(_e218 + 2u)];
+                    phi_1175_ = type_23(0u, array<u32, 4>(_e188, _e220, _e223, _e226));
                 } else {
-                    let _e198 = (2u * _e187);
-                    let _e200 = elements.member[_e198];
-                    let _e203 = elements.member[(_e198 + 1u)];
-                    let _e204 = (2u * _e195);
-                    let _e206 = elements.member[_e204];
-                    let _e209 = elements.member[(_e204 + 1u)];
-                    phi_1163_ = type_23(1u, array<u32, 4>(_e200, _e203, _e206, _e209));
+                    let _e199 = (2u * _e188);
+                    let _e201 = elements.member[_e199];
+                    let _e204 = elements.member[(_e199 + 1u)];
+                    let _e205 = (2u * _e196);
+                    let _e207 = elements.member[_e205];
+                    let _e210 = elements.member[(_e205 + 1u)];
+                    phi_1175_ = type_23(1u, array<u32, 4>(_e201, _e204, _e207, _e210));
                 }
-                let _e229 = phi_1163_;
-                let _e233 = params.member.member.member_1;
-                if ((_e233 & 8u) != 0u) {
-                    let _e277 = paths.member[_e229.member_1[0]];
-                    let _e292 = paths.member[_e229.member_1[1]];
-                    let _e307 = paths.member[_e229.member_1[2]];
-                    let _e322 = paths.member[_e229.member_1[3]];
-                    let _e343 = function_(array<f32, 3>(_e277.member.x, _e277.member.y, _e277.member.z));
-                    let _e344 = function_(array<f32, 3>(_e292.member.x, _e292.member.y, _e292.member.z));
-                    let _e345 = function_(array<f32, 3>(_e307.member.x, _e307.member.y, _e307.member.z));
-                    let _e346 = function_(array<f32, 3>(_e322.member.x, _e322.member.y, _e322.member.z));
-                    let _e348 = function_(array<f32, 3>(_e277.member_1.x, _e277.member_1.y, _e277.member_1.z));
-                    let _e349 = function_(array<f32, 3>(_e292.member_1.x, _e292.member_1.y, _e292.member_1.z));
-                    let _e350 = function_(array<f32, 3>(_e307.member_1.x, _e307.member_1.y, _e307.member_1.z));
-                    let _e351 = function_(array<f32, 3>(_e322.member_1.x, _e322.member_1.y, _e322.member_1.z));
-                    phi_1359_ = type_31(array<array<f64, 3>, 4>(_e343, _e344, _e345, _e346), array<array<f64, 3>, 4>(_e348, _e349, _e350, _e351));
+                let _e230 = phi_1175_;
+                let _e234 = params.member.member.member_1;
+                if ((_e234 & 8u) != 0u) {
+                    let _e278 = paths.member[_e230.member_1[0]];
+                    let _e293 = paths.member[_e230.member_1[1]];
+                    let _e308 = paths.member[_e230.member_1[2]];
+                    let _e323 = paths.member[_e230.member_1[3]];
+                    let _e344 = function_(array<f32, 3>(_e278.member.x, _e278.member.y, _e278.member.z));
+                    let _e345 = function_(array<f32, 3>(_e293.member.x, _e293.member.y, _e293.member.z));
+                    let _e346 = function_(array<f32, 3>(_e308.member.x, _e308.member.y, _e308.member.z));
+                    let _e347 = function_(array<f32, 3>(_e323.member.x, _e323.member.y, _e323.member.z));
+                    let _e349 = function_(array<f32, 3>(_e278.member_1.x, _e278.member_1.y, _e278.member_1.z));
+                    let _e350 = function_(array<f32, 3>(_e293.member_1.x, _e293.member_1.y, _e293.member_1.z));
+                    let _e351 = function_(array<f32, 3>(_e308.member_1.x, _e308.member_1.y, _e308.member_1.z));
+                    let _e352 = function_(array<f32, 3>(_e323.member_1.x, _e323.member_1.y, _e323.member_1.z));
+                    phi_1371_ = type_31(array<array<f64, 3>, 4>(_e344, _e345, _e346, _e347), array<array<f64, 3>, 4>(_e349, _e350, _e351, _e352));
                 } else {
-                    let _e238 = positions.member[_e229.member_1[0]];
-                    let _e241 = params.member.member.member[0u];
-                    let _e244 = positions.member[(_e241 + _e229.member_1[0])];
-                    let _e247 = positions.member[_e229.member_1[1]];
-                    let _e250 = params.member.member.member[0u];
-                    let _e253 = positions.member[(_e250 + _e229.member_1[1])];
-                    let _e256 = positions.member[_e229.member_1[2]];
-                    let _e259 = params.member.member.member[0u];
-                    let _e262 = positions.member[(_e259 + _e229.member_1[2])];
-                    let _e265 = positions.member[_e229.member_1[3]];
-                    let _e268 = params.member.member.member[0u];
-                    let _e271 = positions.member[(_e268 + _e229.member_1[3])];
-                    phi_1359_ = type_31(array<array<f64, 3>, 4>(_e238, _e247, _e256, _e265), array<array<f64, 3>, 4>(_e244, _e253, _e262, _e271));
+                    let _e239 = positions.member[_e230.member_1[0]];
+                    let _e242 = params.member.member.member[0u];
+                    let _e245 = positions.member[(_e242 + _e230.member_1[0])];
+                    let _e248 = positions.member[_e230.member_1[1]];
+                    let _e251 = params.member.member.member[0u];
+                    let _e254 = positions.member[(_e251 + _e230.member_1[1])];
+                    let _e257 = positions.member[_e230.member_1[2]];
+                    let _e260 = params.member.member.member[0u];
+                    let _e263 = positions.member[(_e260 + _e230.member_1[2])];
+                    let _e266 = positions.member[_e230.member_1[3]];
+                    let _e269 = params.member.member.member[0u];
+                    let _e272 = positions.member[(_e269 + _e230.member_1[3])];
+                    phi_1371_ = type_31(array<array<f64, 3>, 4>(_e239, _e248, _e257, _e266), array<array<f64, 3>, 4>(_e245, _e254, _e263, _e272));
                 }
-                let _e355 = phi_1359_;
-                if (_e229.member != 0u) {
-                    phi_1520_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e355.member[2][0] - _e355.member[0][0]), (_e355.member[2][1] - _e355.member[0][1]), (_e355.member[2][2] - _e355.member[0][2])), array<f64, 3>((_e355.member_1[2][0] - _e355.member_1[0][0]), (_e355.member_1[2][1] - _e355.member_1[0][1]), (_e355.member_1[2][2] - _e355.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e355.member[1][0] - _e355.member[0][0]), (_e355.member[1][1] - _e355.member[0][1]), (_e355.member[1][2] - _e355.member[0][2])), array<f64, 3>((_e355.member_1[1][0] - _e355.member_1[0][0]), (_e355.member_1[1][1] - _e355.member_1[0][1]), (_e355.member_1[1][2] - _e355.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e355.member[2][0] - _e355.member[3][0]), (_e355.member[2][1] - _e355.member[3][1]), (_e355.member[2][2] - _e355.member[3][2])), array<f64, 3>((_e355.member_1[2][0] - _e355.member_1[3][0]), (_e355.member_1[2][1] - _e355.member_1[3][1]), (_e355.member_1[2][2] - _e355.member_1[3][2]))), (0.0lf + 0.0lf));
+                let _e356 = phi_1371_;
+                if (_e230.member != 0u) {
+                    phi_1532_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[2][0] - _e356.member[0][0]), (_e356.member[2][1] - _e356.member[0][1]), (_e356.member[2][2] - _e356.member[0][2])), array<f64, 3>((_e356.member_1[2][0] - _e356.member_1[0][0]), (_e356.member_1[2][1] - _e356.member_1[0][1]), (_e356.member_1[2][2] - _e356.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[1][0] - _e356.member[0][0]), (_e356.member[1][1] - _e356.member[0][1]), (_e356.member[1][2] - _e356.member[0][2])), array<f64, 3>((_e356.member_1[1][0] - _e356.member_1[0][0]), (_e356.member_1[1][1] - _e356.member_1[0][1]), (_e356.member_1[1][2] - _e356.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[2][0] - _e356.member[3][0]), (_e356.member[2][1] - _e356.member[3][1]), (_e356.member[2][2] - _e356.member[3][2])), array<f64, 3>((_e356.member_1[2][0] - _e356.member_1[3][0]), (_e356.member_1[2][1] - _e356.member_1[3][1]), (_e356.member_1[2][2] - _e356.member_1[3][2]))), (0.0lf + 0.0lf));
                 } else {
-                    phi_1520_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e355.member[0][0] - _e355.member[1][0]), (_e355.member[0][1] - _e355.member[1][1]), (_e355.member[0][2] - _e355.member[1][2])), array<f64, 3>((_e355.member_1[0][0] - _e355.member_1[1][0]), (_e355.member_1[0][1] - _e355.member_1[1][1]), (_e355.member_1[0][2] - _e355.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e355.member[2][0] - _e355.member[1][0]), (_e355.member[2][1] - _e355.member[1][1]), (_e355.member[2][2] - _e355.member[1][2])), array<f64, 3>((_e355.member_1[2][0] - _e355.member_1[1][0]), (_e355.member_1[2][1] - _e355.member_1[1][1]), (_e355.member_1[2][2] - _e355.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e355.member[3][0] - _e355.member[1][0]), (_e355.member[3][1] - _e355.member[1][1]), (_e355.member[3][2] - _e355.member[1][2])), array<f64, 3>((_e355.member_1[3][0] - _e355.member_1[1][0]), (_e355.member_1[3][1] - _e355.member_1[1][1]), (_e355.member_1[3][2] - _e355.member_1[1][2]))), (0.0lf + 0.0lf));
+                    phi_1532_ = type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[0][0] - _e356.member[1][0]), (_e356.member[0][1] - _e356.member[1][1]), (_e356.member[0][2] - _e356.member[1][2])), array<f64, 3>((_e356.member_1[0][0] - _e356.member_1[1][0]), (_e356.member_1[0][1] - _e356.member_1[1][1]), (_e356.member_1[0][2] - _e356.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[2][0] - _e356.member[1][0]), (_e356.member[2][1] - _e356.member[1][1]), (_e356.member[2][2] - _e356.member[1][2])), array<f64, 3>((_e356.member_1[2][0] - _e356.member_1[1][0]), (_e356.member_1[2][1] - _e356.member_1[1][1]), (_e356.member_1[2][2] - _e356.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e356.member[3][0] - _e356.member[1][0]), (_e356.member[3][1] - _e356.member[1][1]), (_e356.member[3][2] - _e356.member[1][2])), array<f64, 3>((_e356.member_1[3][0] - _e356.member_1[1][0]), (_e356.member_1[3][1] - _e356.member_1[1][1]), (_e356.member_1[3][2] - _e356.member_1[1][2]))), (0.0lf + 0.0lf));
                 }
-                let _e514 = phi_1520_;
-                let _e516 = params.member.member.member_7;
-                let _e523 = bitcast<f64>(((u64(_e516[1]) * 4294967296lu) + u64(_e516[0])));
-                let _e525 = params.member.member.member_14;
-                let _e532 = bitcast<f64>(((u64(_e525[1]) * 4294967296lu) + u64(_e525[0])));
-                let _e534 = params.member.member.member_15;
-                let _e541 = bitcast<f64>(((u64(_e534[1]) * 4294967296lu) + u64(_e534[0])));
-                let _e543 = params.member.member.member_16;
-                let _e550 = bitcast<f64>(((u64(_e543[1]) * 4294967296lu) + u64(_e543[0])));
-                let _e552 = params.member.member.member_1;
-                let _e560 = select(_e514.member[0][0], -(_e514.member[0][0]), (_e514.member[0][0] < 0.0lf));
-                let _e564 = select(_e514.member[0][1], -(_e514.member[0][1]), (_e514.member[0][1] < 0.0lf));
-                let _e566 = select(_e564, _e560, (_e560 > _e564));
-                let _e570 = select(_e514.member[0][2], -(_e514.member[0][2]), (_e514.member[0][2] < 0.0lf));
-                let _e572 = select(_e570, _e566, (_e566 > _e570));
-                let _e578 = select(_e514.member[1][0], -(_e514.member[1][0]), (_e514.member[1][0] < 0.0lf));
-                let _e582 = select(_e514.member[1][1], -(_e514.member[1][1]), (_e514.member[1][1] < 0.0lf));
-                let _e584 = select(_e582, _e578, (_e578 > _e582));
-                let _e588 = select(_e514.member[1][2], -(_e514.member[1][2]), (_e514.member[1][2] < 0.0lf));
-                let _e590 = select(_e588, _e584, (_e584 > _e588));
-                let _e594 = (select(_e590, _e572, (_e572 > _e590)) + _e514.member_3);
-                let _e600 = select(_e514.member_1[0][0], -(_e514.member_1[0][0]), (_e514.member_1[0][0] < 0.0lf));
-                let _e604 = select(_e514.member_1[0][1], -(_e514.member_1[0][1]), (_e514.member_1[0][1] < 0.0lf));
-                let _e606 = select(_e604, _e600, (_e600 > _e604));
-                let _e610 = select(_e514.member_1[0][2], -(_e514.member_1[0][2]), (_e514.member_1[0][2] < 0.0lf));
-                let _e612 = select(_e610, _e606, (_e606 > _e610));
-                let _e618 = select(_e514.member_1[1][0], -(_e514.member_1[1][0]), (_e514.member_1[1][0] < 0.0lf));
-                let _e622 = select(_e514.member_1[1][1], -(_e514.member_1[1][1]), (_e514.member_1[1][1] < 0.0lf));
-                let _e624 = select(_e622, _e618, (_e618 > _e622));
-                let _e628 = select(_e514.member_1[1][2], -(_e514.member_1[1][2]), (_e514.member_1[1][2] < 0.0lf));
-                let _e630 = select(_e628, _e624, (_e624 > _e628));
-                let _e634 = (select(_e630, _e612, (_e612 > _e630)) + _e514.member_3);
-                let _e640 = select(_e514.member_2[0][0], -(_e514.member_2[0][0]), (_e514.member_2[0][0] < 0.0lf));
-                let _e644 = select(_e514.member_2[0][1], -(_e514.member_2[0][1]), (_e514.member_2[0][1] < 0.0lf));
-                let _e646 = select(_e644, _e640, (_e640 > _e644));
-                let _e650 = select(_e514.member_2[0][2], -(_e514.member_2[0][2]), (_e514.member_2[0][2] < 0.0lf));
-                let _e652 = select(_e650, _e646, (_e646 > _e650));
-                let _e658 = select(_e514.member_2[1][0], -(_e514.member_2[1][0]), (_e514.member_2[1][0] < 0.0lf));
-                let _e662 = select(_e514.member_2[1][1], -(_e514.member_2[1][1]), (_e514.member_2[1][1] < 0.0lf));
-                let _e664 = select(_e662, _e658, (_e658 > _e662));
-                let _e668 = select(_e514.member_2[1][2], -(_e514.member_2[1][2]), (_e514.member_2[1][2] < 0.0lf));
-                let _e670 = select(_e668, _e664, (_e664 > _e668));
-                let _e674 = (select(_e670, _e652, (_e652 > _e670)) + _e514.member_3);
-                let _e676 = select(_e634, _e594, (_e594 > _e634));
-                let _e678 = select(_e674, _e676, (_e676 > _e674));
-                if (_e678 <= f64(65536f)) {
-                    phi_1794_ = (_e678 >= f64((1f / 65536f)));
+                let _e515 = phi_1532_;
+                let _e517 = params.member.member.member_7;
+                let _e524 = bitcast<f64>(((u64(_e517[1]) * 4294967296lu) + u64(_e517[0])));
+                let _e526 = params.member.member.member_14;
+                let _e533 = bitcast<f64>(((u64(_e526[1]) * 4294967296lu) + u64(_e526[0])));
+                let _e535 = params.member.member.member_15;
+                let _e542 = bitcast<f64>(((u64(_e535[1]) * 4294967296lu) + u64(_e535[0])));
+                let _e544 = params.member.member.member_16;
+                let _e551 = bitcast<f64>(((u64(_e544[1]) * 4294967296lu) + u64(_e544[0])));
+                let _e553 = params.member.member.member_1;
+                let _e561 = select(_e515.member[0][0], -(_e515.member[0][0]), (_e515.member[0][0] < 0.0lf));
+                let _e565 = select(_e515.member[0][1], -(_e515.member[0][1]), (_e515.member[0][1] < 0.0lf));
+                let _e567 = select(_e565, _e561, (_e561 > _e565));
+                let _e571 = select(_e515.member[0][2], -(_e515.member[0][2]), (_e515.member[0][2] < 0.0lf));
+                let _e573 = select(_e571, _e567, (_e567 > _e571));
+                let _e579 = select(_e515.member[1][0], -(_e515.member[1][0]), (_e515.member[1][0] < 0.0lf));
+                let _e583 = select(_e515.member[1][1], -(_e515.member[1][1]), (_e515.member[1][1] < 0.0lf));
+                let _e585 = select(_e583, _e579, (_e579 > _e583));
+                let _e589 = select(_e515.member[1][2], -(_e515.member[1][2]), (_e515.member[1][2] < 0.0lf));
+                let _e591 = select(_e589, _e585, (_e585 > _e589));
+                let _e595 = (select(_e591, _e573, (_e573 > _e591)) + _e515.member_3);
+                let _e601 = select(_e515.member_1[0][0], -(_e515.member_1[0][0]), (_e515.member_1[0][0] < 0.0lf));
+                let _e605 = select(_e515.member_1[0][1], -(_e515.member_1[0][1]), (_e515.member_1[0][1] < 0.0lf));
+                let _e607 = select(_e605, _e601, (_e601 > _e605));
+                let _e611 = select(_e515.member_1[0][2], -(_e515.member_1[0][2]), (_e515.member_1[0][2] < 0.0lf));
+                let _e613 = select(_e611, _e607, (_e607 > _e611));
+                let _e619 = select(_e515.member_1[1][0], -(_e515.member_1[1][0]), (_e515.member_1[1][0] < 0.0lf));
+                let _e623 = select(_e515.member_1[1][1], -(_e515.member_1[1][1]), (_e515.member_1[1][1] < 0.0lf));
+                let _e625 = select(_e623, _e619, (_e619 > _e623));
+                let _e629 = select(_e515.member_1[1][2], -(_e515.member_1[1][2]), (_e515.member_1[1][2] < 0.0lf));
+                let _e631 = select(_e629, _e625, (_e625 > _e629));
+                let _e635 = (select(_e631, _e613, (_e613 > _e631)) + _e515.member_3);
+                let _e641 = select(_e515.member_2[0][0], -(_e515.member_2[0][0]), (_e515.member_2[0][0] < 0.0lf));
+                let _e645 = select(_e515.member_2[0][1], -(_e515.member_2[0][1]), (_e515.member_2[0][1] < 0.0lf));
+                let _e647 = select(_e645, _e641, (_e641 > _e645));
+                let _e651 = select(_e515.member_2[0][2], -(_e515.member_2[0][2]), (_e515.member_2[0][2] < 0.0lf));
+                let _e653 = select(_e651, _e647, (_e647 > _e651));
+                let _e659 = select(_e515.member_2[1][0], -(_e515.member_2[1][0]), (_e515.member_2[1][0] < 0.0lf));
+                let _e663 = select(_e515.member_2[1][1], -(_e515.member_2[1][1]), (_e515.member_2[1][1] < 0.0lf));
+                let _e665 = select(_e663, _e659, (_e659 > _e663));
+                let _e669 = select(_e515.member_2[1][2], -(_e515.member_2[1][2]), (_e515.member_2[1][2] < 0.0lf));
+                let _e671 = select(_e669, _e665, (_e665 > _e669));
+                let _e675 = (select(_e671, _e653, (_e653 > _e671)) + _e515.member_3);
+                let _e677 = select(_e635, _e595, (_e595 > _e635));
+                let _e679 = select(_e675, _e677, (_e677 > _e675));
+                if (_e679 <= f64(65536f)) {
+                    phi_1806_ = (_e679 >= f64((1f / 65536f)));
                 } else {
-                    phi_1794_ = false;
+                    phi_1806_ = false;
                 }
-                let _e685 = phi_1794_;
-                if _e685 {
-                    phi_1894_ = type_37();
-                    phi_1895_ = true;
+                let _e686 = phi_1806_;
+                if _e686 {
+                    phi_1906_ = type_36();
+                    phi_1907_ = true;
                 } else {
-                    if (_e678 >= 2.2250738585072014e-308lf) {
-                        if ((bitcast<u64>(_e678) & 9218868437227405312lu) != 9218868437227405312lu) {
-                            let _e692 = (9214364837600034816lu - (bitcast<u64>(_e678) & 9218868437227405312lu));
-                            let _e695 = bitcast<f64>(select(4503599627370496lu, _e692, (_e692 > 4503599627370496lu)));
-                            let _e696 = (_e523 * _e695);
-                            phi_1890_ = type_37(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e514.member[0][0] * _e695), (_e514.member[0][1] * _e695), (_e514.member[0][2] * _e695)), array<f64, 3>((_e514.member[1][0] * _e695), (_e514.member[1][1] * _e695), (_e514.member[1][2] * _e695))), array<array<f64, 3>, 2>(array<f64, 3>((_e514.member_1[0][0] * _e695), (_e514.member_1[0][1] * _e695), (_e514.member_1[0][2] * _e695)), array<f64, 3>((_e514.member_1[1][0] * _e695), (_e514.member_1[1][1] * _e695), (_e514.member_1[1][2] * _e695))), array<array<f64, 3>, 2>(array<f64, 3>((_e514.member_2[0][0] * _e695), (_e514.member_2[0][1] * _e695), (_e514.member_2[0][2] * _e695)), array<f64, 3>((_e514.member_2[1][0] * _e695), (_e514.member_2[1][1] * _e695), (_e514.member_2[1][2] * _e695))), ((_e514.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e695)), select(_e696, select(2.2250738585072014e-308lf, _e696, (_e696 > 2.2250738585072014e-308lf)), (_e523 > f64(0f))));
-                            phi_1891_ = false;
+                    if (_e679 >= 2.2250738585072014e-308lf) {
+                        if ((bitcast<u64>(_e679) & 9218868437227405312lu) != 9218868437227405312lu) {
+                            let _e693 = (9214364837600034816lu - (bitcast<u64>(_e679) & 9218868437227405312lu));
+                            let _e696 = bitcast<f64>(select(4503599627370496lu, _e693, (_e693 > 4503599627370496lu)));
+                            let _e697 = (_e524 * _e696);
+                            phi_1902_ = type_36(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e515.member[0][0] * _e696), (_e515.member[0][1] * _e696), (_e515.member[0][2] * _e696)), array<f64, 3>((_e515.member[1][0] * _e696), (_e515.member[1][1] * _e696), (_e515.member[1][2] * _e696))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_1[0][0] * _e696), (_e515.member_1[0][1] * _e696), (_e515.member_1[0][2] * _e696)), array<f64, 3>((_e515.member_1[1][0] * _e696), (_e515.member_1[1][1] * _e696), (_e515.member_1[1][2] * _e696))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_2[0][0] * _e696), (_e515.member_2[0][1] * _e696), (_e515.member_2[0][2] * _e696)), array<f64, 3>((_e515.member_2[1][0] * _e696), (_e515.member_2[1][1] * _e696), (_e515.member_2[1][2] * _e696))), ((_e515.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e696)), select(_e697, select(2.2250738585072014e-308lf, _e697, (_e697 > 2.2250738585072014e-308lf)), (_e524 > f64(0f))));
+                            phi_1903_ = false;
                         } else {
-                            phi_1890_ = type_37();
-                            phi_1891_ = true;
+                            phi_1902_ = type_36();
+                            phi_1903_ = true;
                         }
-                        let _e767 = phi_1890_;
-                        let _e769 = phi_1891_;
-                        phi_1892_ = _e767;
-                        phi_1893_ = _e769;
+                        let _e768 = phi_1902_;
+                        let _e770 = phi_1903_;
+                        phi_1904_ = _e768;
+                        phi_1905_ = _e770;
                     } else {
-                        phi_1892_ = type_37();
-                        phi_1893_ = true;
+                        phi_1904_ = type_36();
+                        phi_1905_ = true;
                     }
-                    let _e771 = phi_1892_;
-                    let _e773 = phi_1893_;
-                    phi_1894_ = _e771;
-                    phi_1895_ = _e773;
+                    let _e772 = phi_1904_;
+                    let _e774 = phi_1905_;
+                    phi_1906_ = _e772;
+                    phi_1907_ = _e774;
                 }
-                let _e775 = phi_1894_;
-                let _e777 = phi_1895_;
-                if _e777 {
-                    phi_1900_ = type_37(_e514, _e523);
+                let _e776 = phi_1906_;
+                let _e778 = phi_1907_;
+                if _e778 {
+                    phi_1912_ = type_36(_e515, _e524);
                 } else {
-                    phi_1900_ = _e775;
+                    phi_1912_ = _e776;
                 }
-                let _e780 = phi_1900_;
-                local_5 = type_33(array<array<f64, 3>, 2>(array<f64, 3>(_e780.member.member[0][0], _e780.member.member[0][1], _e780.member.member[0][2]), array<f64, 3>(_e780.member.member[1][0], _e780.member.member[1][1], _e780.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e780.member.member_1[0][0], _e780.member.member_1[0][1], _e780.member.member_1[0][2]), array<f64, 3>(_e780.member.member_1[1][0], _e780.member.member_1[1][1], _e780.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e780.member.member_2[0][0], _e780.member.member_2[0][1], _e780.member.member_2[0][2]), array<f64, 3>(_e780.member.member_2[1][0], _e780.member.member_2[1][1], _e780.member.member_2[1][2])), _e780.member.member_3);
-                let _e823 = local_5.member[0u];
-                let _e829 = local_5.member[1u];
-                let _e845 = local_5.member_1[0u];
-                let _e851 = local_5.member_1[1u];
-                let _e867 = local_5.member_2[0u];
-                let _e873 = local_5.member_2[1u];
-                let _e887 = function_3(array<f64, 3>((_e823[0] + ((_e829[0] - _e823[0]) * _e541)), (_e823[1] + ((_e829[1] - _e823[1]) * _e541)), (_e823[2] + ((_e829[2] - _e823[2]) * _e541))), array<f64, 3>((_e845[0] + ((_e851[0] - _e845[0]) * _e541)), (_e845[1] + ((_e851[1] - _e845[1]) * _e541)), (_e845[2] + ((_e851[2] - _e845[2]) * _e541))), array<f64, 3>((_e867[0] + ((_e873[0] - _e867[0]) * _e541)), (_e867[1] + ((_e873[1] - _e867[1]) * _e541)), (_e867[2] + ((_e873[2] - _e867[2]) * _e541))), _e229.member);
-                let _e898 = (((_e887[0] * _e887[0]) + (_e887[1] * _e887[1])) + (_e887[2] * _e887[2]));
-                if (_e898 <= 2.2250738585072014e-308lf) {
-                    phi_2127_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e898 > 0.0lf));
+                let _e781 = phi_1912_;
+                local_5 = type_33(array<array<f64, 3>, 2>(array<f64, 3>(_e781.member.member[0][0], _e781.member.member[0][1], _e781.member.member[0][2]), array<f64, 3>(_e781.member.member[1][0], _e781.member.member[1][1], _e781.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e781.member.member_1[0][0], _e781.member.member_1[0][1], _e781.member.member_1[0][2]), array<f64, 3>(_e781.member.member_1[1][0], _e781.member.member_1[1][1], _e781.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e781.member.member_2[0][0], _e781.member.member_2[0][1], _e781.member.member_2[0][2]), array<f64, 3>(_e781.member.member_2[1][0], _e781.member.member_2[1][1], _e781.member.member_2[1][2])), _e781.member.member_3);
+                let _e824 = local_5.member[0u];
+                let _e830 = local_5.member[1u];
+                let _e846 = local_5.member_1[0u];
+                let _e852 = local_5.member_1[1u];
+                let _e868 = local_5.member_2[0u];
+                let _e874 = local_5.member_2[1u];
+                let _e888 = function_4(array<f64, 3>((_e824[0] + ((_e830[0] - _e824[0]) * _e542)), (_e824[1] + ((_e830[1] - _e824[1]) * _e542)), (_e824[2] + ((_e830[2] - _e824[2]) * _e542))), array<f64, 3>((_e846[0] + ((_e852[0] - _e846[0]) * _e542)), (_e846[1] + ((_e852[1] - _e846[1]) * _e542)), (_e846[2] + ((_e852[2] - _e846[2]) * _e542))), array<f64, 3>((_e868[0] + ((_e874[0] - _e868[0]) * _e542)), (_e868[1] + ((_e874[1] - _e868[1]) * _e542)), (_e868[2] + ((_e874[2] - _e868[2]) * _e542))), _e230.member);
+                let _e899 = (((_e888[0] * _e888[0]) + (_e888[1] * _e888[1])) + (_e888[2] * _e888[2]));
+                if (_e899 <= 2.2250738585072014e-308lf) {
+                    phi_2139_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e899 > 0.0lf));
                 } else {
-                    phi_2070_ = type_16(0i, 5i);
-                    phi_2073_ = bitcast<f64>(((bitcast<u64>(_e898) / 2lu) + 2303426169912950784lu));
+                    phi_2082_ = type_16(0i, 5i);
+                    phi_2085_ = bitcast<f64>(((bitcast<u64>(_e899) / 2lu) + 2303426169912950784lu));
                     loop {
-                        let _e905 = phi_2070_;
-                        let _e907 = phi_2073_;
-                        local_6 = _e907;
-                        if (_e905.member < _e905.member_1) {
-                            let _e914 = (_e905.member + 1i);
-                            phi_2071_ = type_16(select(_e914, type_17().member_1, select(false, true, ((false == (_e914 > _e905.member)) != false))), _e905.member_1);
-                            phi_2114_ = type_17(1u, _e905.member);
+                        let _e906 = phi_2082_;
+                        let _e908 = phi_2085_;
+                        local_7 = _e908;
+                        if (_e906.member < _e906.member_1) {
+                            let _e915 = (_e906.member + 1i);
+                            phi_2083_ = type_16(select(_e915, type_17().member_1, select(false, true, ((false == (_e915 > _e906.member)) != false))), _e906.member_1);
+                            phi_2126_ = type_17(1u, _e906.member);
                         } else {
-                            phi_2071_ = _e905;
-                            phi_2114_ = type_17(0u, type_17().member_1);
+                            phi_2083_ = _e906;
+                            phi_2126_ = type_17(0u, type_17().member_1);
                         }
-                        let _e925 = phi_2071_;
-                        let _e927 = phi_2114_;
-                        let _e930 = (bitcast<i32>(_e927.member) != 0i);
-                        if _e930 {
-                            phi_2074_ = (0.5lf * (_e907 + (_e898 / _e907)));
+                        let _e926 = phi_2083_;
+                        let _e928 = phi_2126_;
+                        let _e931 = (bitcast<i32>(_e928.member) != 0i);
+                        if _e931 {
+                            phi_2086_ = (0.5lf * (_e908 + (_e899 / _e908)));
                         } else {
-                            phi_2074_ = f64();
+                            phi_2086_ = f64();
                         }
-                        let _e935 = phi_2074_;
+                        let _e936 = phi_2086_;
                         continue;
                         continuing {
-                            phi_2070_ = _e925;
-                            phi_2073_ = _e935;
-                            break if !(_e930);
+                            phi_2082_ = _e926;
+                            phi_2085_ = _e936;
+                            break if !(_e931);
                         }
                     }
-                    let _e940 = local_6;
-                    phi_2127_ = (_e940 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                    let _e941 = local_7;
+                    phi_2139_ = (_e941 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                 }
-                let _e946 = phi_2127_;
-                let _e954 = local_5.member[0u];
-                let _e960 = select(_e954[0], -(_e954[0]), (_e954[0] < 0.0lf));
-                let _e963 = select(_e954[1], -(_e954[1]), (_e954[1] < 0.0lf));
-                let _e965 = select(_e963, _e960, (_e960 > _e963));
-                let _e968 = select(_e954[2], -(_e954[2]), (_e954[2] < 0.0lf));
-                let _e970 = select(_e968, _e965, (_e965 > _e968));
-                let _e973 = local_5.member[1u];
-                let _e979 = select(_e973[0], -(_e973[0]), (_e973[0] < 0.0lf));
-                let _e982 = select(_e973[1], -(_e973[1]), (_e973[1] < 0.0lf));
-                let _e984 = select(_e982, _e979, (_e979 > _e982));
-                let _e987 = select(_e973[2], -(_e973[2]), (_e973[2] < 0.0lf));
-                let _e989 = select(_e987, _e984, (_e984 > _e987));
-                let _e993 = local_5.member_3;
-                let _e997 = local_5.member_1[0u];
-                let _e1003 = select(_e997[0], -(_e997[0]), (_e997[0] < 0.0lf));
-                let _e1006 = select(_e997[1], -(_e997[1]), (_e997[1] < 0.0lf));
-                let _e1008 = select(_e1006, _e1003, (_e1003 > _e1006));
-                let _e1011 = select(_e997[2], -(_e997[2]), (_e997[2] < 0.0lf));
-                let _e1013 = select(_e1011, _e1008, (_e1008 > _e1011));
-                let _e1016 = local_5.member_1[1u];
-                let _e1022 = select(_e1016[0], -(_e1016[0]), (_e1016[0] < 0.0lf));
-                let _e1025 = select(_e1016[1], -(_e1016[1]), (_e1016[1] < 0.0lf));
-                let _e1027 = select(_e1025, _e1022, (_e1022 > _e1025));
-                let _e1030 = select(_e1016[2], -(_e1016[2]), (_e1016[2] < 0.0lf));
-                let _e1032 = select(_e1030, _e1027, (_e1027 > _e1030));
-                let _e1036 = local_5.member_3;
-                let _e1040 = local_5.member_2[0u];
-                let _e1046 = select(_e1040[0], -(_e1040[0]), (_e1040[0] < 0.0lf));
-                let _e1049 = select(_e1040[1], -(_e1040[1]), (_e1040[1] < 0.0lf));
-                let _e1051 = select(_e1049, _e1046, (_e1046 > _e1049));
-                let _e1054 = select(_e1040[2], -(_e1040[2]), (_e1040[2] < 0.0lf));
-                let _e1056 = select(_e1054, _e1051, (_e1051 > _e1054));
-                let _e1059 = local_5.member_2[1u];
-                let _e1065 = select(_e1059[0], -(_e1059[0]), (_e1059[0] < 0.0lf));
-                let _e1068 = select(_e1059[1], -(_e1059[1]), (_e1059[1] < 0.0lf));
-                let _e1070 = select(_e1068, _e1065, (_e1065 > _e1068));
-                let _e1073 = select(_e1059[2], -(_e1059[2]), (_e1059[2] < 0.0lf));
-                let _e1075 = select(_e1073, _e1070, (_e1070 > _e1073));
-                let _e1079 = local_5.member_3;
-                let _e1087 = local_5.member_3;
-                let _e1097 = (((_e946 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e989, _e970, (_e970 > _e989)) + _e993) + (select(_e1032, _e1013, (_e1013 > _e1032)) + _e1036)) + (select(_e1075, _e1056, (_e1056 > _e1075)) + _e1079)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1087 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e780.member_1);
-                if _e1097 {
-                    phi_3056_ = type_39();
-                    phi_3057_ = true;
+                let _e947 = phi_2139_;
+                let _e955 = local_5.member[0u];
+                let _e961 = select(_e955[0], -(_e955[0]), (_e955[0] < 0.0lf));
+                let _e964 = select(_e955[1], -(_e955[1]), (_e955[1] < 0.0lf));
+                let _e966 = select(_e964, _e961, (_e961 > _e964));
+                let _e969 = select(_e955[2], -(_e955[2]), (_e955[2] < 0.0lf));
+                let _e971 = select(_e969, _e966, (_e966 > _e969));
+                let _e974 = local_5.member[1u];
+                let _e980 = select(_e974[0], -(_e974[0]), (_e974[0] < 0.0lf));
+                let _e983 = select(_e974[1], -(_e974[1]), (_e974[1] < 0.0lf));
+                let _e985 = select(_e983, _e980, (_e980 > _e983));
+                let _e988 = select(_e974[2], -(_e974[2]), (_e974[2] < 0.0lf));
+                let _e990 = select(_e988, _e985, (_e985 > _e988));
+                let _e994 = local_5.member_3;
+                let _e998 = local_5.member_1[0u];
+                let _e1004 = select(_e998[0], -(_e998[0]), (_e998[0] < 0.0lf));
+                let _e1007 = select(_e998[1], -(_e998[1]), (_e998[1] < 0.0lf));
+                let _e1009 = select(_e1007, _e1004, (_e1004 > _e1007));
+                let _e1012 = select(_e998[2], -(_e998[2]), (_e998[2] < 0.0lf));
+                let _e1014 = select(_e1012, _e1009, (_e1009 > _e1012));
+                let _e1017 = local_5.member_1[1u];
+                let _e1023 = select(_e1017[0], -(_e1017[0]), (_e1017[0] < 0.0lf));
+                let _e1026 = select(_e1017[1], -(_e1017[1]), (_e1017[1] < 0.0lf));
+                let _e1028 = select(_e1026, _e1023, (_e1023 > _e1026));
+                let _e1031 = select(_e1017[2], -(_e1017[2]), (_e1017[2] < 0.0lf));
+                let _e1033 = select(_e1031, _e1028, (_e1028 > _e1031));
+                let _e1037 = local_5.member_3;
+                let _e1041 = local_5.member_2[0u];
+                let _e1047 = select(_e1041[0], -(_e1041[0]), (_e1041[0] < 0.0lf));
+                let _e1050 = select(_e1041[1], -(_e1041[1]), (_e1041[1] < 0.0lf));
+                let _e1052 = select(_e1050, _e1047, (_e1047 > _e1050));
+                let _e1055 = select(_e1041[2], -(_e1041[2]), (_e1041[2] < 0.0lf));
+                let _e1057 = select(_e1055, _e1052, (_e1052 > _e1055));
+                let _e1060 = local_5.member_2[1u];
+                let _e1066 = select(_e1060[0], -(_e1060[0]), (_e1060[0] < 0.0lf));
+                let _e1069 = select(_e1060[1], -(_e1060[1]), (_e1060[1] < 0.0lf));
+                let _e1071 = select(_e1069, _e1066, (_e1066 > _e1069));
+                let _e1074 = select(_e1060[2], -(_e1060[2]), (_e1060[2] < 0.0lf));
+                let _e1076 = select(_e1074, _e1071, (_e1071 > _e1074));
+                let _e1080 = local_5.member_3;
+                let _e1088 = local_5.member_3;
+                let _e1098 = (((_e947 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e990, _e971, (_e971 > _e990)) + _e994) + (select(_e1033, _e1014, (_e1014 > _e1033)) + _e1037)) + (select(_e1076, _e1057, (_e1057 > _e1076)) + _e1080)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1088 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e781.member_1);
+                if _e1098 {
+                    phi_3068_ = type_38();
+                    phi_3069_ = true;
                 } else {
-                    let _e1100 = local_5.member_1[0u];
-                    let _e1106 = local_5.member_2[0u];
-                    let _e1112 = ((_e1100[1] * _e1106[2]) - (_e1100[2] * _e1106[1]));
-                    let _e1115 = ((_e1100[2] * _e1106[0]) - (_e1100[0] * _e1106[2]));
-                    let _e1118 = ((_e1100[0] * _e1106[1]) - (_e1100[1] * _e1106[0]));
-                    let _e1121 = local_5.member_1[1u];
-                    let _e1127 = local_5.member_2[1u];
-                    let _e1133 = ((_e1121[1] * _e1127[2]) - (_e1121[2] * _e1127[1]));
-                    let _e1136 = ((_e1121[2] * _e1127[0]) - (_e1121[0] * _e1127[2]));
-                    let _e1139 = ((_e1121[0] * _e1127[1]) - (_e1121[1] * _e1127[0]));
-                    let _e1142 = local_5.member_1[0u];
-                    let _e1148 = local_5.member_2[1u];
-                    let _e1163 = local_5.member_1[1u];
-                    let _e1169 = local_5.member_2[0u];
-                    let _e1182 = (((_e1142[1] * _e1148[2]) - (_e1142[2] * _e1148[1])) + ((_e1163[1] * _e1169[2]) - (_e1163[2] * _e1169[1])));
-                    let _e1183 = (((_e1142[2] * _e1148[0]) - (_e1142[0] * _e1148[2])) + ((_e1163[2] * _e1169[0]) - (_e1163[0] * _e1169[2])));
-                    let _e1184 = (((_e1142[0] * _e1148[1]) - (_e1142[1] * _e1148[0])) + ((_e1163[0] * _e1169[1]) - (_e1163[1] * _e1169[0])));
-                    let _e1187 = local_5.member[0u];
-                    let _e1198 = local_5.member[1u];
-                    let _e1209 = local_5.member[0u];
-                    let _e1218 = ((((_e1198[0] * _e1112) + (_e1198[1] * _e1115)) + (_e1198[2] * _e1118)) + (((_e1209[0] * _e1182) + (_e1209[1] * _e1183)) + (_e1209[2] * _e1184)));
-                    let _e1221 = local_5.member[0u];
-                    let _e1232 = local_5.member[1u];
-                    let _e1241 = ((((_e1221[0] * _e1133) + (_e1221[1] * _e1136)) + (_e1221[2] * _e1139)) + (((_e1232[0] * _e1182) + (_e1232[1] * _e1183)) + (_e1232[2] * _e1184)));
-                    let _e1244 = local_5.member[1u];
-                    let _e1255 = local_5.member[0u];
-                    let _e1261 = select(_e1255[0], -(_e1255[0]), (_e1255[0] < 0.0lf));
-                    let _e1264 = select(_e1255[1], -(_e1255[1]), (_e1255[1] < 0.0lf));
-                    let _e1266 = select(_e1264, _e1261, (_e1261 > _e1264));
-                    let _e1269 = select(_e1255[2], -(_e1255[2]), (_e1255[2] < 0.0lf));
-                    let _e1271 = select(_e1269, _e1266, (_e1266 > _e1269));
-                    let _e1274 = local_5.member[1u];
-                    let _e1280 = select(_e1274[0], -(_e1274[0]), (_e1274[0] < 0.0lf));
-                    let _e1283 = select(_e1274[1], -(_e1274[1]), (_e1274[1] < 0.0lf));
-                    let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
-                    let _e1288 = select(_e1274[2], -(_e1274[2]), (_e1274[2] < 0.0lf));
-                    let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
-                    let _e1294 = local_5.member_3;
-                    let _e1295 = (select(_e1290, _e1271, (_e1271 > _e1290)) + _e1294);
-                    let _e1298 = local_5.member_1[0u];
-                    let _e1304 = select(_e1298[0], -(_e1298[0]), (_e1298[0] < 0.0lf));
-                    let _e1307 = select(_e1298[1], -(_e1298[1]), (_e1298[1] < 0.0lf));
-                    let _e1309 = select(_e1307, _e1304, (_e1304 > _e1307));
-                    let _e1312 = select(_e1298[2], -(_e1298[2]), (_e1298[2] < 0.0lf));
-                    let _e1314 = select(_e1312, _e1309, (_e1309 > _e1312));
-                    let _e1317 = local_5.member_1[1u];
-                    let _e1323 = select(_e1317[0], -(_e1317[0]), (_e1317[0] < 0.0lf));
-                    let _e1326 = select(_e1317[1], -(_e1317[1]), (_e1317[1] < 0.0lf));
-                    let _e1328 = select(_e1326, _e1323, (_e1323 > _e1326));
-                    let _e1331 = select(_e1317[2], -(_e1317[2]), (_e1317[2] < 0.0lf));
-                    let _e1333 = select(_e1331, _e1328, (_e1328 > _e1331));
-                    let _e1337 = local_5.member_3;
-                    let _e1338 = (select(_e1333, _e1314, (_e1314 > _e1333)) + _e1337);
-                    let _e1341 = local_5.member_2[0u];
-                    let _e1347 = select(_e1341[0], -(_e1341[0]), (_e1341[0] < 0.0lf));
-                    let _e1350 = select(_e1341[1], -(_e1341[1]), (_e1341[1] < 0.0lf));
-                    let _e1352 = select(_e1350, _e1347, (_e1347 > _e1350));
-                    let _e1355 = select(_e1341[2], -(_e1341[2]), (_e1341[2] < 0.0lf));
-                    let _e1357 = select(_e1355, _e1352, (_e1352 > _e1355));
-                    let _e1360 = local_5.member_2[1u];
-                    let _e1366 = select(_e1360[0], -(_e1360[0]), (_e1360[0] < 0.0lf));
-                    let _e1369 = select(_e1360[1], -(_e1360[1]), (_e1360[1] < 0.0lf));
-                    let _e1371 = select(_e1369, _e1366, (_e1366 > _e1369));
-                    let _e1374 = select(_e1360[2], -(_e1360[2]), (_e1360[2] < 0.0lf));
-                    let _e1376 = select(_e1374, _e1371, (_e1371 > _e1374));
-                    let _e1380 = local_5.member_3;
-                    let _e1381 = (select(_e1376, _e1357, (_e1357 > _e1376)) + _e1380);
-                    let _e1382 = f64(1f);
-                    let _e1383 = f64(8f);
-                    let _e1385 = ((_e1338 * _e1383) * _e1381);
-                    let _e1393 = local_5.member_3;
-                    let _e1420 = ((select(_e1112, -(_e1112), (_e1112 < 0.0lf)) + select(_e1115, -(_e1115), (_e1115 < 0.0lf))) + select(_e1118, -(_e1118), (_e1118 < 0.0lf)));
-                    let _e1431 = ((select(_e1133, -(_e1133), (_e1133 < 0.0lf)) + select(_e1136, -(_e1136), (_e1136 < 0.0lf))) + select(_e1139, -(_e1139), (_e1139 < 0.0lf)));
-                    let _e1433 = select(_e1431, _e1420, (_e1420 > _e1431));
-                    let _e1445 = (((select(_e1182, -(_e1182), (_e1182 < 0.0lf)) + select(_e1183, -(_e1183), (_e1183 < 0.0lf))) + select(_e1184, -(_e1184), (_e1184 < 0.0lf))) * f64(0.5f));
-                    let _e1453 = local_5.member_3;
-                    let _e1468 = f64(3f);
-                    let _e1469 = ((((_e1187[0] * _e1112) + (_e1187[1] * _e1115)) + (_e1187[2] * _e1118)) * _e1468);
-                    let _e1470 = ((((_e1244[0] * _e1133) + (_e1244[1] * _e1136)) + (_e1244[2] * _e1139)) * _e1468);
-                    let _e1472 = select(_e1470, _e1469, (_e1469 < _e1470));
-                    let _e1474 = select(_e1241, _e1218, (_e1218 < _e1241));
-                    let _e1476 = select(_e1474, _e1472, (_e1472 < _e1474));
-                    let _e1478 = select(_e1470, _e1469, (_e1469 > _e1470));
-                    let _e1480 = select(_e1241, _e1218, (_e1218 > _e1241));
-                    let _e1483 = -(select(_e1480, _e1478, (_e1478 > _e1480)));
-                    if ((select(_e1483, _e1476, (_e1476 > _e1483)) - ((((((_e1295 * _e1383) * _e1385) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e1393 * f64(19f)) * ((_e1295 * (_e1338 + _e1381)) + (_e1338 * _e1381)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1382 + _e1295) * ((_e1382 + _e1338) * (_e1382 + _e1381))))) + ((_e780.member_1 * (((select(_e1445, _e1433, (_e1433 > _e1445)) + (_e1385 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1453 * f64(6f)) * (_e1338 + _e1381))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1382 + _e1338) * (_e1382 + _e1381))))) * f64((3f * 1.0001f))))) > f64(0f)) {
-                        phi_3054_ = type_39(type_38(0u, f64()), 0u);
-                        phi_3055_ = false;
+                    let _e1101 = local_5.member_1[0u];
+                    let _e1107 = local_5.member_2[0u];
+                    let _e1113 = ((_e1101[1] * _e1107[2]) - (_e1101[2] * _e1107[1]));
+                    let _e1116 = ((_e1101[2] * _e1107[0]) - (_e1101[0] * _e1107[2]));
+                    let _e1119 = ((_e1101[0] * _e1107[1]) - (_e1101[1] * _e1107[0]));
+                    let _e1122 = local_5.member_1[1u];
+                    let _e1128 = local_5.member_2[1u];
+                    let _e1134 = ((_e1122[1] * _e1128[2]) - (_e1122[2] * _e1128[1]));
+                    let _e1137 = ((_e1122[2] * _e1128[0]) - (_e1122[0] * _e1128[2]));
+                    let _e1140 = ((_e1122[0] * _e1128[1]) - (_e1122[1] * _e1128[0]));
+                    let _e1143 = local_5.member_1[0u];
+                    let _e1149 = local_5.member_2[1u];
+                    let _e1164 = local_5.member_1[1u];
+                    let _e1170 = local_5.member_2[0u];
+                    let _e1183 = (((_e1143[1] * _e1149[2]) - (_e1143[2] * _e1149[1])) + ((_e1164[1] * _e1170[2]) - (_e1164[2] * _e1170[1])));
+                    let _e1184 = (((_e1143[2] * _e1149[0]) - (_e1143[0] * _e1149[2])) + ((_e1164[2] * _e1170[0]) - (_e1164[0] * _e1170[2])));
+                    let _e1185 = (((_e1143[0] * _e1149[1]) - (_e1143[1] * _e1149[0])) + ((_e1164[0] * _e1170[1]) - (_e1164[1] * _e1170[0])));
+                    let _e1188 = local_5.member[0u];
+                    let _e1199 = local_5.member[1u];
+                    let _e1210 = local_5.member[0u];
+                    let _e1219 = ((((_e1199[0] * _e1113) + (_e1199[1] * _e1116)) + (_e1199[2] * _e1119)) + (((_e1210[0] * _e1183) + (_e1210[1] * _e1184)) + (_e1210[2] * _e1185)));
+                    let _e1222 = local_5.member[0u];
+                    let _e1233 = local_5.member[1u];
+                    let _e1242 = ((((_e1222[0] * _e1134) + (_e1222[1] * _e1137)) + (_e1222[2] * _e1140)) + (((_e1233[0] * _e1183) + (_e1233[1] * _e1184)) + (_e1233[2] * _e1185)));
+                    let _e1245 = local_5.member[1u];
+                    let _e1256 = local_5.member[0u];
+                    let _e1262 = select(_e1256[0], -(_e1256[0]), (_e1256[0] < 0.0lf));
+                    let _e1265 = select(_e1256[1], -(_e1256[1]), (_e1256[1] < 0.0lf));
+                    let _e1267 = select(_e1265, _e1262, (_e1262 > _e1265));
+                    let _e1270 = select(_e1256[2], -(_e1256[2]), (_e1256[2] < 0.0lf));
+                    let _e1272 = select(_e1270, _e1267, (_e1267 > _e1270));
+                    let _e1275 = local_5.member[1u];
+                    let _e1281 = select(_e1275[0], -(_e1275[0]), (_e1275[0] < 0.0lf));
+                    let _e1284 = select(_e1275[1], -(_e1275[1]), (_e1275[1] < 0.0lf));
+                    let _e1286 = select(_e1284, _e1281, (_e1281 > _e1284));
+                    let _e1289 = select(_e1275[2], -(_e1275[2]), (_e1275[2] < 0.0lf));
+                    let _e1291 = select(_e1289, _e1286, (_e1286 > _e1289));
+                    let _e1295 = local_5.member_3;
+                    let _e1296 = (select(_e1291, _e1272, (_e1272 > _e1291)) + _e1295);
+                    let _e1299 = local_5.member_1[0u];
+                    let _e1305 = select(_e1299[0], -(_e1299[0]), (_e1299[0] < 0.0lf));
+                    let _e1308 = select(_e1299[1], -(_e1299[1]), (_e1299[1] < 0.0lf));
+                    let _e1310 = select(_e1308, _e1305, (_e1305 > _e1308));
+                    let _e1313 = select(_e1299[2], -(_e1299[2]), (_e1299[2] < 0.0lf));
+                    let _e1315 = select(_e1313, _e1310, (_e1310 > _e1313));
+                    let _e1318 = local_5.member_1[1u];
+                    let _e1324 = select(_e1318[0], -(_e1318[0]), (_e1318[0] < 0.0lf));
+                    let _e1327 = select(_e1318[1], -(_e1318[1]), (_e1318[1] < 0.0lf));
+                    let _e1329 = select(_e1327, _e1324, (_e1324 > _e1327));
+                    let _e1332 = select(_e1318[2], -(_e1318[2]), (_e1318[2] < 0.0lf));
+                    let _e1334 = select(_e1332, _e1329, (_e1329 > _e1332));
+                    let _e1338 = local_5.member_3;
+                    let _e1339 = (select(_e1334, _e1315, (_e1315 > _e1334)) + _e1338);
+                    let _e1342 = local_5.member_2[0u];
+                    let _e1348 = select(_e1342[0], -(_e1342[0]), (_e1342[0] < 0.0lf));
+                    let _e1351 = select(_e1342[1], -(_e1342[1]), (_e1342[1] < 0.0lf));
+                    let _e1353 = select(_e1351, _e1348, (_e1348 > _e1351));
+                    let _e1356 = select(_e1342[2], -(_e1342[2]), (_e1342[2] < 0.0lf));
+                    let _e1358 = select(_e1356, _e1353, (_e1353 > _e1356));
+                    let _e1361 = local_5.member_2[1u];
+                    let _e1367 = select(_e1361[0], -(_e1361[0]), (_e1361[0] < 0.0lf));
+                    let _e1370 = select(_e1361[1], -(_e1361[1]), (_e1361[1] < 0.0lf));
+                    let _e1372 = select(_e1370, _e1367, (_e1367 > _e1370));
+                    let _e1375 = select(_e1361[2], -(_e1361[2]), (_e1361[2] < 0.0lf));
+                    let _e1377 = select(_e1375, _e1372, (_e1372 > _e1375));
+                    let _e1381 = local_5.member_3;
+                    let _e1382 = (select(_e1377, _e1358, (_e1358 > _e1377)) + _e1381);
+                    let _e1383 = f64(1f);
+                    let _e1384 = f64(8f);
+                    let _e1386 = ((_e1339 * _e1384) * _e1382);
+                    let _e1394 = local_5.member_3;
+                    let _e1421 = ((select(_e1113, -(_e1113), (_e1113 < 0.0lf)) + select(_e1116, -(_e1116), (_e1116 < 0.0lf))) + select(_e1119, -(_e1119), (_e1119 < 0.0lf)));
+                    let _e1432 = ((select(_e1134, -(_e1134), (_e1134 < 0.0lf)) + select(_e1137, -(_e1137), (_e1137 < 0.0lf))) + select(_e1140, -(_e1140), (_e1140 < 0.0lf)));
+                    let _e1434 = select(_e1432, _e1421, (_e1421 > _e1432));
+                    let _e1446 = (((select(_e1183, -(_e1183), (_e1183 < 0.0lf)) + select(_e1184, -(_e1184), (_e1184 < 0.0lf))) + select(_e1185, -(_e1185), (_e1185 < 0.0lf))) * f64(0.5f));
+                    let _e1454 = local_5.member_3;
+                    let _e1469 = f64(3f);
+                    let _e1470 = ((((_e1188[0] * _e1113) + (_e1188[1] * _e1116)) + (_e1188[2] * _e1119)) * _e1469);
+                    let _e1471 = ((((_e1245[0] * _e1134) + (_e1245[1] * _e1137)) + (_e1245[2] * _e1140)) * _e1469);
+                    let _e1473 = select(_e1471, _e1470, (_e1470 < _e1471));
+                    let _e1475 = select(_e1242, _e1219, (_e1219 < _e1242));
+                    let _e1477 = select(_e1475, _e1473, (_e1473 < _e1475));
+                    let _e1479 = select(_e1471, _e1470, (_e1470 > _e1471));
+                    let _e1481 = select(_e1242, _e1219, (_e1219 > _e1242));
+                    let _e1484 = -(select(_e1481, _e1479, (_e1479 > _e1481)));
+                    if ((select(_e1484, _e1477, (_e1477 > _e1484)) - ((((((_e1296 * _e1384) * _e1386) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e1394 * f64(19f)) * ((_e1296 * (_e1339 + _e1382)) + (_e1339 * _e1382)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1383 + _e1296) * ((_e1383 + _e1339) * (_e1383 + _e1382))))) + ((_e781.member_1 * (((select(_e1446, _e1434, (_e1434 > _e1446)) + (_e1386 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1454 * f64(6f)) * (_e1339 + _e1382))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1383 + _e1339) * (_e1383 + _e1382))))) * f64((3f * 1.0001f))))) > f64(0f)) {
+                        phi_3066_ = type_38(type_37(0u, f64()), 0u);
+                        phi_3067_ = false;
                     } else {
-                        phi_3054_ = type_39();
-                        phi_3055_ = true;
+                        phi_3066_ = type_38();
+                        phi_3067_ = true;
                     }
-                    let _e1497 = phi_3054_;
-                    let _e1499 = phi_3055_;
-                    phi_3056_ = _e1497;
-                    phi_3057_ = _e1499;
+                    let _e1498 = phi_3066_;
+                    let _e1500 = phi_3067_;
+                    phi_3068_ = _e1498;
+                    phi_3069_ = _e1500;
                 }
-                let _e1501 = phi_3056_;
-                let _e1503 = phi_3057_;
-                if _e1503 {
-                    phi_3063_ = type_16(0i, 2i);
-                    phi_3066_ = _e541;
-                    phi_3068_ = 0u;
-                    phi_3070_ = _e541;
+                let _e1502 = phi_3068_;
+                let _e1504 = phi_3069_;
+                if _e1504 {
+                    phi_3075_ = type_16(0i, 2i);
+                    phi_3078_ = _e542;
+                    phi_3080_ = 0u;
+                    phi_3082_ = _e542;
                     loop {
-                        let _e1505 = phi_3063_;
-                        let _e1507 = phi_3066_;
-                        let _e1509 = phi_3068_;
-                        let _e1511 = phi_3070_;
-                        local_53 = _e1509;
-                        local_56 = _e1507;
-                        local_57 = _e1509;
-                        if (_e1505.member < _e1505.member_1) {
-                            let _e1518 = (_e1505.member + 1i);
-                            phi_3064_ = type_16(select(_e1518, type_17().member_1, select(false, true, ((false == (_e1518 > _e1505.member)) != false))), _e1505.member_1);
-                            phi_3111_ = type_17(1u, _e1505.member);
+                        let _e1506 = phi_3075_;
+                        let _e1508 = phi_3078_;
+                        let _e1510 = phi_3080_;
+                        let _e1512 = phi_3082_;
+                        local_54 = _e1510;
+                        local_57 = _e1508;
+                        local_58 = _e1510;
+                        if (_e1506.member < _e1506.member_1) {
+                            let _e1519 = (_e1506.member + 1i);
+                            phi_3076_ = type_16(select(_e1519, type_17().member_1, select(false, true, ((false == (_e1519 > _e1506.member)) != false))), _e1506.member_1);
+                            phi_3123_ = type_17(1u, _e1506.member);
                         } else {
-                            phi_3064_ = _e1505;
-                            phi_3111_ = type_17(0u, type_17().member_1);
+                            phi_3076_ = _e1506;
+                            phi_3123_ = type_17(0u, type_17().member_1);
                         }
-                        let _e1529 = phi_3064_;
-                        let _e1531 = phi_3111_;
-                        if (bitcast<i32>(_e1531.member) != 0i) {
-                            if select(select(true, false, _e1097), true, (_e1531.member_1 > 0i)) {
-                                let _e1541 = local_5.member[0u];
-                                let _e1547 = local_5.member_1[0u];
-                                let _e1553 = local_5.member_2[0u];
-                                let _e1557 = (_e1541[0] - _e1547[0]);
-                                let _e1558 = (_e1541[1] - _e1547[1]);
-                                let _e1559 = (_e1541[2] - _e1547[2]);
-                                let _e1560 = (_e229.member == 0u);
-                                let _e1572 = local_5.member[1u];
-                                let _e1578 = local_5.member_1[1u];
-                                let _e1584 = local_5.member_2[1u];
-                                let _e1588 = (_e1572[0] - _e1578[0]);
-                                let _e1589 = (_e1572[1] - _e1578[1]);
-                                let _e1590 = (_e1572[2] - _e1578[2]);
-                                let _e1591 = (_e229.member == 0u);
-                                let _e1603 = local_5.member[0u];
-                                let _e1609 = select(_e1603[0], -(_e1603[0]), (_e1603[0] < 0.0lf));
-                                let _e1612 = select(_e1603[1], -(_e1603[1]), (_e1603[1] < 0.0lf));
-                                let _e1614 = select(_e1612, _e1609, (_e1609 > _e1612));
-                                let _e1617 = select(_e1603[2], -(_e1603[2]), (_e1603[2] < 0.0lf));
-                                let _e1619 = select(_e1617, _e1614, (_e1614 > _e1617));
-                                let _e1622 = local_5.member[1u];
-                                let _e1628 = select(_e1622[0], -(_e1622[0]), (_e1622[0] < 0.0lf));
-                                let _e1631 = select(_e1622[1], -(_e1622[1]), (_e1622[1] < 0.0lf));
-                                let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
-                                let _e1636 = select(_e1622[2], -(_e1622[2]), (_e1622[2] < 0.0lf));
-                                let _e1638 = select(_e1636, _e1633, (_e1633 > _e1636));
-                                let _e1642 = local_5.member_3;
-                                let _e1646 = local_5.member_1[0u];
-                                let _e1652 = select(_e1646[0], -(_e1646[0]), (_e1646[0] < 0.0lf));
-                                let _e1655 = select(_e1646[1], -(_e1646[1]), (_e1646[1] < 0.0lf));
-                                let _e1657 = select(_e1655, _e1652, (_e1652 > _e1655));
-                                let _e1660 = select(_e1646[2], -(_e1646[2]), (_e1646[2] < 0.0lf));
-                                let _e1662 = select(_e1660, _e1657, (_e1657 > _e1660));
-                                let _e1665 = local_5.member_1[1u];
-                                let _e1671 = select(_e1665[0], -(_e1665[0]), (_e1665[0] < 0.0lf));
-                                let _e1674 = select(_e1665[1], -(_e1665[1]), (_e1665[1] < 0.0lf));
-                                let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
-                                let _e1679 = select(_e1665[2], -(_e1665[2]), (_e1665[2] < 0.0lf));
-                                let _e1681 = select(_e1679, _e1676, (_e1676 > _e1679));
-                                let _e1685 = local_5.member_3;
-                                let _e1689 = local_5.member_2[0u];
-                                let _e1695 = select(_e1689[0], -(_e1689[0]), (_e1689[0] < 0.0lf));
-                                let _e1698 = select(_e1689[1], -(_e1689[1]), (_e1689[1] < 0.0lf));
-                                let _e1700 = select(_e1698, _e1695, (_e1695 > _e1698));
-                                let _e1703 = select(_e1689[2], -(_e1689[2]), (_e1689[2] < 0.0lf));
-                                let _e1705 = select(_e1703, _e1700, (_e1700 > _e1703));
-                                let _e1708 = local_5.member_2[1u];
-                                let _e1714 = select(_e1708[0], -(_e1708[0]), (_e1708[0] < 0.0lf));
-                                let _e1717 = select(_e1708[1], -(_e1708[1]), (_e1708[1] < 0.0lf));
-                                let _e1719 = select(_e1717, _e1714, (_e1714 > _e1717));
-                                let _e1722 = select(_e1708[2], -(_e1708[2]), (_e1708[2] < 0.0lf));
-                                let _e1724 = select(_e1722, _e1719, (_e1719 > _e1722));
-                                let _e1728 = local_5.member_3;
-                                let _e1736 = local_5.member_3;
-                                let _e1744 = (_e532 * f64(0.00390625f));
-                                let _e1745 = f64(0f);
-                                let _e1746 = f64(1f);
-                                local_3 = type_36(array<f64, 4>(_e1745, _e1745, _e1745, _e1745), array<f64, 4>(_e1745, _e1745, _e1745, _e1745), array<f64, 4>(_e1746, _e1746, _e1746, _e1746));
-                                phi_3554_ = type_9(0u, 96u);
-                                phi_3557_ = _e1511;
-                                phi_3559_ = _e1511;
-                                phi_3561_ = (_e550 - _e1511);
-                                phi_3563_ = _e1511;
-                                phi_3565_ = false;
-                                phi_3567_ = 0u;
+                        let _e1530 = phi_3076_;
+                        let _e1532 = phi_3123_;
+                        if (bitcast<i32>(_e1532.member) != 0i) {
+                            if select(select(true, false, _e1098), true, (_e1532.member_1 > 0i)) {
+                                let _e1542 = local_5.member[0u];
+                                let _e1548 = local_5.member_1[0u];
+                                let _e1554 = local_5.member_2[0u];
+                                let _e1558 = (_e1542[0] - _e1548[0]);
+                                let _e1559 = (_e1542[1] - _e1548[1]);
+                                let _e1560 = (_e1542[2] - _e1548[2]);
+                                let _e1561 = (_e230.member == 0u);
+                                let _e1573 = local_5.member[1u];
+                                let _e1579 = local_5.member_1[1u];
+                                let _e1585 = local_5.member_2[1u];
+                                let _e1589 = (_e1573[0] - _e1579[0]);
+                                let _e1590 = (_e1573[1] - _e1579[1]);
+                                let _e1591 = (_e1573[2] - _e1579[2]);
+                                let _e1592 = (_e230.member == 0u);
+                                let _e1604 = local_5.member[0u];
+                                let _e1610 = select(_e1604[0], -(_e1604[0]), (_e1604[0] < 0.0lf));
+                                let _e1613 = select(_e1604[1], -(_e1604[1]), (_e1604[1] < 0.0lf));
+                                let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
+                                let _e1618 = select(_e1604[2], -(_e1604[2]), (_e1604[2] < 0.0lf));
+                                let _e1620 = select(_e1618, _e1615, (_e1615 > _e1618));
+                                let _e1623 = local_5.member[1u];
+                                let _e1629 = select(_e1623[0], -(_e1623[0]), (_e1623[0] < 0.0lf));
+                                let _e1632 = select(_e1623[1], -(_e1623[1]), (_e1623[1] < 0.0lf));
+                                let _e1634 = select(_e1632, _e1629, (_e1629 > _e1632));
+                                let _e1637 = select(_e1623[2], -(_e1623[2]), (_e1623[2] < 0.0lf));
+                                let _e1639 = select(_e1637, _e1634, (_e1634 > _e1637));
+                                let _e1643 = local_5.member_3;
+                                let _e1647 = local_5.member_1[0u];
+                                let _e1653 = select(_e1647[0], -(_e1647[0]), (_e1647[0] < 0.0lf));
+                                let _e1656 = select(_e1647[1], -(_e1647[1]), (_e1647[1] < 0.0lf));
+                                let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
+                                let _e1661 = select(_e1647[2], -(_e1647[2]), (_e1647[2] < 0.0lf));
+                                let _e1663 = select(_e1661, _e1658, (_e1658 > _e1661));
+                                let _e1666 = local_5.member_1[1u];
+                                let _e1672 = select(_e1666[0], -(_e1666[0]), (_e1666[0] < 0.0lf));
+                                let _e1675 = select(_e1666[1], -(_e1666[1]), (_e1666[1] < 0.0lf));
+                                let _e1677 = select(_e1675, _e1672, (_e1672 > _e1675));
+                                let _e1680 = select(_e1666[2], -(_e1666[2]), (_e1666[2] < 0.0lf));
+                                let _e1682 = select(_e1680, _e1677, (_e1677 > _e1680));
+                                let _e1686 = local_5.member_3;
+                                let _e1690 = local_5.member_2[0u];
+                                let _e1696 = select(_e1690[0], -(_e1690[0]), (_e1690[0] < 0.0lf));
+                                let _e1699 = select(_e1690[1], -(_e1690[1]), (_e1690[1] < 0.0lf));
+                                let _e1701 = select(_e1699, _e1696, (_e1696 > _e1699));
+                                let _e1704 = select(_e1690[2], -(_e1690[2]), (_e1690[2] < 0.0lf));
+                                let _e1706 = select(_e1704, _e1701, (_e1701 > _e1704));
+                                let _e1709 = local_5.member_2[1u];
+                                let _e1715 = select(_e1709[0], -(_e1709[0]), (_e1709[0] < 0.0lf));
+                                let _e1718 = select(_e1709[1], -(_e1709[1]), (_e1709[1] < 0.0lf));
+                                let _e1720 = select(_e1718, _e1715, (_e1715 > _e1718));
+                                let _e1723 = select(_e1709[2], -(_e1709[2]), (_e1709[2] < 0.0lf));
+                                let _e1725 = select(_e1723, _e1720, (_e1720 > _e1723));
+                                let _e1729 = local_5.member_3;
+                                let _e1737 = local_5.member_3;
+                                let _e1745 = (_e533 * f64(0.00390625f));
+                                let _e1746 = f64(0f);
+                                let _e1747 = f64(1f);
+                                local_3 = type_39(array<f64, 4>(_e1746, _e1746, _e1746, _e1746), array<f64, 4>(_e1746, _e1746, _e1746, _e1746), array<f64, 4>(_e1747, _e1747, _e1747, _e1747));
+                                phi_3566_ = type_9(0u, 96u);
+                                phi_3569_ = _e1512;
+                                phi_3571_ = _e1512;
+                                phi_3573_ = (_e551 - _e1512);
+                                phi_3575_ = _e1512;
+                                phi_3577_ = false;
+                                phi_3579_ = 0u;
                                 loop {
-                                    let _e1753 = phi_3554_;
-                                    let _e1755 = phi_3557_;
-                                    let _e1757 = phi_3559_;
-                                    let _e1759 = phi_3561_;
-                                    let _e1761 = phi_3563_;
-                                    let _e1763 = phi_3565_;
-                                    let _e1765 = phi_3567_;
-                                    local_19 = _e1755;
-                                    local_23 = _e1757;
-                                    let _e1768 = (_e1753.member < _e1753.member_1);
-                                    if (bitcast<i32>(select(0u, 1u, _e1768)) != 0i) {
-                                        let _e1782 = local_5.member[0u];
-                                        let _e1788 = local_5.member[1u];
-                                        let _e1804 = local_5.member_1[0u];
-                                        let _e1810 = local_5.member_1[1u];
-                                        let _e1826 = local_5.member_2[0u];
-                                        let _e1832 = local_5.member_2[1u];
-                                        let _e1846 = function_3(array<f64, 3>((_e1782[0] + ((_e1788[0] - _e1782[0]) * _e1755)), (_e1782[1] + ((_e1788[1] - _e1782[1]) * _e1755)), (_e1782[2] + ((_e1788[2] - _e1782[2]) * _e1755))), array<f64, 3>((_e1804[0] + ((_e1810[0] - _e1804[0]) * _e1755)), (_e1804[1] + ((_e1810[1] - _e1804[1]) * _e1755)), (_e1804[2] + ((_e1810[2] - _e1804[2]) * _e1755))), array<f64, 3>((_e1826[0] + ((_e1832[0] - _e1826[0]) * _e1755)), (_e1826[1] + ((_e1832[1] - _e1826[1]) * _e1755)), (_e1826[2] + ((_e1832[2] - _e1826[2]) * _e1755))), _e229.member);
-                                        if (_e1765 == 0u) {
-                                            phi_3719_ = _e1846;
+                                    let _e1754 = phi_3566_;
+                                    let _e1756 = phi_3569_;
+                                    let _e1758 = phi_3571_;
+                                    let _e1760 = phi_3573_;
+                                    let _e1762 = phi_3575_;
+                                    let _e1764 = phi_3577_;
+                                    let _e1766 = phi_3579_;
+                                    local_20 = _e1756;
+                                    local_24 = _e1758;
+                                    let _e1769 = (_e1754.member < _e1754.member_1);
+                                    if (bitcast<i32>(select(0u, 1u, _e1769)) != 0i) {
+                                        let _e1783 = local_5.member[0u];
+                                        let _e1789 = local_5.member[1u];
+                                        let _e1805 = local_5.member_1[0u];
+                                        let _e1811 = local_5.member_1[1u];
+                                        let _e1827 = local_5.member_2[0u];
+                                        let _e1833 = local_5.member_2[1u];
+                                        let _e1847 = function_4(array<f64, 3>((_e1783[0] + ((_e1789[0] - _e1783[0]) * _e1756)), (_e1783[1] + ((_e1789[1] - _e1783[1]) * _e1756)), (_e1783[2] + ((_e1789[2] - _e1783[2]) * _e1756))), array<f64, 3>((_e1805[0] + ((_e1811[0] - _e1805[0]) * _e1756)), (_e1805[1] + ((_e1811[1] - _e1805[1]) * _e1756)), (_e1805[2] + ((_e1811[2] - _e1805[2]) * _e1756))), array<f64, 3>((_e1827[0] + ((_e1833[0] - _e1827[0]) * _e1756)), (_e1827[1] + ((_e1833[1] - _e1827[1]) * _e1756)), (_e1827[2] + ((_e1833[2] - _e1827[2]) * _e1756))), _e230.member);
+                                        if (_e1766 == 0u) {
+                                            phi_3731_ = _e1847;
                                         } else {
-                                            let _e1848 = f64(0f);
-                                            phi_3719_ = array<f64, 3>(select(_e1848, _e1846[0], (_e1765 == 1u)), select(_e1848, _e1846[1], (_e1765 == 2u)), select(_e1848, _e1846[2], (_e1765 == 3u)));
+                                            let _e1849 = f64(0f);
+                                            phi_3731_ = array<f64, 3>(select(_e1849, _e1847[0], (_e1766 == 1u)), select(_e1849, _e1847[1], (_e1766 == 2u)), select(_e1849, _e1847[2], (_e1766 == 3u)));
                                         }
-                                        let _e1860 = phi_3719_;
-                                        let _e1874 = ((select(_e1860[0], -(_e1860[0]), (_e1860[0] < 0.0lf)) + select(_e1860[1], -(_e1860[1]), (_e1860[1] < 0.0lf))) + select(_e1860[2], -(_e1860[2]), (_e1860[2] < 0.0lf)));
-                                        if (_e1874 > f64(0f)) {
-                                            if ((bitcast<u64>(_e1874) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                let _e1881 = (f64(1f) / _e1874);
-                                                let _e1883 = (_e1860[0] * _e1881);
-                                                let _e1885 = (_e1860[1] * _e1881);
-                                                let _e1887 = (_e1860[2] * _e1881);
-                                                let _e1892 = (((_e1883 * _e1883) + (_e1885 * _e1885)) + (_e1887 * _e1887));
-                                                if (_e1892 <= 2.2250738585072014e-308lf) {
-                                                    phi_3844_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1892 > 0.0lf));
+                                        let _e1861 = phi_3731_;
+                                        let _e1875 = ((select(_e1861[0], -(_e1861[0]), (_e1861[0] < 0.0lf)) + select(_e1861[1], -(_e1861[1]), (_e1861[1] < 0.0lf))) + select(_e1861[2], -(_e1861[2]), (_e1861[2] < 0.0lf)));
+                                        if (_e1875 > f64(0f)) {
+                                            if ((bitcast<u64>(_e1875) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                let _e1882 = (f64(1f) / _e1875);
+                                                let _e1884 = (_e1861[0] * _e1882);
+                                                let _e1886 = (_e1861[1] * _e1882);
+                                                let _e1888 = (_e1861[2] * _e1882);
+                                                let _e1893 = (((_e1884 * _e1884) + (_e1886 * _e1886)) + (_e1888 * _e1888));
+                                                if (_e1893 <= 2.2250738585072014e-308lf) {
+                                                    phi_3856_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1893 > 0.0lf));
                                                 } else {
-                                                    phi_3787_ = type_16(0i, 5i);
-                                                    phi_3790_ = bitcast<f64>(((bitcast<u64>(_e1892) / 2lu) + 2303426169912950784lu));
+                                                    phi_3799_ = type_16(0i, 5i);
+                                                    phi_3802_ = bitcast<f64>(((bitcast<u64>(_e1893) / 2lu) + 2303426169912950784lu));
                                                     loop {
-                                                        let _e1899 = phi_3787_;
-                                                        let _e1901 = phi_3790_;
-                                                        local_7 = _e1901;
-                                                        if (_e1899.member < _e1899.member_1) {
-                                                            let _e1908 = (_e1899.member + 1i);
-                                                            phi_3788_ = type_16(select(_e1908, type_17().member_1, select(false, true, ((false == (_e1908 > _e1899.member)) != false))), _e1899.member_1);
-                                                            phi_3831_ = type_17(1u, _e1899.member);
+                                                        let _e1900 = phi_3799_;
+                                                        let _e1902 = phi_3802_;
+                                                        local_8 = _e1902;
+                                                        if (_e1900.member < _e1900.member_1) {
+                                                            let _e1909 = (_e1900.member + 1i);
+                                                            phi_3800_ = type_16(select(_e1909, type_17().member_1, select(false, true, ((false == (_e1909 > _e1900.member)) != false))), _e1900.member_1);
+                                                            phi_3843_ = type_17(1u, _e1900.member);
                                                         } else {
-                                                            phi_3788_ = _e1899;
-                                                            phi_3831_ = type_17(0u, type_17().member_1);
+                                                            phi_3800_ = _e1900;
+                                                            phi_3843_ = type_17(0u, type_17().member_1);
                                                         }
-                                                        let _e1919 = phi_3788_;
-                                                        let _e1921 = phi_3831_;
-                                                        let _e1924 = (bitcast<i32>(_e1921.member) != 0i);
-                                                        if _e1924 {
-                                                            phi_3791_ = (0.5lf * (_e1901 + (_e1892 / _e1901)));
+                                                        let _e1920 = phi_3800_;
+                                                        let _e1922 = phi_3843_;
+                                                        let _e1925 = (bitcast<i32>(_e1922.member) != 0i);
+                                                        if _e1925 {
+                                                            phi_3803_ = (0.5lf * (_e1902 + (_e1893 / _e1902)));
                                                         } else {
-                                                            phi_3791_ = f64();
+                                                            phi_3803_ = f64();
                                                         }
-                                                        let _e1929 = phi_3791_;
+                                                        let _e1930 = phi_3803_;
                                                         continue;
                                                         continuing {
-                                                            phi_3787_ = _e1919;
-                                                            phi_3790_ = _e1929;
-                                                            break if !(_e1924);
+                                                            phi_3799_ = _e1920;
+                                                            phi_3802_ = _e1930;
+                                                            break if !(_e1925);
                                                         }
                                                     }
-                                                    let _e1934 = local_7;
-                                                    phi_3844_ = (_e1934 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                    let _e1935 = local_8;
+                                                    phi_3856_ = (_e1935 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                 }
-                                                let _e1940 = phi_3844_;
-                                                let _e1942 = (1.1102230246251565e-16lf * f64(12f));
-                                                let _e1949 = ((((((((select(_e1638, _e1619, (_e1619 > _e1638)) + _e1642) + (select(_e1681, _e1662, (_e1662 > _e1681)) + _e1685)) + (select(_e1724, _e1705, (_e1705 > _e1724)) + _e1728)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1736 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e780.member_1 * _e1940) * (f64(1f) + _e1942)));
-                                                let _e1954 = (((_e1883 * _e1541[0]) + (_e1885 * _e1541[1])) + (_e1887 * _e1541[2]));
-                                                let _e1959 = (((_e1883 * _e1557) + (_e1885 * _e1558)) + (_e1887 * _e1559));
-                                                let _e1964 = (((_e1883 * (_e1541[0] - _e1553[0])) + (_e1885 * (_e1541[1] - _e1553[1]))) + (_e1887 * (_e1541[2] - _e1553[2])));
-                                                let _e1969 = (((_e1883 * select((_e1557 - _e1553[0]), _e1541[0], _e1560)) + (_e1885 * select((_e1558 - _e1553[1]), _e1541[1], _e1560))) + (_e1887 * select((_e1559 - _e1553[2]), _e1541[2], _e1560)));
-                                                let _e1975 = (((_e1883 * _e1572[0]) + (_e1885 * _e1572[1])) + (_e1887 * _e1572[2]));
-                                                let _e1980 = (((_e1883 * _e1588) + (_e1885 * _e1589)) + (_e1887 * _e1590));
-                                                let _e1985 = (((_e1883 * (_e1572[0] - _e1584[0])) + (_e1885 * (_e1572[1] - _e1584[1]))) + (_e1887 * (_e1572[2] - _e1584[2])));
-                                                let _e1990 = (((_e1883 * select((_e1588 - _e1584[0]), _e1572[0], _e1591)) + (_e1885 * select((_e1589 - _e1584[1]), _e1572[1], _e1591))) + (_e1887 * select((_e1590 - _e1584[2]), _e1572[2], _e1591)));
-                                                phi_3970_ = type_36(array<f64, 4>(_e1954, _e1959, _e1964, _e1969), array<f64, 4>(_e1975, _e1980, _e1985, _e1990), array<f64, 4>((_e1949 + ((select(_e1954, -(_e1954), (_e1954 < 0.0lf)) + select(_e1975, -(_e1975), (_e1975 < 0.0lf))) * _e1942)), (_e1949 + ((select(_e1959, -(_e1959), (_e1959 < 0.0lf)) + select(_e1980, -(_e1980), (_e1980 < 0.0lf))) * _e1942)), (_e1949 + ((select(_e1964, -(_e1964), (_e1964 < 0.0lf)) + select(_e1985, -(_e1985), (_e1985 < 0.0lf))) * _e1942)), (_e1949 + ((select(_e1969, -(_e1969), (_e1969 < 0.0lf)) + select(_e1990, -(_e1990), (_e1990 < 0.0lf))) * _e1942))));
-                                                phi_3971_ = false;
+                                                let _e1941 = phi_3856_;
+                                                let _e1943 = (1.1102230246251565e-16lf * f64(12f));
+                                                let _e1950 = ((((((((select(_e1639, _e1620, (_e1620 > _e1639)) + _e1643) + (select(_e1682, _e1663, (_e1663 > _e1682)) + _e1686)) + (select(_e1725, _e1706, (_e1706 > _e1725)) + _e1729)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1737 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e781.member_1 * _e1941) * (f64(1f) + _e1943)));
+                                                let _e1955 = (((_e1884 * _e1542[0]) + (_e1886 * _e1542[1])) + (_e1888 * _e1542[2]));
+                                                let _e1960 = (((_e1884 * _e1558) + (_e1886 * _e1559)) + (_e1888 * _e1560));
+                                                let _e1965 = (((_e1884 * (_e1542[0] - _e1554[0])) + (_e1886 * (_e1542[1] - _e1554[1]))) + (_e1888 * (_e1542[2] - _e1554[2])));
+                                                let _e1970 = (((_e1884 * select((_e1558 - _e1554[0]), _e1542[0], _e1561)) + (_e1886 * select((_e1559 - _e1554[1]), _e1542[1], _e1561))) + (_e1888 * select((_e1560 - _e1554[2]), _e1542[2], _e1561)));
+                                                let _e1976 = (((_e1884 * _e1573[0]) + (_e1886 * _e1573[1])) + (_e1888 * _e1573[2]));
+                                                let _e1981 = (((_e1884 * _e1589) + (_e1886 * _e1590)) + (_e1888 * _e1591));
+                                                let _e1986 = (((_e1884 * (_e1573[0] - _e1585[0])) + (_e1886 * (_e1573[1] - _e1585[1]))) + (_e1888 * (_e1573[2] - _e1585[2])));
+                                                let _e1991 = (((_e1884 * select((_e1589 - _e1585[0]), _e1573[0], _e1592)) + (_e1886 * select((_e1590 - _e1585[1]), _e1573[1], _e1592))) + (_e1888 * select((_e1591 - _e1585[2]), _e1573[2], _e1592)));
+                                                phi_3982_ = type_39(array<f64, 4>(_e1955, _e1960, _e1965, _e1970), array<f64, 4>(_e1976, _e1981, _e1986, _e1991), array<f64, 4>((_e1950 + ((select(_e1955, -(_e1955), (_e1955 < 0.0lf)) + select(_e1976, -(_e1976), (_e1976 < 0.0lf))) * _e1943)), (_e1950 + ((select(_e1960, -(_e1960), (_e1960 < 0.0lf)) + select(_e1981, -(_e1981), (_e1981 < 0.0lf))) * _e1943)), (_e1950 + ((select(_e1965, -(_e1965), (_e1965 < 0.0lf)) + select(_e1986, -(_e1986), (_e1986 < 0.0lf))) * _e1943)), (_e1950 + ((select(_e1970, -(_e1970), (_e1970 < 0.0lf)) + select(_e1991, -(_e1991), (_e1991 < 0.0lf))) * _e1943))));
+                                                phi_3983_ = false;
                                             } else {
-                                                phi_3970_ = type_36();
-                                                phi_3971_ = true;
+                                                phi_3982_ = type_39();
+                                                phi_3983_ = true;
                                             }
-                                            let _e2031 = phi_3970_;
-                                            let _e2033 = phi_3971_;
-                                            phi_3972_ = _e2031;
-                                            phi_3973_ = _e2033;
+                                            let _e2032 = phi_3982_;
+                                            let _e2034 = phi_3983_;
+                                            phi_3984_ = _e2032;
+                                            phi_3985_ = _e2034;
                                         } else {
-                                            phi_3972_ = type_36();
-                                            phi_3973_ = true;
+                                            phi_3984_ = type_39();
+                                            phi_3985_ = true;
                                         }
-                                        let _e2035 = phi_3972_;
-                                        let _e2037 = phi_3973_;
-                                        if _e2037 {
-                                            let _e2038 = f64(0f);
-                                            let _e2039 = f64(1f);
-                                            phi_3983_ = type_36(array<f64, 4>(_e2038, _e2038, _e2038, _e2038), array<f64, 4>(_e2038, _e2038, _e2038, _e2038), array<f64, 4>(_e2039, _e2039, _e2039, _e2039));
+                                        let _e2036 = phi_3984_;
+                                        let _e2038 = phi_3985_;
+                                        if _e2038 {
+                                            let _e2039 = f64(0f);
+                                            let _e2040 = f64(1f);
+                                            phi_3995_ = type_39(array<f64, 4>(_e2039, _e2039, _e2039, _e2039), array<f64, 4>(_e2039, _e2039, _e2039, _e2039), array<f64, 4>(_e2040, _e2040, _e2040, _e2040));
                                         } else {
-                                            phi_3983_ = _e2035;
+                                            phi_3995_ = _e2036;
                                         }
-                                        let _e2045 = phi_3983_;
-                                        local_4 = type_36(array<f64, 4>(_e2045.member[0], _e2045.member[1], _e2045.member[2], _e2045.member[3]), array<f64, 4>(_e2045.member_1[0], _e2045.member_1[1], _e2045.member_1[2], _e2045.member_1[3]), array<f64, 4>(_e2045.member_2[0], _e2045.member_2[1], _e2045.member_2[2], _e2045.member_2[3]));
-                                        let _e2065 = (_e1755 - _e1761);
-                                        let _e2067 = f64(0f);
-                                        let _e2070 = local_4.member[0u];
-                                        let _e2073 = local_4.member_1[0u];
-                                        let _e2076 = local_4.member[0u];
-                                        let _e2082 = local_4.member_2[0u];
-                                        if (((_e2070 + ((_e2073 - _e2076) * _e1755)) - _e2082) > _e2067) {
-                                            let _e2087 = local_4.member[1u];
-                                            let _e2090 = local_4.member_1[1u];
-                                            let _e2093 = local_4.member[1u];
-                                            let _e2099 = local_4.member_2[1u];
-                                            if (((_e2087 + ((_e2090 - _e2093) * _e1755)) - _e2099) > _e2067) {
-                                                let _e2104 = local_4.member[2u];
-                                                let _e2107 = local_4.member_1[2u];
-                                                let _e2110 = local_4.member[2u];
-                                                let _e2116 = local_4.member_2[2u];
-                                                if (((_e2104 + ((_e2107 - _e2110) * _e1755)) - _e2116) > _e2067) {
-                                                    let _e2121 = local_4.member[3u];
-                                                    let _e2124 = local_4.member_1[3u];
-                                                    let _e2127 = local_4.member[3u];
-                                                    let _e2133 = local_4.member_2[3u];
-                                                    phi_4155_ = (((_e2121 + ((_e2124 - _e2127) * _e1755)) - _e2133) > _e2067);
-                                                    phi_4156_ = false;
+                                        let _e2046 = phi_3995_;
+                                        local_4 = type_39(array<f64, 4>(_e2046.member[0], _e2046.member[1], _e2046.member[2], _e2046.member[3]), array<f64, 4>(_e2046.member_1[0], _e2046.member_1[1], _e2046.member_1[2], _e2046.member_1[3]), array<f64, 4>(_e2046.member_2[0], _e2046.member_2[1], _e2046.member_2[2], _e2046.member_2[3]));
+                                        let _e2066 = (_e1756 - _e1762);
+                                        let _e2068 = f64(0f);
+                                        let _e2071 = local_4.member[0u];
+                                        let _e2074 = local_4.member_1[0u];
+                                        let _e2077 = local_4.member[0u];
+                                        let _e2083 = local_4.member_2[0u];
+                                        if (((_e2071 + ((_e2074 - _e2077) * _e1756)) - _e2083) > _e2068) {
+                                            let _e2088 = local_4.member[1u];
+                                            let _e2091 = local_4.member_1[1u];
+                                            let _e2094 = local_4.member[1u];
+                                            let _e2100 = local_4.member_2[1u];
+                                            if (((_e2088 + ((_e2091 - _e2094) * _e1756)) - _e2100) > _e2068) {
+                                                let _e2105 = local_4.member[2u];
+                                                let _e2108 = local_4.member_1[2u];
+                                                let _e2111 = local_4.member[2u];
+                                                let _e2117 = local_4.member_2[2u];
+                                                if (((_e2105 + ((_e2108 - _e2111) * _e1756)) - _e2117) > _e2068) {
+                                                    let _e2122 = local_4.member[3u];
+                                                    let _e2125 = local_4.member_1[3u];
+                                                    let _e2128 = local_4.member[3u];
+                                                    let _e2134 = local_4.member_2[3u];
+                                                    phi_4167_ = (((_e2122 + ((_e2125 - _e2128) * _e1756)) - _e2134) > _e2068);
+                                                    phi_4168_ = false;
                                                 } else {
-                                                    phi_4155_ = bool();
-                                                    phi_4156_ = true;
+                                                    phi_4167_ = bool();
+                                                    phi_4168_ = true;
                                                 }
-                                                let _e2137 = phi_4155_;
-                                                let _e2139 = phi_4156_;
-                                                phi_4157_ = _e2137;
-                                                phi_4158_ = _e2139;
+                                                let _e2138 = phi_4167_;
+                                                let _e2140 = phi_4168_;
+                                                phi_4169_ = _e2138;
+                                                phi_4170_ = _e2140;
                                             } else {
-                                                phi_4157_ = bool();
-                                                phi_4158_ = true;
+                                                phi_4169_ = bool();
+                                                phi_4170_ = true;
                                             }
-                                            let _e2141 = phi_4157_;
-                                            let _e2143 = phi_4158_;
-                                            phi_4159_ = _e2141;
-                                            phi_4160_ = _e2143;
+                                            let _e2142 = phi_4169_;
+                                            let _e2144 = phi_4170_;
+                                            phi_4171_ = _e2142;
+                                            phi_4172_ = _e2144;
                                         } else {
-                                            phi_4159_ = bool();
-                                            phi_4160_ = true;
+                                            phi_4171_ = bool();
+                                            phi_4172_ = true;
                                         }
-                                        let _e2145 = phi_4159_;
-                                        let _e2147 = phi_4160_;
-                                        if select(_e2145, false, _e2147) {
-                                            if (_e1755 <= _e1757) {
-                                                phi_4475_ = true;
+                                        let _e2146 = phi_4171_;
+                                        let _e2148 = phi_4172_;
+                                        if select(_e2146, false, _e2148) {
+                                            if (_e1756 <= _e1758) {
+                                                phi_4487_ = true;
                                             } else {
-                                                let _e2150 = f64(0f);
-                                                let _e2153 = local_3.member[0u];
-                                                let _e2156 = local_3.member_1[0u];
-                                                let _e2159 = local_3.member[0u];
-                                                let _e2165 = local_3.member_2[0u];
-                                                let _e2169 = local_4.member[0u];
-                                                let _e2172 = local_4.member_1[0u];
-                                                let _e2175 = local_4.member[0u];
-                                                let _e2181 = local_4.member_2[0u];
-                                                if ((((_e2153 + ((_e2156 - _e2159) * _e1755)) - _e2165) + ((_e2169 + ((_e2172 - _e2175) * _e1761)) - _e2181)) > _e2150) {
-                                                    let _e2187 = local_3.member[1u];
-                                                    let _e2190 = local_3.member_1[1u];
-                                                    let _e2193 = local_3.member[1u];
-                                                    let _e2199 = local_3.member_2[1u];
-                                                    let _e2203 = local_4.member[1u];
-                                                    let _e2206 = local_4.member_1[1u];
-                                                    let _e2209 = local_4.member[1u];
-                                                    let _e2215 = local_4.member_2[1u];
-                                                    if ((((_e2187 + ((_e2190 - _e2193) * _e1755)) - _e2199) + ((_e2203 + ((_e2206 - _e2209) * _e1761)) - _e2215)) > _e2150) {
-                                                        let _e2221 = local_3.member[2u];
-                                                        let _e2224 = local_3.member_1[2u];
-                                                        let _e2227 = local_3.member[2u];
-                                                        let _e2233 = local_3.member_2[2u];
-                                                        let _e2237 = local_4.member[2u];
-                                                        let _e2240 = local_4.member_1[2u];
-                                                        let _e2243 = local_4.member[2u];
-                                                        let _e2249 = local_4.member_2[2u];
-                                                        if ((((_e2221 + ((_e2224 - _e2227) * _e1755)) - _e2233) + ((_e2237 + ((_e2240 - _e2243) * _e1761)) - _e2249)) > _e2150) {
-                                                            let _e2255 = local_3.member[3u];
-                                                            let _e2258 = local_3.member_1[3u];
-                                                            let _e2261 = local_3.member[3u];
-                                                            let _e2267 = local_3.member_2[3u];
-                                                            let _e2271 = local_4.member[3u];
-                                                            let _e2274 = local_4.member_1[3u];
-                                                            let _e2277 = local_4.member[3u];
-                                                            let _e2283 = local_4.member_2[3u];
-                                                            phi_4462_ = ((((_e2255 + ((_e2258 - _e2261) * _e1755)) - _e2267) + ((_e2271 + ((_e2274 - _e2277) * _e1761)) - _e2283)) > _e2150);
-                                                            phi_4463_ = false;
+                                                let _e2151 = f64(0f);
+                                                let _e2154 = local_3.member[0u];
+                                                let _e2157 = local_3.member_1[0u];
+                                                let _e2160 = local_3.member[0u];
+                                                let _e2166 = local_3.member_2[0u];
+                                                let _e2170 = local_4.member[0u];
+                                                let _e2173 = local_4.member_1[0u];
+                                                let _e2176 = local_4.member[0u];
+                                                let _e2182 = local_4.member_2[0u];
+                                                if ((((_e2154 + ((_e2157 - _e2160) * _e1756)) - _e2166) + ((_e2170 + ((_e2173 - _e2176) * _e1762)) - _e2182)) > _e2151) {
+                                                    let _e2188 = local_3.member[1u];
+                                                    let _e2191 = local_3.member_1[1u];
+                                                    let _e2194 = local_3.member[1u];
+                                                    let _e2200 = local_3.member_2[1u];
+                                                    let _e2204 = local_4.member[1u];
+                                                    let _e2207 = local_4.member_1[1u];
+                                                    let _e2210 = local_4.member[1u];
+                                                    let _e2216 = local_4.member_2[1u];
+                                                    if ((((_e2188 + ((_e2191 - _e2194) * _e1756)) - _e2200) + ((_e2204 + ((_e2207 - _e2210) * _e1762)) - _e2216)) > _e2151) {
+                                                        let _e2222 = local_3.member[2u];
+                                                        let _e2225 = local_3.member_1[2u];
+                                                        let _e2228 = local_3.member[2u];
+                                                        let _e2234 = local_3.member_2[2u];
+                                                        let _e2238 = local_4.member[2u];
+                                                        let _e2241 = local_4.member_1[2u];
+                                                        let _e2244 = local_4.member[2u];
+                                                        let _e2250 = local_4.member_2[2u];
+                                                        if ((((_e2222 + ((_e2225 - _e2228) * _e1756)) - _e2234) + ((_e2238 + ((_e2241 - _e2244) * _e1762)) - _e2250)) > _e2151) {
+                                                            let _e2256 = local_3.member[3u];
+                                                            let _e2259 = local_3.member_1[3u];
+                                                            let _e2262 = local_3.member[3u];
+                                                            let _e2268 = local_3.member_2[3u];
+                                                            let _e2272 = local_4.member[3u];
+                                                            let _e2275 = local_4.member_1[3u];
+                                                            let _e2278 = local_4.member[3u];
+                                                            let _e2284 = local_4.member_2[3u];
+                                                            phi_4474_ = ((((_e2256 + ((_e2259 - _e2262) * _e1756)) - _e2268) + ((_e2272 + ((_e2275 - _e2278) * _e1762)) - _e2284)) > _e2151);
+                                                            phi_4475_ = false;
                                                         } else {
-                                                            phi_4462_ = bool();
-                                                            phi_4463_ = true;
+                                                            phi_4474_ = bool();
+                                                            phi_4475_ = true;
                                                         }
-                                                        let _e2288 = phi_4462_;
-                                                        let _e2290 = phi_4463_;
-                                                        phi_4464_ = _e2288;
-                                                        phi_4465_ = _e2290;
+                                                        let _e2289 = phi_4474_;
+                                                        let _e2291 = phi_4475_;
+                                                        phi_4476_ = _e2289;
+                                                        phi_4477_ = _e2291;
                                                     } else {
-                                                        phi_4464_ = bool();
-                                                        phi_4465_ = true;
+                                                        phi_4476_ = bool();
+                                                        phi_4477_ = true;
                                                     }
-                                                    let _e2292 = phi_4464_;
-                                                    let _e2294 = phi_4465_;
-                                                    phi_4466_ = _e2292;
-                                                    phi_4467_ = _e2294;
+                                                    let _e2293 = phi_4476_;
+                                                    let _e2295 = phi_4477_;
+                                                    phi_4478_ = _e2293;
+                                                    phi_4479_ = _e2295;
                                                 } else {
-                                                    phi_4466_ = bool();
-                                                    phi_4467_ = true;
+                                                    phi_4478_ = bool();
+                                                    phi_4479_ = true;
                                                 }
-                                                let _e2296 = phi_4466_;
-                                                let _e2298 = phi_4467_;
-                                                phi_4475_ = select(_e2296, false, _e2298);
+                                                let _e2297 = phi_4478_;
+                                                let _e2299 = phi_4479_;
+                                                phi_4487_ = select(_e2297, false, _e2299);
                                             }
-                                            let _e2301 = phi_4475_;
-                                            if _e2301 {
-                                                if select(true, select(true, false, (_e1755 >= _e550)), _e1763) {
-                                                    local_3 = type_36(array<f64, 4>(_e2045.member[0], _e2045.member[1], _e2045.member[2], _e2045.member[3]), array<f64, 4>(_e2045.member_1[0], _e2045.member_1[1], _e2045.member_1[2], _e2045.member_1[3]), array<f64, 4>(_e2045.member_2[0], _e2045.member_2[1], _e2045.member_2[2], _e2045.member_2[3]));
-                                                    let _e2326 = local_3.member[0u];
-                                                    let _e2329 = local_3.member_1[0u];
-                                                    let _e2332 = local_3.member_2[0u];
-                                                    if select(true, select(true, false, (_e2329 > _e2332)), (_e2326 > _e2332)) {
-                                                        let _e2337 = (_e2329 >= _e2326);
-                                                        if _e2337 {
-                                                            phi_4587_ = f64();
-                                                            phi_4588_ = false;
+                                            let _e2302 = phi_4487_;
+                                            if _e2302 {
+                                                if select(true, select(true, false, (_e1756 >= _e551)), _e1764) {
+                                                    local_3 = type_39(array<f64, 4>(_e2046.member[0], _e2046.member[1], _e2046.member[2], _e2046.member[3]), array<f64, 4>(_e2046.member_1[0], _e2046.member_1[1], _e2046.member_1[2], _e2046.member_1[3]), array<f64, 4>(_e2046.member_2[0], _e2046.member_2[1], _e2046.member_2[2], _e2046.member_2[3]));
+                                                    let _e2327 = local_3.member[0u];
+                                                    let _e2330 = local_3.member_1[0u];
+                                                    let _e2333 = local_3.member_2[0u];
+                                                    if select(true, select(true, false, (_e2330 > _e2333)), (_e2327 > _e2333)) {
+                                                        let _e2338 = (_e2330 >= _e2327);
+                                                        if _e2338 {
+                                                            phi_4599_ = f64();
+                                                            phi_4600_ = false;
                                                         } else {
-                                                            if ((_e2326 - _e2329) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4585_ = (((_e2326 - _e2332) / (_e2326 - _e2329)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4586_ = false;
+                                                            if ((_e2327 - _e2330) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4597_ = (((_e2327 - _e2333) / (_e2327 - _e2330)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4598_ = false;
                                                             } else {
-                                                                phi_4585_ = f64();
-                                                                phi_4586_ = true;
+                                                                phi_4597_ = f64();
+                                                                phi_4598_ = true;
                                                             }
-                                                            let _e2351 = phi_4585_;
-                                                            let _e2353 = phi_4586_;
-                                                            phi_4587_ = _e2351;
-                                                            phi_4588_ = _e2353;
+                                                            let _e2352 = phi_4597_;
+                                                            let _e2354 = phi_4598_;
+                                                            phi_4599_ = _e2352;
+                                                            phi_4600_ = _e2354;
                                                         }
-                                                        let _e2355 = phi_4587_;
-                                                        let _e2357 = phi_4588_;
-                                                        phi_4589_ = _e2355;
-                                                        phi_4590_ = _e2337;
-                                                        phi_4591_ = _e2357;
+                                                        let _e2356 = phi_4599_;
+                                                        let _e2358 = phi_4600_;
+                                                        phi_4601_ = _e2356;
+                                                        phi_4602_ = _e2338;
+                                                        phi_4603_ = _e2358;
                                                     } else {
-                                                        phi_4589_ = f64();
-                                                        phi_4590_ = true;
-                                                        phi_4591_ = false;
+                                                        phi_4601_ = f64();
+                                                        phi_4602_ = true;
+                                                        phi_4603_ = false;
                                                     }
-                                                    let _e2359 = phi_4589_;
-                                                    let _e2361 = phi_4590_;
-                                                    let _e2363 = phi_4591_;
-                                                    let _e2367 = select(_e2359, select(_e1755, f64(2f), _e2361), select(_e2363, true, _e2361));
-                                                    let _e2370 = local_3.member[1u];
-                                                    let _e2373 = local_3.member_1[1u];
-                                                    let _e2376 = local_3.member_2[1u];
-                                                    if select(true, select(true, false, (_e2373 > _e2376)), (_e2370 > _e2376)) {
-                                                        let _e2381 = (_e2373 >= _e2370);
-                                                        if _e2381 {
-                                                            phi_4659_ = f64();
-                                                            phi_4660_ = false;
+                                                    let _e2360 = phi_4601_;
+                                                    let _e2362 = phi_4602_;
+                                                    let _e2364 = phi_4603_;
+                                                    let _e2368 = select(_e2360, select(_e1756, f64(2f), _e2362), select(_e2364, true, _e2362));
+                                                    let _e2371 = local_3.member[1u];
+                                                    let _e2374 = local_3.member_1[1u];
+                                                    let _e2377 = local_3.member_2[1u];
+                                                    if select(true, select(true, false, (_e2374 > _e2377)), (_e2371 > _e2377)) {
+                                                        let _e2382 = (_e2374 >= _e2371);
+                                                        if _e2382 {
+                                                            phi_4671_ = f64();
+                                                            phi_4672_ = false;
                                                         } else {
-                                                            if ((_e2370 - _e2373) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4657_ = (((_e2370 - _e2376) / (_e2370 - _e2373)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4658_ = false;
+                                                            if ((_e2371 - _e2374) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4669_ = (((_e2371 - _e2377) / (_e2371 - _e2374)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4670_ = false;
                                                             } else {
-                                                                phi_4657_ = f64();
-                                                                phi_4658_ = true;
+                                                                phi_4669_ = f64();
+                                                                phi_4670_ = true;
                                                             }
-                                                            let _e2395 = phi_4657_;
-                                                            let _e2397 = phi_4658_;
-                                                            phi_4659_ = _e2395;
-                                                            phi_4660_ = _e2397;
+                                                            let _e2396 = phi_4669_;
+                                                            let _e2398 = phi_4670_;
+                                                            phi_4671_ = _e2396;
+                                                            phi_4672_ = _e2398;
                                                         }
-                                                        let _e2399 = phi_4659_;
-                                                        let _e2401 = phi_4660_;
-                                                        phi_4661_ = _e2399;
-                                                        phi_4662_ = _e2381;
-                                                        phi_4663_ = _e2401;
+                                                        let _e2400 = phi_4671_;
+                                                        let _e2402 = phi_4672_;
+                                                        phi_4673_ = _e2400;
+                                                        phi_4674_ = _e2382;
+                                                        phi_4675_ = _e2402;
                                                     } else {
-                                                        phi_4661_ = f64();
-                                                        phi_4662_ = true;
-                                                        phi_4663_ = false;
+                                                        phi_4673_ = f64();
+                                                        phi_4674_ = true;
+                                                        phi_4675_ = false;
                                                     }
-                                                    let _e2403 = phi_4661_;
-                                                    let _e2405 = phi_4662_;
-                                                    let _e2407 = phi_4663_;
-                                                    let _e2411 = select(_e2403, select(_e1755, f64(2f), _e2405), select(_e2407, true, _e2405));
-                                                    let _e2413 = select(_e2411, _e2367, (_e2367 < _e2411));
-                                                    let _e2416 = local_3.member[2u];
-                                                    let _e2419 = local_3.member_1[2u];
-                                                    let _e2422 = local_3.member_2[2u];
-                                                    if select(true, select(true, false, (_e2419 > _e2422)), (_e2416 > _e2422)) {
-                                                        let _e2427 = (_e2419 >= _e2416);
-                                                        if _e2427 {
-                                                            phi_4736_ = f64();
-                                                            phi_4737_ = false;
+                                                    let _e2404 = phi_4673_;
+                                                    let _e2406 = phi_4674_;
+                                                    let _e2408 = phi_4675_;
+                                                    let _e2412 = select(_e2404, select(_e1756, f64(2f), _e2406), select(_e2408, true, _e2406));
+                                                    let _e2414 = select(_e2412, _e2368, (_e2368 < _e2412));
+                                                    let _e2417 = local_3.member[2u];
+                                                    let _e2420 = local_3.member_1[2u];
+                                                    let _e2423 = local_3.member_2[2u];
+                                                    if select(true, select(true, false, (_e2420 > _e2423)), (_e2417 > _e2423)) {
+                                                        let _e2428 = (_e2420 >= _e2417);
+                                                        if _e2428 {
+                                                            phi_4748_ = f64();
+                                                            phi_4749_ = false;
                                                         } else {
-                                                            if ((_e2416 - _e2419) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4734_ = (((_e2416 - _e2422) / (_e2416 - _e2419)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4735_ = false;
+                                                            if ((_e2417 - _e2420) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4746_ = (((_e2417 - _e2423) / (_e2417 - _e2420)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4747_ = false;
                                                             } else {
-                                                                phi_4734_ = f64();
-                                                                phi_4735_ = true;
+                                                                phi_4746_ = f64();
+                                                                phi_4747_ = true;
                                                             }
-                                                            let _e2441 = phi_4734_;
-                                                            let _e2443 = phi_4735_;
-                                                            phi_4736_ = _e2441;
-                                                            phi_4737_ = _e2443;
+                                                            let _e2442 = phi_4746_;
+                                                            let _e2444 = phi_4747_;
+                                                            phi_4748_ = _e2442;
+                                                            phi_4749_ = _e2444;
                                                         }
-                                                        let _e2445 = phi_4736_;
-                                                        let _e2447 = phi_4737_;
-                                                        phi_4738_ = _e2445;
-                                                        phi_4739_ = _e2427;
-                                                        phi_4740_ = _e2447;
+                                                        let _e2446 = phi_4748_;
+                                                        let _e2448 = phi_4749_;
+                                                        phi_4750_ = _e2446;
+                                                        phi_4751_ = _e2428;
+                                                        phi_4752_ = _e2448;
                                                     } else {
-                                                        phi_4738_ = f64();
-                                                        phi_4739_ = true;
-                                                        phi_4740_ = false;
+                                                        phi_4750_ = f64();
+                                                        phi_4751_ = true;
+                                                        phi_4752_ = false;
                                                     }
-                                                    let _e2449 = phi_4738_;
-                                                    let _e2451 = phi_4739_;
-                                                    let _e2453 = phi_4740_;
-                                                    let _e2457 = select(_e2449, select(_e1755, f64(2f), _e2451), select(_e2453, true, _e2451));
-                                                    let _e2460 = local_3.member[3u];
-                                                    let _e2463 = local_3.member_1[3u];
-                                                    let _e2466 = local_3.member_2[3u];
-                                                    if select(true, select(true, false, (_e2463 > _e2466)), (_e2460 > _e2466)) {
-                                                        let _e2471 = (_e2463 >= _e2460);
-                                                        if _e2471 {
-                                                            phi_4808_ = f64();
-                                                            phi_4809_ = false;
+                                                    let _e2450 = phi_4750_;
+                                                    let _e2452 = phi_4751_;
+                                                    let _e2454 = phi_4752_;
+                                                    let _e2458 = select(_e2450, select(_e1756, f64(2f), _e2452), select(_e2454, true, _e2452));
+                                                    let _e2461 = local_3.member[3u];
+                                                    let _e2464 = local_3.member_1[3u];
+                                                    let _e2467 = local_3.member_2[3u];
+                                                    if select(true, select(true, false, (_e2464 > _e2467)), (_e2461 > _e2467)) {
+                                                        let _e2472 = (_e2464 >= _e2461);
+                                                        if _e2472 {
+                                                            phi_4820_ = f64();
+                                                            phi_4821_ = false;
                                                         } else {
-                                                            if ((_e2460 - _e2463) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4806_ = (((_e2460 - _e2466) / (_e2460 - _e2463)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4807_ = false;
+                                                            if ((_e2461 - _e2464) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4818_ = (((_e2461 - _e2467) / (_e2461 - _e2464)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4819_ = false;
                                                             } else {
-                                                                phi_4806_ = f64();
-                                                                phi_4807_ = true;
+                                                                phi_4818_ = f64();
+                                                                phi_4819_ = true;
                                                             }
-                                                            let _e2485 = phi_4806_;
-                                                            let _e2487 = phi_4807_;
-                                                            phi_4808_ = _e2485;
-                                                            phi_4809_ = _e2487;
+                                                            let _e2486 = phi_4818_;
+                                                            let _e2488 = phi_4819_;
+                                                            phi_4820_ = _e2486;
+                                                            phi_4821_ = _e2488;
                                                         }
-                                                        let _e2489 = phi_4808_;
-                                                        let _e2491 = phi_4809_;
-                                                        phi_4810_ = _e2489;
-                                                        phi_4811_ = _e2471;
-                                                        phi_4812_ = _e2491;
+                                                        let _e2490 = phi_4820_;
+                                                        let _e2492 = phi_4821_;
+                                                        phi_4822_ = _e2490;
+                                                        phi_4823_ = _e2472;
+                                                        phi_4824_ = _e2492;
                                                     } else {
-                                                        phi_4810_ = f64();
-                                                        phi_4811_ = true;
-                                                        phi_4812_ = false;
+                                                        phi_4822_ = f64();
+                                                        phi_4823_ = true;
+                                                        phi_4824_ = false;
                                                     }
-                                                    let _e2493 = phi_4810_;
-                                                    let _e2495 = phi_4811_;
-                                                    let _e2497 = phi_4812_;
-                                                    let _e2501 = select(_e2493, select(_e1755, f64(2f), _e2495), select(_e2497, true, _e2495));
-                                                    let _e2503 = select(_e2501, _e2457, (_e2457 < _e2501));
-                                                    let _e2505 = select(_e2503, _e2413, (_e2413 < _e2503));
-                                                    let _e2507 = select(_e1755, _e2505, (_e2505 > _e1755));
-                                                    let _e2508 = (_e2507 > _e550);
-                                                    if _e2508 {
-                                                        phi_5354_ = f64();
-                                                        phi_5355_ = f64();
-                                                        phi_5356_ = false;
-                                                        phi_5357_ = false;
+                                                    let _e2494 = phi_4822_;
+                                                    let _e2496 = phi_4823_;
+                                                    let _e2498 = phi_4824_;
+                                                    let _e2502 = select(_e2494, select(_e1756, f64(2f), _e2496), select(_e2498, true, _e2496));
+                                                    let _e2504 = select(_e2502, _e2458, (_e2458 < _e2502));
+                                                    let _e2506 = select(_e2504, _e2414, (_e2414 < _e2504));
+                                                    let _e2508 = select(_e1756, _e2506, (_e2506 > _e1756));
+                                                    let _e2509 = (_e2508 > _e551);
+                                                    if _e2509 {
+                                                        phi_5366_ = f64();
+                                                        phi_5367_ = f64();
+                                                        phi_5368_ = false;
+                                                        phi_5369_ = false;
                                                     } else {
-                                                        let _e2509 = (_e2507 - _e1755);
-                                                        let _e2510 = (_e2509 <= _e1744);
-                                                        let _e2513 = (_e2507 + (_e532 * f64(0.01f)));
-                                                        let _e2515 = select(_e550, _e2513, (_e2513 < _e550));
-                                                        if _e2510 {
-                                                            if (_e780.member_1 > f64(0f)) {
-                                                                let _e2520 = local_5.member[0u];
-                                                                let _e2526 = local_5.member[1u];
-                                                                let _e2542 = local_5.member_1[0u];
-                                                                let _e2548 = local_5.member_1[1u];
-                                                                let _e2564 = local_5.member_2[0u];
-                                                                let _e2570 = local_5.member_2[1u];
-                                                                let _e2584 = function_3(array<f64, 3>((_e2520[0] + ((_e2526[0] - _e2520[0]) * _e2515)), (_e2520[1] + ((_e2526[1] - _e2520[1]) * _e2515)), (_e2520[2] + ((_e2526[2] - _e2520[2]) * _e2515))), array<f64, 3>((_e2542[0] + ((_e2548[0] - _e2542[0]) * _e2515)), (_e2542[1] + ((_e2548[1] - _e2542[1]) * _e2515)), (_e2542[2] + ((_e2548[2] - _e2542[2]) * _e2515))), array<f64, 3>((_e2564[0] + ((_e2570[0] - _e2564[0]) * _e2515)), (_e2564[1] + ((_e2570[1] - _e2564[1]) * _e2515)), (_e2564[2] + ((_e2570[2] - _e2564[2]) * _e2515))), _e229.member);
-                                                                let _e2595 = (((_e2584[0] * _e2584[0]) + (_e2584[1] * _e2584[1])) + (_e2584[2] * _e2584[2]));
-                                                                if (_e2595 <= 2.2250738585072014e-308lf) {
-                                                                    phi_5046_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2595 > 0.0lf));
+                                                        let _e2510 = (_e2508 - _e1756);
+                                                        let _e2511 = (_e2510 <= _e1745);
+                                                        let _e2514 = (_e2508 + (_e533 * f64(0.01f)));
+                                                        let _e2516 = select(_e551, _e2514, (_e2514 < _e551));
+                                                        if _e2511 {
+                                                            if (_e781.member_1 > f64(0f)) {
+                                                                let _e2521 = local_5.member[0u];
+                                                                let _e2527 = local_5.member[1u];
+                                                                let _e2543 = local_5.member_1[0u];
+                                                                let _e2549 = local_5.member_1[1u];
+                                                                let _e2565 = local_5.member_2[0u];
+                                                                let _e2571 = local_5.member_2[1u];
+                                                                let _e2585 = function_4(array<f64, 3>((_e2521[0] + ((_e2527[0] - _e2521[0]) * _e2516)), (_e2521[1] + ((_e2527[1] - _e2521[1]) * _e2516)), (_e2521[2] + ((_e2527[2] - _e2521[2]) * _e2516))), array<f64, 3>((_e2543[0] + ((_e2549[0] - _e2543[0]) * _e2516)), (_e2543[1] + ((_e2549[1] - _e2543[1]) * _e2516)), (_e2543[2] + ((_e2549[2] - _e2543[2]) * _e2516))), array<f64, 3>((_e2565[0] + ((_e2571[0] - _e2565[0]) * _e2516)), (_e2565[1] + ((_e2571[1] - _e2565[1]) * _e2516)), (_e2565[2] + ((_e2571[2] - _e2565[2]) * _e2516))), _e230.member);
+                                                                let _e2596 = (((_e2585[0] * _e2585[0]) + (_e2585[1] * _e2585[1])) + (_e2585[2] * _e2585[2]));
+                                                                if (_e2596 <= 2.2250738585072014e-308lf) {
+                                                                    phi_5058_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2596 > 0.0lf));
                                                                 } else {
-                                                                    phi_4989_ = type_16(0i, 5i);
-                                                                    phi_4992_ = bitcast<f64>(((bitcast<u64>(_e2595) / 2lu) + 2303426169912950784lu));
+                                                                    phi_5001_ = type_16(0i, 5i);
+                                                                    phi_5004_ = bitcast<f64>(((bitcast<u64>(_e2596) / 2lu) + 2303426169912950784lu));
                                                                     loop {
-                                                                        let _e2602 = phi_4989_;
-                                                                        let _e2604 = phi_4992_;
-                                                                        local_8 = _e2604;
-                                                                        if (_e2602.member < _e2602.member_1) {
-                                                                            let _e2611 = (_e2602.member + 1i);
-                                                                            phi_4990_ = type_16(select(_e2611, type_17().member_1, select(false, true, ((false == (_e2611 > _e2602.member)) != false))), _e2602.member_1);
-                                                                            phi_5033_ = type_17(1u, _e2602.member);
+                                                                        let _e2603 = phi_5001_;
+                                                                        let _e2605 = phi_5004_;
+                                                                        local_9 = _e2605;
+                                                                        if (_e2603.member < _e2603.member_1) {
+                                                                            let _e2612 = (_e2603.member + 1i);
+                                                                            phi_5002_ = type_16(select(_e2612, type_17().member_1, select(false, true, ((false == (_e2612 > _e2603.member)) != false))), _e2603.member_1);
+                                                                            phi_5045_ = type_17(1u, _e2603.member);
                                                                         } else {
-                                                                            phi_4990_ = _e2602;
-                                                                            phi_5033_ = type_17(0u, type_17().member_1);
+                                                                            phi_5002_ = _e2603;
+                                                                            phi_5045_ = type_17(0u, type_17().member_1);
                                                                         }
-                                                                        let _e2622 = phi_4990_;
-                                                                        let _e2624 = phi_5033_;
-                                                                        let _e2627 = (bitcast<i32>(_e2624.member) != 0i);
-                                                                        if _e2627 {
-                                                                            phi_4993_ = (0.5lf * (_e2604 + (_e2595 / _e2604)));
+                                                                        let _e2623 = phi_5002_;
+                                                                        let _e2625 = phi_5045_;
+                                                                        let _e2628 = (bitcast<i32>(_e2625.member) != 0i);
+                                                                        if _e2628 {
+                                                                            phi_5005_ = (0.5lf * (_e2605 + (_e2596 / _e2605)));
                                                                         } else {
-                                                                            phi_4993_ = f64();
+                                                                            phi_5005_ = f64();
                                                                         }
-                                                                        let _e2632 = phi_4993_;
+                                                                        let _e2633 = phi_5005_;
                                                                         continue;
                                                                         continuing {
-                                                                            phi_4989_ = _e2622;
-                                                                            phi_4992_ = _e2632;
-                                                                            break if !(_e2627);
+                                                                            phi_5001_ = _e2623;
+                                                                            phi_5004_ = _e2633;
+                                                                            break if !(_e2628);
                                                                         }
                                                                     }
-                                                                    let _e2637 = local_8;
-                                                                    phi_5046_ = (_e2637 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                    let _e2638 = local_9;
+                                                                    phi_5058_ = (_e2638 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                                 }
-                                                                let _e2643 = phi_5046_;
-                                                                let _e2651 = local_5.member[0u];
-                                                                let _e2657 = select(_e2651[0], -(_e2651[0]), (_e2651[0] < 0.0lf));
-                                                                let _e2660 = select(_e2651[1], -(_e2651[1]), (_e2651[1] < 0.0lf));
-                                                                let _e2662 = select(_e2660, _e2657, (_e2657 > _e2660));
-                                                                let _e2665 = select(_e2651[2], -(_e2651[2]), (_e2651[2] < 0.0lf));
-                                                                let _e2667 = select(_e2665, _e2662, (_e2662 > _e2665));
-                                                                let _e2670 = local_5.member[1u];
-                                                                let _e2676 = select(_e2670[0], -(_e2670[0]), (_e2670[0] < 0.0lf));
-                                                                let _e2679 = select(_e2670[1], -(_e2670[1]), (_e2670[1] < 0.0lf));
-                                                                let _e2681 = select(_e2679, _e2676, (_e2676 > _e2679));
-                                                                let _e2684 = select(_e2670[2], -(_e2670[2]), (_e2670[2] < 0.0lf));
-                                                                let _e2686 = select(_e2684, _e2681, (_e2681 > _e2684));
-                                                                let _e2690 = local_5.member_3;
-                                                                let _e2694 = local_5.member_1[0u];
-                                                                let _e2700 = select(_e2694[0], -(_e2694[0]), (_e2694[0] < 0.0lf));
-                                                                let _e2703 = select(_e2694[1], -(_e2694[1]), (_e2694[1] < 0.0lf));
-                                                                let _e2705 = select(_e2703, _e2700, (_e2700 > _e2703));
-                                                                let _e2708 = select(_e2694[2], -(_e2694[2]), (_e2694[2] < 0.0lf));
-                                                                let _e2710 = select(_e2708, _e2705, (_e2705 > _e2708));
-                                                                let _e2713 = local_5.member_1[1u];
-                                                                let _e2719 = select(_e2713[0], -(_e2713[0]), (_e2713[0] < 0.0lf));
-                                                                let _e2722 = select(_e2713[1], -(_e2713[1]), (_e2713[1] < 0.0lf));
-                                                                let _e2724 = select(_e2722, _e2719, (_e2719 > _e2722));
-                                                                let _e2727 = select(_e2713[2], -(_e2713[2]), (_e2713[2] < 0.0lf));
-                                                                let _e2729 = select(_e2727, _e2724, (_e2724 > _e2727));
-                                                                let _e2733 = local_5.member_3;
-                                                                let _e2737 = local_5.member_2[0u];
-                                                                let _e2743 = select(_e2737[0], -(_e2737[0]), (_e2737[0] < 0.0lf));
-                                                                let _e2746 = select(_e2737[1], -(_e2737[1]), (_e2737[1] < 0.0lf));
-                                                                let _e2748 = select(_e2746, _e2743, (_e2743 > _e2746));
-                                                                let _e2751 = select(_e2737[2], -(_e2737[2]), (_e2737[2] < 0.0lf));
-                                                                let _e2753 = select(_e2751, _e2748, (_e2748 > _e2751));
-                                                                let _e2756 = local_5.member_2[1u];
-                                                                let _e2762 = select(_e2756[0], -(_e2756[0]), (_e2756[0] < 0.0lf));
-                                                                let _e2765 = select(_e2756[1], -(_e2756[1]), (_e2756[1] < 0.0lf));
-                                                                let _e2767 = select(_e2765, _e2762, (_e2762 > _e2765));
-                                                                let _e2770 = select(_e2756[2], -(_e2756[2]), (_e2756[2] < 0.0lf));
-                                                                let _e2772 = select(_e2770, _e2767, (_e2767 > _e2770));
-                                                                let _e2776 = local_5.member_3;
-                                                                let _e2784 = local_5.member_3;
-                                                                phi_5323_ = select(true, false, (((_e2643 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e2686, _e2667, (_e2667 > _e2686)) + _e2690) + (select(_e2729, _e2710, (_e2710 > _e2729)) + _e2733)) + (select(_e2772, _e2753, (_e2753 > _e2772)) + _e2776)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2784 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e780.member_1));
+                                                                let _e2644 = phi_5058_;
+                                                                let _e2652 = local_5.member[0u];
+                                                                let _e2658 = select(_e2652[0], -(_e2652[0]), (_e2652[0] < 0.0lf));
+                                                                let _e2661 = select(_e2652[1], -(_e2652[1]), (_e2652[1] < 0.0lf));
+                                                                let _e2663 = select(_e2661, _e2658, (_e2658 > _e2661));
+                                                                let _e2666 = select(_e2652[2], -(_e2652[2]), (_e2652[2] < 0.0lf));
+                                                                let _e2668 = select(_e2666, _e2663, (_e2663 > _e2666));
+                                                                let _e2671 = local_5.member[1u];
+                                                                let _e2677 = select(_e2671[0], -(_e2671[0]), (_e2671[0] < 0.0lf));
+                                                                let _e2680 = select(_e2671[1], -(_e2671[1]), (_e2671[1] < 0.0lf));
+                                                                let _e2682 = select(_e2680, _e2677, (_e2677 > _e2680));
+                                                                let _e2685 = select(_e2671[2], -(_e2671[2]), (_e2671[2] < 0.0lf));
+                                                                let _e2687 = select(_e2685, _e2682, (_e2682 > _e2685));
+                                                                let _e2691 = local_5.member_3;
+                                                                let _e2695 = local_5.member_1[0u];
+                                                                let _e2701 = select(_e2695[0], -(_e2695[0]), (_e2695[0] < 0.0lf));
+                                                                let _e2704 = select(_e2695[1], -(_e2695[1]), (_e2695[1] < 0.0lf));
+                                                                let _e2706 = select(_e2704, _e2701, (_e2701 > _e2704));
+                                                                let _e2709 = select(_e2695[2], -(_e2695[2]), (_e2695[2] < 0.0lf));
+                                                                let _e2711 = select(_e2709, _e2706, (_e2706 > _e2709));
+                                                                let _e2714 = local_5.member_1[1u];
+                                                                let _e2720 = select(_e2714[0], -(_e2714[0]), (_e2714[0] < 0.0lf));
+                                                                let _e2723 = select(_e2714[1], -(_e2714[1]), (_e2714[1] < 0.0lf));
+                                                                let _e2725 = select(_e2723, _e2720, (_e2720 > _e2723));
+                                                                let _e2728 = select(_e2714[2], -(_e2714[2]), (_e2714[2] < 0.0lf));
+                                                                let _e2730 = select(_e2728, _e2725, (_e2725 > _e2728));
+                                                                let _e2734 = local_5.member_3;
+                                                                let _e2738 = local_5.member_2[0u];
+                                                                let _e2744 = select(_e2738[0], -(_e2738[0]), (_e2738[0] < 0.0lf));
+                                                                let _e2747 = select(_e2738[1], -(_e2738[1]), (_e2738[1] < 0.0lf));
+                                                                let _e2749 = select(_e2747, _e2744, (_e2744 > _e2747));
+                                                                let _e2752 = select(_e2738[2], -(_e2738[2]), (_e2738[2] < 0.0lf));
+                                                                let _e2754 = select(_e2752, _e2749, (_e2749 > _e2752));
+                                                                let _e2757 = local_5.member_2[1u];
+                                                                let _e2763 = select(_e2757[0], -(_e2757[0]), (_e2757[0] < 0.0lf));
+                                                                let _e2766 = select(_e2757[1], -(_e2757[1]), (_e2757[1] < 0.0lf));
+                                                                let _e2768 = select(_e2766, _e2763, (_e2763 > _e2766));
+                                                                let _e2771 = select(_e2757[2], -(_e2757[2]), (_e2757[2] < 0.0lf));
+                                                                let _e2773 = select(_e2771, _e2768, (_e2768 > _e2771));
+                                                                let _e2777 = local_5.member_3;
+                                                                let _e2785 = local_5.member_3;
+                                                                phi_5335_ = select(true, false, (((_e2644 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e2687, _e2668, (_e2668 > _e2687)) + _e2691) + (select(_e2730, _e2711, (_e2711 > _e2730)) + _e2734)) + (select(_e2773, _e2754, (_e2754 > _e2773)) + _e2777)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2785 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e781.member_1));
                                                             } else {
-                                                                phi_5323_ = true;
+                                                                phi_5335_ = true;
                                                             }
-                                                            let _e2797 = phi_5323_;
-                                                            phi_5324_ = _e2797;
+                                                            let _e2798 = phi_5335_;
+                                                            phi_5336_ = _e2798;
                                                         } else {
-                                                            phi_5324_ = true;
+                                                            phi_5336_ = true;
                                                         }
-                                                        let _e2799 = phi_5324_;
-                                                        if _e2799 {
-                                                            if _e1763 {
-                                                                let _e2803 = (_e2509 <= (_e1759 * f64(0.25f)));
-                                                                phi_5351_ = select(select(select(f64(), f64(0f), _e2803), f64(), _e2510), (_e2065 + _e2065), select(select(true, false, _e2803), true, _e2510));
+                                                        let _e2800 = phi_5336_;
+                                                        if _e2800 {
+                                                            if _e1764 {
+                                                                let _e2804 = (_e2510 <= (_e1760 * f64(0.25f)));
+                                                                phi_5363_ = select(select(select(f64(), f64(0f), _e2804), f64(), _e2511), (_e2066 + _e2066), select(select(true, false, _e2804), true, _e2511));
                                                             } else {
-                                                                phi_5351_ = (_e550 - _e1755);
+                                                                phi_5363_ = (_e551 - _e1756);
                                                             }
-                                                            let _e2812 = phi_5351_;
-                                                            phi_5352_ = _e2812;
-                                                            phi_5353_ = false;
+                                                            let _e2813 = phi_5363_;
+                                                            phi_5364_ = _e2813;
+                                                            phi_5365_ = false;
                                                         } else {
-                                                            phi_5352_ = f64();
-                                                            phi_5353_ = true;
+                                                            phi_5364_ = f64();
+                                                            phi_5365_ = true;
                                                         }
-                                                        let _e2814 = phi_5352_;
-                                                        let _e2816 = phi_5353_;
-                                                        phi_5354_ = _e2814;
-                                                        phi_5355_ = _e2509;
-                                                        phi_5356_ = _e2799;
-                                                        phi_5357_ = _e2816;
+                                                        let _e2815 = phi_5364_;
+                                                        let _e2817 = phi_5365_;
+                                                        phi_5366_ = _e2815;
+                                                        phi_5367_ = _e2510;
+                                                        phi_5368_ = _e2800;
+                                                        phi_5369_ = _e2817;
                                                     }
-                                                    let _e2818 = phi_5354_;
-                                                    let _e2820 = phi_5355_;
-                                                    let _e2822 = phi_5356_;
-                                                    let _e2824 = phi_5357_;
-                                                    phi_5358_ = _e2507;
-                                                    phi_5359_ = _e2818;
-                                                    phi_5360_ = _e2820;
-                                                    phi_5361_ = _e2507;
-                                                    phi_5362_ = _e2822;
-                                                    phi_5363_ = _e2508;
-                                                    phi_5364_ = _e2824;
-                                                    phi_5365_ = false;
+                                                    let _e2819 = phi_5366_;
+                                                    let _e2821 = phi_5367_;
+                                                    let _e2823 = phi_5368_;
+                                                    let _e2825 = phi_5369_;
+                                                    phi_5370_ = _e2508;
+                                                    phi_5371_ = _e2819;
+                                                    phi_5372_ = _e2821;
+                                                    phi_5373_ = _e2508;
+                                                    phi_5374_ = _e2823;
+                                                    phi_5375_ = _e2509;
+                                                    phi_5376_ = _e2825;
+                                                    phi_5377_ = false;
                                                 } else {
-                                                    phi_5358_ = f64();
-                                                    phi_5359_ = f64();
-                                                    phi_5360_ = f64();
-                                                    phi_5361_ = f64();
-                                                    phi_5362_ = false;
-                                                    phi_5363_ = false;
-                                                    phi_5364_ = false;
-                                                    phi_5365_ = true;
+                                                    phi_5370_ = f64();
+                                                    phi_5371_ = f64();
+                                                    phi_5372_ = f64();
+                                                    phi_5373_ = f64();
+                                                    phi_5374_ = false;
+                                                    phi_5375_ = false;
+                                                    phi_5376_ = false;
+                                                    phi_5377_ = true;
                                                 }
-                                                let _e2826 = phi_5358_;
-                                                let _e2828 = phi_5359_;
-                                                let _e2830 = phi_5360_;
-                                                let _e2832 = phi_5361_;
-                                                let _e2834 = phi_5362_;
-                                                let _e2836 = phi_5363_;
-                                                let _e2838 = phi_5364_;
-                                                let _e2840 = phi_5365_;
-                                                phi_5366_ = _e2826;
-                                                phi_5367_ = _e2828;
-                                                phi_5368_ = _e2830;
-                                                phi_5369_ = _e2832;
-                                                phi_5370_ = false;
-                                                phi_5371_ = _e2834;
-                                                phi_5372_ = _e2836;
-                                                phi_5373_ = _e2838;
-                                                phi_5374_ = _e2840;
+                                                let _e2827 = phi_5370_;
+                                                let _e2829 = phi_5371_;
+                                                let _e2831 = phi_5372_;
+                                                let _e2833 = phi_5373_;
+                                                let _e2835 = phi_5374_;
+                                                let _e2837 = phi_5375_;
+                                                let _e2839 = phi_5376_;
+                                                let _e2841 = phi_5377_;
+                                                phi_5378_ = _e2827;
+                                                phi_5379_ = _e2829;
+                                                phi_5380_ = _e2831;
+                                                phi_5381_ = _e2833;
+                                                phi_5382_ = false;
+                                                phi_5383_ = _e2835;
+                                                phi_5384_ = _e2837;
+                                                phi_5385_ = _e2839;
+                                                phi_5386_ = _e2841;
                                             } else {
-                                                phi_5366_ = f64();
-                                                phi_5367_ = f64();
-                                                phi_5368_ = f64();
-                                                phi_5369_ = f64();
-                                                phi_5370_ = true;
-                                                phi_5371_ = false;
-                                                phi_5372_ = false;
-                                                phi_5373_ = false;
-                                                phi_5374_ = false;
+                                                phi_5378_ = f64();
+                                                phi_5379_ = f64();
+                                                phi_5380_ = f64();
+                                                phi_5381_ = f64();
+                                                phi_5382_ = true;
+                                                phi_5383_ = false;
+                                                phi_5384_ = false;
+                                                phi_5385_ = false;
+                                                phi_5386_ = false;
                                             }
-                                            let _e2842 = phi_5366_;
-                                            let _e2844 = phi_5367_;
-                                            let _e2846 = phi_5368_;
-                                            let _e2848 = phi_5369_;
-                                            let _e2850 = phi_5370_;
-                                            let _e2852 = phi_5371_;
-                                            let _e2854 = phi_5372_;
-                                            let _e2856 = phi_5373_;
-                                            let _e2858 = phi_5374_;
-                                            phi_5375_ = _e2842;
-                                            phi_5376_ = _e2844;
-                                            phi_5377_ = _e2846;
-                                            phi_5378_ = _e2848;
-                                            phi_5379_ = _e2850;
-                                            phi_5380_ = _e2852;
-                                            phi_5381_ = _e2854;
-                                            phi_5382_ = _e2856;
-                                            phi_5383_ = _e2858;
+                                            let _e2843 = phi_5378_;
+                                            let _e2845 = phi_5379_;
+                                            let _e2847 = phi_5380_;
+                                            let _e2849 = phi_5381_;
+                                            let _e2851 = phi_5382_;
+                                            let _e2853 = phi_5383_;
+                                            let _e2855 = phi_5384_;
+                                            let _e2857 = phi_5385_;
+                                            let _e2859 = phi_5386_;
+                                            phi_5387_ = _e2843;
+                                            phi_5388_ = _e2845;
+                                            phi_5389_ = _e2847;
+                                            phi_5390_ = _e2849;
+                                            phi_5391_ = _e2851;
+                                            phi_5392_ = _e2853;
+                                            phi_5393_ = _e2855;
+                                            phi_5394_ = _e2857;
+                                            phi_5395_ = _e2859;
                                         } else {
-                                            phi_5375_ = f64();
-                                            phi_5376_ = f64();
-                                            phi_5377_ = f64();
-                                            phi_5378_ = f64();
-                                            phi_5379_ = true;
-                                            phi_5380_ = false;
-                                            phi_5381_ = false;
-                                            phi_5382_ = false;
-                                            phi_5383_ = false;
+                                            phi_5387_ = f64();
+                                            phi_5388_ = f64();
+                                            phi_5389_ = f64();
+                                            phi_5390_ = f64();
+                                            phi_5391_ = true;
+                                            phi_5392_ = false;
+                                            phi_5393_ = false;
+                                            phi_5394_ = false;
+                                            phi_5395_ = false;
                                         }
-                                        let _e2860 = phi_5375_;
-                                        let _e2862 = phi_5376_;
-                                        let _e2864 = phi_5377_;
-                                        let _e2866 = phi_5378_;
-                                        let _e2868 = phi_5379_;
-                                        let _e2870 = phi_5380_;
-                                        let _e2872 = phi_5381_;
-                                        let _e2874 = phi_5382_;
-                                        let _e2876 = phi_5383_;
-                                        if _e2868 {
-                                            if (_e1755 <= _e1757) {
-                                                let _e3034 = (_e1765 + 1u);
-                                                let _e3035 = (_e3034 > 3u);
-                                                phi_5723_ = _e3034;
-                                                phi_5724_ = f64();
-                                                phi_5725_ = false;
-                                                phi_5726_ = select(true, false, _e3035);
-                                                phi_5727_ = _e3035;
+                                        let _e2861 = phi_5387_;
+                                        let _e2863 = phi_5388_;
+                                        let _e2865 = phi_5389_;
+                                        let _e2867 = phi_5390_;
+                                        let _e2869 = phi_5391_;
+                                        let _e2871 = phi_5392_;
+                                        let _e2873 = phi_5393_;
+                                        let _e2875 = phi_5394_;
+                                        let _e2877 = phi_5395_;
+                                        if _e2869 {
+                                            if (_e1756 <= _e1758) {
+                                                let _e3035 = (_e1766 + 1u);
+                                                let _e3036 = (_e3035 > 3u);
+                                                phi_5735_ = _e3035;
+                                                phi_5736_ = f64();
+                                                phi_5737_ = false;
+                                                phi_5738_ = select(true, false, _e3036);
+                                                phi_5739_ = _e3036;
                                             } else {
-                                                let _e2880 = local_3.member[0u];
-                                                let _e2883 = local_3.member_1[0u];
-                                                let _e2886 = local_3.member[0u];
-                                                let _e2892 = local_3.member_2[0u];
-                                                let _e2893 = ((_e2880 + ((_e2883 - _e2886) * _e1761)) - _e2892);
-                                                let _e2896 = local_3.member[1u];
-                                                let _e2899 = local_3.member_1[1u];
-                                                let _e2902 = local_3.member[1u];
-                                                let _e2908 = local_3.member_2[1u];
-                                                let _e2909 = ((_e2896 + ((_e2899 - _e2902) * _e1761)) - _e2908);
-                                                let _e2911 = select(_e2909, _e2893, (_e2893 < _e2909));
-                                                let _e2914 = local_3.member[2u];
-                                                let _e2917 = local_3.member_1[2u];
-                                                let _e2920 = local_3.member[2u];
-                                                let _e2926 = local_3.member_2[2u];
-                                                let _e2927 = ((_e2914 + ((_e2917 - _e2920) * _e1761)) - _e2926);
-                                                let _e2930 = local_3.member[3u];
-                                                let _e2933 = local_3.member_1[3u];
-                                                let _e2936 = local_3.member[3u];
-                                                let _e2942 = local_3.member_2[3u];
-                                                let _e2943 = ((_e2930 + ((_e2933 - _e2936) * _e1761)) - _e2942);
-                                                let _e2945 = select(_e2943, _e2927, (_e2927 < _e2943));
-                                                let _e2947 = select(_e2945, _e2911, (_e2911 < _e2945));
-                                                let _e2950 = local_4.member[0u];
-                                                let _e2953 = local_4.member_1[0u];
-                                                let _e2956 = local_4.member[0u];
-                                                let _e2962 = local_4.member_2[0u];
-                                                let _e2963 = ((_e2950 + ((_e2953 - _e2956) * _e1755)) - _e2962);
-                                                let _e2966 = local_4.member[1u];
-                                                let _e2969 = local_4.member_1[1u];
-                                                let _e2972 = local_4.member[1u];
-                                                let _e2978 = local_4.member_2[1u];
-                                                let _e2979 = ((_e2966 + ((_e2969 - _e2972) * _e1755)) - _e2978);
-                                                let _e2981 = select(_e2979, _e2963, (_e2963 < _e2979));
-                                                let _e2984 = local_4.member[2u];
-                                                let _e2987 = local_4.member_1[2u];
-                                                let _e2990 = local_4.member[2u];
-                                                let _e2996 = local_4.member_2[2u];
-                                                let _e2997 = ((_e2984 + ((_e2987 - _e2990) * _e1755)) - _e2996);
-                                                let _e3000 = local_4.member[3u];
-                                                let _e3003 = local_4.member_1[3u];
-                                                let _e3006 = local_4.member[3u];
-                                                let _e3012 = local_4.member_2[3u];
-                                                let _e3013 = ((_e3000 + ((_e3003 - _e3006) * _e1755)) - _e3012);
-                                                let _e3015 = select(_e3013, _e2997, (_e2997 < _e3013));
-                                                let _e3017 = select(_e3015, _e2981, (_e2981 < _e3015));
-                                                let _e3018 = f64(0.0625f);
-                                                let _e3020 = f64(0.9f);
-                                                if (_e3017 > f64(0f)) {
-                                                    phi_5721_ = f64(0.5f);
+                                                let _e2881 = local_3.member[0u];
+                                                let _e2884 = local_3.member_1[0u];
+                                                let _e2887 = local_3.member[0u];
+                                                let _e2893 = local_3.member_2[0u];
+                                                let _e2894 = ((_e2881 + ((_e2884 - _e2887) * _e1762)) - _e2893);
+                                                let _e2897 = local_3.member[1u];
+                                                let _e2900 = local_3.member_1[1u];
+                                                let _e2903 = local_3.member[1u];
+                                                let _e2909 = local_3.member_2[1u];
+                                                let _e2910 = ((_e2897 + ((_e2900 - _e2903) * _e1762)) - _e2909);
+                                                let _e2912 = select(_e2910, _e2894, (_e2894 < _e2910));
+                                                let _e2915 = local_3.member[2u];
+                                                let _e2918 = local_3.member_1[2u];
+                                                let _e2921 = local_3.member[2u];
+                                                let _e2927 = local_3.member_2[2u];
+                                                let _e2928 = ((_e2915 + ((_e2918 - _e2921) * _e1762)) - _e2927);
+                                                let _e2931 = local_3.member[3u];
+                                                let _e2934 = local_3.member_1[3u];
+                                                let _e2937 = local_3.member[3u];
+                                                let _e2943 = local_3.member_2[3u];
+                                                let _e2944 = ((_e2931 + ((_e2934 - _e2937) * _e1762)) - _e2943);
+                                                let _e2946 = select(_e2944, _e2928, (_e2928 < _e2944));
+                                                let _e2948 = select(_e2946, _e2912, (_e2912 < _e2946));
+                                                let _e2951 = local_4.member[0u];
+                                                let _e2954 = local_4.member_1[0u];
+                                                let _e2957 = local_4.member[0u];
+                                                let _e2963 = local_4.member_2[0u];
+                                                let _e2964 = ((_e2951 + ((_e2954 - _e2957) * _e1756)) - _e2963);
+                                                let _e2967 = local_4.member[1u];
+                                                let _e2970 = local_4.member_1[1u];
+                                                let _e2973 = local_4.member[1u];
+                                                let _e2979 = local_4.member_2[1u];
+                                                let _e2980 = ((_e2967 + ((_e2970 - _e2973) * _e1756)) - _e2979);
+                                                let _e2982 = select(_e2980, _e2964, (_e2964 < _e2980));
+                                                let _e2985 = local_4.member[2u];
+                                                let _e2988 = local_4.member_1[2u];
+                                                let _e2991 = local_4.member[2u];
+                                                let _e2997 = local_4.member_2[2u];
+                                                let _e2998 = ((_e2985 + ((_e2988 - _e2991) * _e1756)) - _e2997);
+                                                let _e3001 = local_4.member[3u];
+                                                let _e3004 = local_4.member_1[3u];
+                                                let _e3007 = local_4.member[3u];
+                                                let _e3013 = local_4.member_2[3u];
+                                                let _e3014 = ((_e3001 + ((_e3004 - _e3007) * _e1756)) - _e3013);
+                                                let _e3016 = select(_e3014, _e2998, (_e2998 < _e3014));
+                                                let _e3018 = select(_e3016, _e2982, (_e2982 < _e3016));
+                                                let _e3019 = f64(0.0625f);
+                                                let _e3021 = f64(0.9f);
+                                                if (_e3018 > f64(0f)) {
+                                                    phi_5733_ = f64(0.5f);
                                                 } else {
-                                                    let _e3026 = (f64(0.95f) * (_e2947 / (_e2947 - _e3017)));
-                                                    phi_5721_ = select(_e3018, select(_e3020, _e3026, (_e3026 < _e3020)), (_e3026 > _e3018));
+                                                    let _e3027 = (f64(0.95f) * (_e2948 / (_e2948 - _e3018)));
+                                                    phi_5733_ = select(_e3019, select(_e3021, _e3027, (_e3027 < _e3021)), (_e3027 > _e3019));
                                                 }
-                                                let _e3032 = phi_5721_;
-                                                phi_5723_ = u32();
-                                                phi_5724_ = (_e2065 * _e3032);
-                                                phi_5725_ = true;
-                                                phi_5726_ = false;
-                                                phi_5727_ = false;
+                                                let _e3033 = phi_5733_;
+                                                phi_5735_ = u32();
+                                                phi_5736_ = (_e2066 * _e3033);
+                                                phi_5737_ = true;
+                                                phi_5738_ = false;
+                                                phi_5739_ = false;
                                             }
-                                            let _e3038 = phi_5723_;
-                                            let _e3040 = phi_5724_;
-                                            let _e3042 = phi_5725_;
-                                            let _e3044 = phi_5726_;
-                                            let _e3046 = phi_5727_;
-                                            phi_5728_ = _e3038;
-                                            phi_5729_ = _e1757;
-                                            phi_5730_ = _e3040;
-                                            phi_5731_ = _e1759;
-                                            phi_5732_ = _e1761;
-                                            phi_5733_ = _e1763;
-                                            phi_5734_ = _e1765;
-                                            phi_5735_ = _e3042;
-                                            phi_5736_ = _e3044;
-                                            phi_5737_ = _e3046;
-                                            phi_5738_ = false;
-                                            phi_5739_ = false;
-                                            phi_5740_ = false;
+                                            let _e3039 = phi_5735_;
+                                            let _e3041 = phi_5736_;
+                                            let _e3043 = phi_5737_;
+                                            let _e3045 = phi_5738_;
+                                            let _e3047 = phi_5739_;
+                                            phi_5740_ = _e3039;
+                                            phi_5741_ = _e1758;
+                                            phi_5742_ = _e3041;
+                                            phi_5743_ = _e1760;
+                                            phi_5744_ = _e1762;
+                                            phi_5745_ = _e1764;
+                                            phi_5746_ = _e1766;
+                                            phi_5747_ = _e3043;
+                                            phi_5748_ = _e3045;
+                                            phi_5749_ = _e3047;
+                                            phi_5750_ = false;
+                                            phi_5751_ = false;
+                                            phi_5752_ = false;
                                         } else {
-                                            phi_5728_ = u32();
-                                            phi_5729_ = _e2860;
-                                            phi_5730_ = _e2862;
-                                            phi_5731_ = _e2864;
-                                            phi_5732_ = _e1755;
-                                            phi_5733_ = true;
-                                            phi_5734_ = 0u;
-                                            phi_5735_ = _e2870;
-                                            phi_5736_ = false;
-                                            phi_5737_ = false;
-                                            phi_5738_ = _e2872;
-                                            phi_5739_ = _e2874;
-                                            phi_5740_ = _e2876;
+                                            phi_5740_ = u32();
+                                            phi_5741_ = _e2861;
+                                            phi_5742_ = _e2863;
+                                            phi_5743_ = _e2865;
+                                            phi_5744_ = _e1756;
+                                            phi_5745_ = true;
+                                            phi_5746_ = 0u;
+                                            phi_5747_ = _e2871;
+                                            phi_5748_ = false;
+                                            phi_5749_ = false;
+                                            phi_5750_ = _e2873;
+                                            phi_5751_ = _e2875;
+                                            phi_5752_ = _e2877;
                                         }
-                                        let _e3048 = phi_5728_;
-                                        let _e3050 = phi_5729_;
-                                        let _e3052 = phi_5730_;
-                                        let _e3054 = phi_5731_;
-                                        let _e3056 = phi_5732_;
-                                        let _e3058 = phi_5733_;
-                                        let _e3060 = phi_5734_;
-                                        let _e3062 = phi_5735_;
-                                        let _e3064 = phi_5736_;
-                                        let _e3066 = phi_5737_;
-                                        let _e3068 = phi_5738_;
-                                        let _e3070 = phi_5739_;
-                                        let _e3072 = phi_5740_;
-                                        if _e3062 {
-                                            let _e3073 = (_e3056 + _e3052);
-                                            let _e3075 = select(_e3050, _e3073, (_e3073 > _e3050));
-                                            let _e3077 = select(_e550, _e3075, (_e3075 < _e550));
-                                            let _e3080 = select(((_e3077 - _e3056) > _e1744), true, !(_e1763));
-                                            phi_5768_ = _e3077;
-                                            phi_5769_ = _e3050;
-                                            phi_5770_ = _e3054;
-                                            phi_5771_ = _e3056;
-                                            phi_5772_ = _e3058;
-                                            phi_5773_ = _e3060;
-                                            phi_5774_ = _e3080;
-                                            phi_5775_ = select(true, false, _e3080);
-                                            phi_5776_ = false;
-                                            phi_5777_ = false;
-                                            phi_5778_ = false;
-                                            phi_5779_ = false;
+                                        let _e3049 = phi_5740_;
+                                        let _e3051 = phi_5741_;
+                                        let _e3053 = phi_5742_;
+                                        let _e3055 = phi_5743_;
+                                        let _e3057 = phi_5744_;
+                                        let _e3059 = phi_5745_;
+                                        let _e3061 = phi_5746_;
+                                        let _e3063 = phi_5747_;
+                                        let _e3065 = phi_5748_;
+                                        let _e3067 = phi_5749_;
+                                        let _e3069 = phi_5750_;
+                                        let _e3071 = phi_5751_;
+                                        let _e3073 = phi_5752_;
+                                        if _e3063 {
+                                            let _e3074 = (_e3057 + _e3053);
+                                            let _e3076 = select(_e3051, _e3074, (_e3074 > _e3051));
+                                            let _e3078 = select(_e551, _e3076, (_e3076 < _e551));
+                                            let _e3081 = select(((_e3078 - _e3057) > _e1745), true, !(_e1764));
+                                            phi_5780_ = _e3078;
+                                            phi_5781_ = _e3051;
+                                            phi_5782_ = _e3055;
+                                            phi_5783_ = _e3057;
+                                            phi_5784_ = _e3059;
+                                            phi_5785_ = _e3061;
+                                            phi_5786_ = _e3081;
+                                            phi_5787_ = select(true, false, _e3081);
+                                            phi_5788_ = false;
+                                            phi_5789_ = false;
+                                            phi_5790_ = false;
+                                            phi_5791_ = false;
                                         } else {
-                                            phi_5768_ = _e1755;
-                                            phi_5769_ = _e1757;
-                                            phi_5770_ = _e1759;
-                                            phi_5771_ = _e1761;
-                                            phi_5772_ = _e1763;
-                                            phi_5773_ = _e3048;
-                                            phi_5774_ = _e3064;
-                                            phi_5775_ = false;
-                                            phi_5776_ = _e3066;
-                                            phi_5777_ = _e3068;
-                                            phi_5778_ = _e3070;
-                                            phi_5779_ = _e3072;
+                                            phi_5780_ = _e1756;
+                                            phi_5781_ = _e1758;
+                                            phi_5782_ = _e1760;
+                                            phi_5783_ = _e1762;
+                                            phi_5784_ = _e1764;
+                                            phi_5785_ = _e3049;
+                                            phi_5786_ = _e3065;
+                                            phi_5787_ = false;
+                                            phi_5788_ = _e3067;
+                                            phi_5789_ = _e3069;
+                                            phi_5790_ = _e3071;
+                                            phi_5791_ = _e3073;
                                         }
-                                        let _e3083 = phi_5768_;
-                                        let _e3085 = phi_5769_;
-                                        let _e3087 = phi_5770_;
-                                        let _e3089 = phi_5771_;
-                                        let _e3091 = phi_5772_;
-                                        let _e3093 = phi_5773_;
-                                        let _e3095 = phi_5774_;
-                                        let _e3097 = phi_5775_;
-                                        let _e3099 = phi_5776_;
-                                        let _e3101 = phi_5777_;
-                                        let _e3103 = phi_5778_;
-                                        let _e3105 = phi_5779_;
-                                        phi_3558_ = _e3083;
-                                        phi_3560_ = _e3085;
-                                        phi_3562_ = _e3087;
-                                        phi_3564_ = _e3089;
-                                        phi_3566_ = _e3091;
-                                        phi_3568_ = _e3093;
-                                        phi_5780_ = _e3050;
-                                        phi_5781_ = _e2866;
-                                        phi_5782_ = _e3095;
-                                        phi_5783_ = _e3097;
-                                        phi_5784_ = _e3099;
-                                        phi_5785_ = _e3101;
-                                        phi_5786_ = _e3103;
-                                        phi_5787_ = false;
-                                        phi_5788_ = _e3105;
+                                        let _e3084 = phi_5780_;
+                                        let _e3086 = phi_5781_;
+                                        let _e3088 = phi_5782_;
+                                        let _e3090 = phi_5783_;
+                                        let _e3092 = phi_5784_;
+                                        let _e3094 = phi_5785_;
+                                        let _e3096 = phi_5786_;
+                                        let _e3098 = phi_5787_;
+                                        let _e3100 = phi_5788_;
+                                        let _e3102 = phi_5789_;
+                                        let _e3104 = phi_5790_;
+                                        let _e3106 = phi_5791_;
+                                        phi_3570_ = _e3084;
+                                        phi_3572_ = _e3086;
+                                        phi_3574_ = _e3088;
+                                        phi_3576_ = _e3090;
+                                        phi_3578_ = _e3092;
+                                        phi_3580_ = _e3094;
+                                        phi_5792_ = _e3051;
+                                        phi_5793_ = _e2867;
+                                        phi_5794_ = _e3096;
+                                        phi_5795_ = _e3098;
+                                        phi_5796_ = _e3100;
+                                        phi_5797_ = _e3102;
+                                        phi_5798_ = _e3104;
+                                        phi_5799_ = false;
+                                        phi_5800_ = _e3106;
                                     } else {
-                                        phi_3558_ = f64();
-                                        phi_3560_ = f64();
-                                        phi_3562_ = f64();
-                                        phi_3564_ = f64();
-                                        phi_3566_ = bool();
-                                        phi_3568_ = u32();
-                                        phi_5780_ = f64();
-                                        phi_5781_ = f64();
-                                        phi_5782_ = false;
-                                        phi_5783_ = false;
-                                        phi_5784_ = false;
-                                        phi_5785_ = false;
-                                        phi_5786_ = false;
-                                        phi_5787_ = true;
-                                        phi_5788_ = false;
+                                        phi_3570_ = f64();
+                                        phi_3572_ = f64();
+                                        phi_3574_ = f64();
+                                        phi_3576_ = f64();
+                                        phi_3578_ = bool();
+                                        phi_3580_ = u32();
+                                        phi_5792_ = f64();
+                                        phi_5793_ = f64();
+                                        phi_5794_ = false;
+                                        phi_5795_ = false;
+                                        phi_5796_ = false;
+                                        phi_5797_ = false;
+                                        phi_5798_ = false;
+                                        phi_5799_ = true;
+                                        phi_5800_ = false;
                                     }
-                                    let _e3107 = phi_3558_;
-                                    let _e3109 = phi_3560_;
-                                    let _e3111 = phi_3562_;
-                                    let _e3113 = phi_3564_;
-                                    let _e3115 = phi_3566_;
-                                    let _e3117 = phi_3568_;
-                                    let _e3119 = phi_5780_;
-                                    let _e3121 = phi_5781_;
-                                    let _e3123 = phi_5782_;
-                                    let _e3125 = phi_5783_;
-                                    let _e3127 = phi_5784_;
-                                    let _e3129 = phi_5785_;
-                                    let _e3131 = phi_5786_;
-                                    let _e3133 = phi_5787_;
-                                    let _e3135 = phi_5788_;
-                                    local_9 = _e3125;
-                                    local_10 = _e3127;
-                                    local_11 = _e3125;
-                                    local_12 = _e3129;
-                                    local_13 = _e3125;
-                                    local_14 = _e3131;
-                                    local_15 = _e3125;
-                                    local_16 = _e3133;
-                                    local_17 = _e3125;
-                                    local_18 = _e3135;
-                                    local_20 = _e3125;
-                                    local_21 = _e3121;
-                                    local_22 = _e3119;
+                                    let _e3108 = phi_3570_;
+                                    let _e3110 = phi_3572_;
+                                    let _e3112 = phi_3574_;
+                                    let _e3114 = phi_3576_;
+                                    let _e3116 = phi_3578_;
+                                    let _e3118 = phi_3580_;
+                                    let _e3120 = phi_5792_;
+                                    let _e3122 = phi_5793_;
+                                    let _e3124 = phi_5794_;
+                                    let _e3126 = phi_5795_;
+                                    let _e3128 = phi_5796_;
+                                    let _e3130 = phi_5797_;
+                                    let _e3132 = phi_5798_;
+                                    let _e3134 = phi_5799_;
+                                    let _e3136 = phi_5800_;
+                                    local_10 = _e3126;
+                                    local_11 = _e3128;
+                                    local_12 = _e3126;
+                                    local_13 = _e3130;
+                                    local_14 = _e3126;
+                                    local_15 = _e3132;
+                                    local_16 = _e3126;
+                                    local_17 = _e3134;
+                                    local_18 = _e3126;
+                                    local_19 = _e3136;
+                                    local_21 = _e3126;
+                                    local_22 = _e3122;
+                                    local_23 = _e3120;
                                     continue;
                                     continuing {
-                                        phi_3554_ = type_9(select(_e1753.member, (_e1753.member + 1u), _e1768), select(_e1753.member_1, _e1753.member_1, _e1768));
-                                        phi_3557_ = _e3107;
-                                        phi_3559_ = _e3109;
-                                        phi_3561_ = _e3111;
-                                        phi_3563_ = _e3113;
-                                        phi_3565_ = _e3115;
-                                        phi_3567_ = _e3117;
-                                        break if !(_e3123);
+                                        phi_3566_ = type_9(select(_e1754.member, (_e1754.member + 1u), _e1769), select(_e1754.member_1, _e1754.member_1, _e1769));
+                                        phi_3569_ = _e3108;
+                                        phi_3571_ = _e3110;
+                                        phi_3573_ = _e3112;
+                                        phi_3575_ = _e3114;
+                                        phi_3577_ = _e3116;
+                                        phi_3579_ = _e3118;
+                                        break if !(_e3124);
                                     }
                                 }
-                                let _e3138 = local_9;
-                                let _e3140 = local_10;
-                                let _e3141 = select(_e3140, false, _e3138);
-                                let _e3143 = local_11;
-                                let _e3145 = local_12;
-                                let _e3148 = local_13;
-                                let _e3150 = local_14;
-                                let _e3153 = local_15;
-                                let _e3155 = local_16;
-                                let _e3158 = local_17;
-                                let _e3160 = local_18;
-                                let _e3166 = local_19;
-                                let _e3168 = select(select(_e3145, false, _e3143), false, _e3141);
-                                let _e3171 = local_20;
-                                let _e3178 = select(select(select(_e3150, false, _e3148), false, _e3141), false, _e3168);
-                                let _e3184 = local_21;
-                                let _e3186 = local_22;
-                                let _e3188 = select(select(select(_e3171, false, _e3141), false, _e3168), true, _e3178);
-                                let _e3193 = local_23;
-                                let _e3195 = select(select(select(select(select(_e3155, false, _e3153), false, _e3141), false, _e3168), false, _e3178), true, _e3188);
-                                let _e3202 = select(select(select(select(select(select(_e3160, false, _e3158), false, _e3141), false, _e3168), false, _e3178), false, _e3188), false, _e3195);
-                                let _e3207 = select(select(select(select(select(_e3141, true, _e3168), false, _e3178), false, _e3188), false, _e3195), true, _e3202);
-                                phi_5855_ = select(select(type_38().member_1, select(_e3193, select(_e3186, _e3184, _e3178), _e3188), _e3195), select(select(select(type_38().member_1, _e3166, _e3141), type_38().member_1, _e3168), type_38().member_1, _e3202), _e3207);
-                                phi_5856_ = (select(select(type_38().member, 1u, _e3195), select(select(select(type_38().member, 1u, _e3141), 0u, _e3168), 0u, _e3202), _e3207) != 0u);
+                                let _e3139 = local_10;
+                                let _e3141 = local_11;
+                                let _e3142 = select(_e3141, false, _e3139);
+                                let _e3144 = local_12;
+                                let _e3146 = local_13;
+                                let _e3149 = local_14;
+                                let _e3151 = local_15;
+                                let _e3154 = local_16;
+                                let _e3156 = local_17;
+                                let _e3159 = local_18;
+                                let _e3161 = local_19;
+                                let _e3167 = local_20;
+                                let _e3169 = select(select(_e3146, false, _e3144), false, _e3142);
+                                let _e3172 = local_21;
+                                let _e3179 = select(select(select(_e3151, false, _e3149), false, _e3142), false, _e3169);
+                                let _e3185 = local_22;
+                                let _e3187 = local_23;
+                                let _e3189 = select(select(select(_e3172, false, _e3142), false, _e3169), true, _e3179);
+                                let _e3194 = local_24;
+                                let _e3196 = select(select(select(select(select(_e3156, false, _e3154), false, _e3142), false, _e3169), false, _e3179), true, _e3189);
+                                let _e3203 = select(select(select(select(select(select(_e3161, false, _e3159), false, _e3142), false, _e3169), false, _e3179), false, _e3189), false, _e3196);
+                                let _e3208 = select(select(select(select(select(_e3142, true, _e3169), false, _e3179), false, _e3189), false, _e3196), true, _e3203);
+                                phi_5867_ = select(select(type_37().member_1, select(_e3194, select(_e3187, _e3185, _e3179), _e3189), _e3196), select(select(select(type_37().member_1, _e3167, _e3142), type_37().member_1, _e3169), type_37().member_1, _e3203), _e3208);
+                                phi_5868_ = (select(select(type_37().member, 1u, _e3196), select(select(select(type_37().member, 1u, _e3142), 0u, _e3169), 0u, _e3203), _e3208) != 0u);
                             } else {
-                                phi_5855_ = _e1507;
-                                phi_5856_ = true;
+                                phi_5867_ = _e1508;
+                                phi_5868_ = true;
                             }
-                            let _e3212 = phi_5855_;
-                            let _e3214 = phi_5856_;
-                            if _e3214 {
-                                let _e3215 = (_e3212 > _e541);
-                                if _e3215 {
-                                    phi_8063_ = f64();
-                                    phi_8064_ = u32();
-                                    phi_8065_ = f64();
-                                    phi_8066_ = type_42();
-                                    phi_8067_ = u32();
-                                    phi_8068_ = u32();
-                                    phi_8069_ = false;
-                                    phi_8070_ = false;
-                                    phi_8071_ = false;
+                            let _e3213 = phi_5867_;
+                            let _e3215 = phi_5868_;
+                            if _e3215 {
+                                let _e3216 = (_e3213 > _e542);
+                                if _e3216 {
+                                    phi_8075_ = f64();
+                                    phi_8076_ = u32();
+                                    phi_8077_ = f64();
+                                    phi_8078_ = type_42();
+                                    phi_8079_ = u32();
+                                    phi_8080_ = u32();
+                                    phi_8081_ = false;
+                                    phi_8082_ = false;
+                                    phi_8083_ = false;
                                 } else {
-                                    let _e3219 = local_5.member[0u];
-                                    let _e3225 = local_5.member[1u];
-                                    let _e3241 = local_5.member_1[0u];
-                                    let _e3247 = local_5.member_1[1u];
-                                    let _e3263 = local_5.member_2[0u];
-                                    let _e3269 = local_5.member_2[1u];
-                                    let _e3283 = function_3(array<f64, 3>((_e3219[0] + ((_e3225[0] - _e3219[0]) * _e1511)), (_e3219[1] + ((_e3225[1] - _e3219[1]) * _e1511)), (_e3219[2] + ((_e3225[2] - _e3219[2]) * _e1511))), array<f64, 3>((_e3241[0] + ((_e3247[0] - _e3241[0]) * _e1511)), (_e3241[1] + ((_e3247[1] - _e3241[1]) * _e1511)), (_e3241[2] + ((_e3247[2] - _e3241[2]) * _e1511))), array<f64, 3>((_e3263[0] + ((_e3269[0] - _e3263[0]) * _e1511)), (_e3263[1] + ((_e3269[1] - _e3263[1]) * _e1511)), (_e3263[2] + ((_e3269[2] - _e3263[2]) * _e1511))), _e229.member);
-                                    let _e3297 = ((select(_e3283[0], -(_e3283[0]), (_e3283[0] < 0.0lf)) + select(_e3283[1], -(_e3283[1]), (_e3283[1] < 0.0lf))) + select(_e3283[2], -(_e3283[2]), (_e3283[2] < 0.0lf)));
-                                    let _e3300 = local_5.member[0u];
-                                    let _e3306 = local_5.member_1[0u];
-                                    let _e3312 = local_5.member_2[0u];
-                                    let _e3316 = (_e3300[0] - _e3306[0]);
-                                    let _e3317 = (_e3300[1] - _e3306[1]);
-                                    let _e3318 = (_e3300[2] - _e3306[2]);
-                                    let _e3319 = (_e229.member == 0u);
-                                    let _e3331 = local_5.member[1u];
-                                    let _e3337 = local_5.member_1[1u];
-                                    let _e3343 = local_5.member_2[1u];
-                                    let _e3347 = (_e3331[0] - _e3337[0]);
-                                    let _e3348 = (_e3331[1] - _e3337[1]);
-                                    let _e3349 = (_e3331[2] - _e3337[2]);
-                                    let _e3350 = (_e229.member == 0u);
-                                    let _e3362 = local_5.member[0u];
-                                    let _e3368 = select(_e3362[0], -(_e3362[0]), (_e3362[0] < 0.0lf));
-                                    let _e3371 = select(_e3362[1], -(_e3362[1]), (_e3362[1] < 0.0lf));
-                                    let _e3373 = select(_e3371, _e3368, (_e3368 > _e3371));
-                                    let _e3376 = select(_e3362[2], -(_e3362[2]), (_e3362[2] < 0.0lf));
-                                    let _e3378 = select(_e3376, _e3373, (_e3373 > _e3376));
-                                    let _e3381 = local_5.member[1u];
-                                    let _e3387 = select(_e3381[0], -(_e3381[0]), (_e3381[0] < 0.0lf));
-                                    let _e3390 = select(_e3381[1], -(_e3381[1]), (_e3381[1] < 0.0lf));
-                                    let _e3392 = select(_e3390, _e3387, (_e3387 > _e3390));
-                                    let _e3395 = select(_e3381[2], -(_e3381[2]), (_e3381[2] < 0.0lf));
-                                    let _e3397 = select(_e3395, _e3392, (_e3392 > _e3395));
-                                    let _e3401 = local_5.member_3;
-                                    let _e3405 = local_5.member_1[0u];
-                                    let _e3411 = select(_e3405[0], -(_e3405[0]), (_e3405[0] < 0.0lf));
-                                    let _e3414 = select(_e3405[1], -(_e3405[1]), (_e3405[1] < 0.0lf));
-                                    let _e3416 = select(_e3414, _e3411, (_e3411 > _e3414));
-                                    let _e3419 = select(_e3405[2], -(_e3405[2]), (_e3405[2] < 0.0lf));
-                                    let _e3421 = select(_e3419, _e3416, (_e3416 > _e3419));
-                                    let _e3424 = local_5.member_1[1u];
-                                    let _e3430 = select(_e3424[0], -(_e3424[0]), (_e3424[0] < 0.0lf));
-                                    let _e3433 = select(_e3424[1], -(_e3424[1]), (_e3424[1] < 0.0lf));
-                                    let _e3435 = select(_e3433, _e3430, (_e3430 > _e3433));
-                                    let _e3438 = select(_e3424[2], -(_e3424[2]), (_e3424[2] < 0.0lf));
-                                    let _e3440 = select(_e3438, _e3435, (_e3435 > _e3438));
-                                    let _e3444 = local_5.member_3;
-                                    let _e3448 = local_5.member_2[0u];
-                                    let _e3454 = select(_e3448[0], -(_e3448[0]), (_e3448[0] < 0.0lf));
-                                    let _e3457 = select(_e3448[1], -(_e3448[1]), (_e3448[1] < 0.0lf));
-                                    let _e3459 = select(_e3457, _e3454, (_e3454 > _e3457));
-                                    let _e3462 = select(_e3448[2], -(_e3448[2]), (_e3448[2] < 0.0lf));
-                                    let _e3464 = select(_e3462, _e3459, (_e3459 > _e3462));
-                                    let _e3467 = local_5.member_2[1u];
-                                    let _e3473 = select(_e3467[0], -(_e3467[0]), (_e3467[0] < 0.0lf));
-                                    let _e3476 = select(_e3467[1], -(_e3467[1]), (_e3467[1] < 0.0lf));
-                                    let _e3478 = select(_e3476, _e3473, (_e3473 > _e3476));
-                                    let _e3481 = select(_e3467[2], -(_e3467[2]), (_e3467[2] < 0.0lf));
-                                    let _e3483 = select(_e3481, _e3478, (_e3478 > _e3481));
-                                    let _e3487 = local_5.member_3;
-                                    let _e3495 = local_5.member_3;
-                                    local_1 = type_41(array<array<array<f64, 3>, 4>, 2>(array<array<f64, 3>, 4>(_e3300, array<f64, 3>(_e3316, _e3317, _e3318), array<f64, 3>((_e3300[0] - _e3312[0]), (_e3300[1] - _e3312[1]), (_e3300[2] - _e3312[2])), array<f64, 3>(select((_e3316 - _e3312[0]), _e3300[0], _e3319), select((_e3317 - _e3312[1]), _e3300[1], _e3319), select((_e3318 - _e3312[2]), _e3300[2], _e3319))), array<array<f64, 3>, 4>(_e3331, array<f64, 3>(_e3347, _e3348, _e3349), array<f64, 3>((_e3331[0] - _e3343[0]), (_e3331[1] - _e3343[1]), (_e3331[2] - _e3343[2])), array<f64, 3>(select((_e3347 - _e3343[0]), _e3331[0], _e3350), select((_e3348 - _e3343[1]), _e3331[1], _e3350), select((_e3349 - _e3343[2]), _e3331[2], _e3350)))), ((((((select(_e3397, _e3378, (_e3378 > _e3397)) + _e3401) + (select(_e3440, _e3421, (_e3421 > _e3440)) + _e3444)) + (select(_e3483, _e3464, (_e3464 > _e3483)) + _e3487)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3495 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))), _e780.member_1);
-                                    let _e3513 = local_1.member_1;
-                                    if (_e3297 > _e3513) {
-                                        if ((bitcast<u64>(_e3297) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                            let _e3519 = (f64(1f) / _e3297);
-                                            let _e3521 = (_e3283[0] * _e3519);
-                                            let _e3523 = (_e3283[1] * _e3519);
-                                            let _e3525 = (_e3283[2] * _e3519);
-                                            let _e3530 = (((_e3521 * _e3521) + (_e3523 * _e3523)) + (_e3525 * _e3525));
-                                            if (_e3530 <= 2.2250738585072014e-308lf) {
-                                                phi_6538_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3530 > 0.0lf));
+                                    let _e3220 = local_5.member[0u];
+                                    let _e3226 = local_5.member[1u];
+                                    let _e3242 = local_5.member_1[0u];
+                                    let _e3248 = local_5.member_1[1u];
+                                    let _e3264 = local_5.member_2[0u];
+                                    let _e3270 = local_5.member_2[1u];
+                                    let _e3284 = function_4(array<f64, 3>((_e3220[0] + ((_e3226[0] - _e3220[0]) * _e1512)), (_e3220[1] + ((_e3226[1] - _e3220[1]) * _e1512)), (_e3220[2] + ((_e3226[2] - _e3220[2]) * _e1512))), array<f64, 3>((_e3242[0] + ((_e3248[0] - _e3242[0]) * _e1512)), (_e3242[1] + ((_e3248[1] - _e3242[1]) * _e1512)), (_e3242[2] + ((_e3248[2] - _e3242[2]) * _e1512))), array<f64, 3>((_e3264[0] + ((_e3270[0] - _e3264[0]) * _e1512)), (_e3264[1] + ((_e3270[1] - _e3264[1]) * _e1512)), (_e3264[2] + ((_e3270[2] - _e3264[2]) * _e1512))), _e230.member);
+                                    let _e3298 = ((select(_e3284[0], -(_e3284[0]), (_e3284[0] < 0.0lf)) + select(_e3284[1], -(_e3284[1]), (_e3284[1] < 0.0lf))) + select(_e3284[2], -(_e3284[2]), (_e3284[2] < 0.0lf)));
+                                    let _e3301 = local_5.member[0u];
+                                    let _e3307 = local_5.member_1[0u];
+                                    let _e3313 = local_5.member_2[0u];
+                                    let _e3317 = (_e3301[0] - _e3307[0]);
+                                    let _e3318 = (_e3301[1] - _e3307[1]);
+                                    let _e3319 = (_e3301[2] - _e3307[2]);
+                                    let _e3320 = (_e230.member == 0u);
+                                    let _e3332 = local_5.member[1u];
+                                    let _e3338 = local_5.member_1[1u];
+                                    let _e3344 = local_5.member_2[1u];
+                                    let _e3348 = (_e3332[0] - _e3338[0]);
+                                    let _e3349 = (_e3332[1] - _e3338[1]);
+                                    let _e3350 = (_e3332[2] - _e3338[2]);
+                                    let _e3351 = (_e230.member == 0u);
+                                    let _e3363 = local_5.member[0u];
+                                    let _e3369 = select(_e3363[0], -(_e3363[0]), (_e3363[0] < 0.0lf));
+                                    let _e3372 = select(_e3363[1], -(_e3363[1]), (_e3363[1] < 0.0lf));
+                                    let _e3374 = select(_e3372, _e3369, (_e3369 > _e3372));
+                                    let _e3377 = select(_e3363[2], -(_e3363[2]), (_e3363[2] < 0.0lf));
+                                    let _e3379 = select(_e3377, _e3374, (_e3374 > _e3377));
+                                    let _e3382 = local_5.member[1u];
+                                    let _e3388 = select(_e3382[0], -(_e3382[0]), (_e3382[0] < 0.0lf));
+                                    let _e3391 = select(_e3382[1], -(_e3382[1]), (_e3382[1] < 0.0lf));
+                                    let _e3393 = select(_e3391, _e3388, (_e3388 > _e3391));
+                                    let _e3396 = select(_e3382[2], -(_e3382[2]), (_e3382[2] < 0.0lf));
+                                    let _e3398 = select(_e3396, _e3393, (_e3393 > _e3396));
+                                    let _e3402 = local_5.member_3;
+                                    let _e3406 = local_5.member_1[0u];
+                                    let _e3412 = select(_e3406[0], -(_e3406[0]), (_e3406[0] < 0.0lf));
+                                    let _e3415 = select(_e3406[1], -(_e3406[1]), (_e3406[1] < 0.0lf));
+                                    let _e3417 = select(_e3415, _e3412, (_e3412 > _e3415));
+                                    let _e3420 = select(_e3406[2], -(_e3406[2]), (_e3406[2] < 0.0lf));
+                                    let _e3422 = select(_e3420, _e3417, (_e3417 > _e3420));
+                                    let _e3425 = local_5.member_1[1u];
+                                    let _e3431 = select(_e3425[0], -(_e3425[0]), (_e3425[0] < 0.0lf));
+                                    let _e3434 = select(_e3425[1], -(_e3425[1]), (_e3425[1] < 0.0lf));
+                                    let _e3436 = select(_e3434, _e3431, (_e3431 > _e3434));
+                                    let _e3439 = select(_e3425[2], -(_e3425[2]), (_e3425[2] < 0.0lf));
+                                    let _e3441 = select(_e3439, _e3436, (_e3436 > _e3439));
+                                    let _e3445 = local_5.member_3;
+                                    let _e3449 = local_5.member_2[0u];
+                                    let _e3455 = select(_e3449[0], -(_e3449[0]), (_e3449[0] < 0.0lf));
+                                    let _e3458 = select(_e3449[1], -(_e3449[1]), (_e3449[1] < 0.0lf));
+                                    let _e3460 = select(_e3458, _e3455, (_e3455 > _e3458));
+                                    let _e3463 = select(_e3449[2], -(_e3449[2]), (_e3449[2] < 0.0lf));
+                                    let _e3465 = select(_e3463, _e3460, (_e3460 > _e3463));
+                                    let _e3468 = local_5.member_2[1u];
+                                    let _e3474 = select(_e3468[0], -(_e3468[0]), (_e3468[0] < 0.0lf));
+                                    let _e3477 = select(_e3468[1], -(_e3468[1]), (_e3468[1] < 0.0lf));
+                                    let _e3479 = select(_e3477, _e3474, (_e3474 > _e3477));
+                                    let _e3482 = select(_e3468[2], -(_e3468[2]), (_e3468[2] < 0.0lf));
+                                    let _e3484 = select(_e3482, _e3479, (_e3479 > _e3482));
+                                    let _e3488 = local_5.member_3;
+                                    let _e3496 = local_5.member_3;
+                                    local_1 = type_41(array<array<array<f64, 3>, 4>, 2>(array<array<f64, 3>, 4>(_e3301, array<f64, 3>(_e3317, _e3318, _e3319), array<f64, 3>((_e3301[0] - _e3313[0]), (_e3301[1] - _e3313[1]), (_e3301[2] - _e3313[2])), array<f64, 3>(select((_e3317 - _e3313[0]), _e3301[0], _e3320), select((_e3318 - _e3313[1]), _e3301[1], _e3320), select((_e3319 - _e3313[2]), _e3301[2], _e3320))), array<array<f64, 3>, 4>(_e3332, array<f64, 3>(_e3348, _e3349, _e3350), array<f64, 3>((_e3332[0] - _e3344[0]), (_e3332[1] - _e3344[1]), (_e3332[2] - _e3344[2])), array<f64, 3>(select((_e3348 - _e3344[0]), _e3332[0], _e3351), select((_e3349 - _e3344[1]), _e3332[1], _e3351), select((_e3350 - _e3344[2]), _e3332[2], _e3351)))), ((((((select(_e3398, _e3379, (_e3379 > _e3398)) + _e3402) + (select(_e3441, _e3422, (_e3422 > _e3441)) + _e3445)) + (select(_e3484, _e3465, (_e3465 > _e3484)) + _e3488)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3496 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))), _e781.member_1);
+                                    let _e3514 = local_1.member_1;
+                                    if (_e3298 > _e3514) {
+                                        if ((bitcast<u64>(_e3298) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                            let _e3520 = (f64(1f) / _e3298);
+                                            let _e3522 = (_e3284[0] * _e3520);
+                                            let _e3524 = (_e3284[1] * _e3520);
+                                            let _e3526 = (_e3284[2] * _e3520);
+                                            let _e3531 = (((_e3522 * _e3522) + (_e3524 * _e3524)) + (_e3526 * _e3526));
+                                            if (_e3531 <= 2.2250738585072014e-308lf) {
+                                                phi_6550_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3531 > 0.0lf));
                                             } else {
-                                                phi_6481_ = type_16(0i, 5i);
-                                                phi_6484_ = bitcast<f64>(((bitcast<u64>(_e3530) / 2lu) + 2303426169912950784lu));
+                                                phi_6493_ = type_16(0i, 5i);
+                                                phi_6496_ = bitcast<f64>(((bitcast<u64>(_e3531) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3537 = phi_6481_;
-                                                    let _e3539 = phi_6484_;
-                                                    local_24 = _e3539;
-                                                    if (_e3537.member < _e3537.member_1) {
-                                                        let _e3546 = (_e3537.member + 1i);
-                                                        phi_6482_ = type_16(select(_e3546, type_17().member_1, select(false, true, ((false == (_e3546 > _e3537.member)) != false))), _e3537.member_1);
-                                                        phi_6525_ = type_17(1u, _e3537.member);
+                                                    let _e3538 = phi_6493_;
+                                                    let _e3540 = phi_6496_;
+                                                    local_25 = _e3540;
+                                                    if (_e3538.member < _e3538.member_1) {
+                                                        let _e3547 = (_e3538.member + 1i);
+                                                        phi_6494_ = type_16(select(_e3547, type_17().member_1, select(false, true, ((false == (_e3547 > _e3538.member)) != false))), _e3538.member_1);
+                                                        phi_6537_ = type_17(1u, _e3538.member);
                                                     } else {
-                                                        phi_6482_ = _e3537;
-                                                        phi_6525_ = type_17(0u, type_17().member_1);
+                                                        phi_6494_ = _e3538;
+                                                        phi_6537_ = type_17(0u, type_17().member_1);
                                                     }
-                                                    let _e3557 = phi_6482_;
-                                                    let _e3559 = phi_6525_;
-                                                    let _e3562 = (bitcast<i32>(_e3559.member) != 0i);
-                                                    if _e3562 {
-                                                        phi_6485_ = (0.5lf * (_e3539 + (_e3530 / _e3539)));
+                                                    let _e3558 = phi_6494_;
+                                                    let _e3560 = phi_6537_;
+                                                    let _e3563 = (bitcast<i32>(_e3560.member) != 0i);
+                                                    if _e3563 {
+                                                        phi_6497_ = (0.5lf * (_e3540 + (_e3531 / _e3540)));
                                                     } else {
-                                                        phi_6485_ = f64();
+                                                        phi_6497_ = f64();
                                                     }
-                                                    let _e3567 = phi_6485_;
+                                                    let _e3568 = phi_6497_;
                                                     continue;
                                                     continuing {
-                                                        phi_6481_ = _e3557;
-                                                        phi_6484_ = _e3567;
-                                                        break if !(_e3562);
+                                                        phi_6493_ = _e3558;
+                                                        phi_6496_ = _e3568;
+                                                        break if !(_e3563);
                                                     }
                                                 }
-                                                let _e3572 = local_24;
-                                                phi_6538_ = (_e3572 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3573 = local_25;
+                                                phi_6550_ = (_e3573 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3578 = phi_6538_;
-                                            let _e3580 = (1.1102230246251565e-16lf * f64(12f));
-                                            let _e3582 = local_1.member_1;
-                                            let _e3586 = local_1.member_2;
-                                            let _e3591 = ((_e3582 * f64(1.01f)) + ((_e3586 * _e3578) * (f64(1f) + _e3580)));
-                                            let _e3595 = local_1.member[0u][0u];
-                                            let _e3603 = (((_e3521 * _e3595[0]) + (_e3523 * _e3595[1])) + (_e3525 * _e3595[2]));
-                                            let _e3607 = local_1.member[0u][1u];
-                                            let _e3615 = (((_e3521 * _e3607[0]) + (_e3523 * _e3607[1])) + (_e3525 * _e3607[2]));
-                                            let _e3619 = local_1.member[0u][2u];
-                                            let _e3627 = (((_e3521 * _e3619[0]) + (_e3523 * _e3619[1])) + (_e3525 * _e3619[2]));
-                                            let _e3631 = local_1.member[0u][3u];
-                                            let _e3639 = (((_e3521 * _e3631[0]) + (_e3523 * _e3631[1])) + (_e3525 * _e3631[2]));
-                                            let _e3643 = local_1.member[1u][0u];
-                                            let _e3651 = (((_e3521 * _e3643[0]) + (_e3523 * _e3643[1])) + (_e3525 * _e3643[2]));
-                                            let _e3655 = local_1.member[1u][1u];
-                                            let _e3663 = (((_e3521 * _e3655[0]) + (_e3523 * _e3655[1])) + (_e3525 * _e3655[2]));
-                                            let _e3667 = local_1.member[1u][2u];
-                                            let _e3675 = (((_e3521 * _e3667[0]) + (_e3523 * _e3667[1])) + (_e3525 * _e3667[2]));
-                                            let _e3679 = local_1.member[1u][3u];
-                                            let _e3687 = (((_e3521 * _e3679[0]) + (_e3523 * _e3679[1])) + (_e3525 * _e3679[2]));
-                                            local_2 = type_36(array<f64, 4>(_e3603, _e3615, _e3627, _e3639), array<f64, 4>(_e3651, _e3663, _e3675, _e3687), array<f64, 4>((_e3591 + ((select(_e3603, -(_e3603), (_e3603 < 0.0lf)) + select(_e3651, -(_e3651), (_e3651 < 0.0lf))) * _e3580)), (_e3591 + ((select(_e3615, -(_e3615), (_e3615 < 0.0lf)) + select(_e3663, -(_e3663), (_e3663 < 0.0lf))) * _e3580)), (_e3591 + ((select(_e3627, -(_e3627), (_e3627 < 0.0lf)) + select(_e3675, -(_e3675), (_e3675 < 0.0lf))) * _e3580)), (_e3591 + ((select(_e3639, -(_e3639), (_e3639 < 0.0lf)) + select(_e3687, -(_e3687), (_e3687 < 0.0lf))) * _e3580))));
-                                            let _e3732 = (((_e3521 * _e3521) + (_e3523 * _e3523)) + (_e3525 * _e3525));
-                                            if (_e3732 <= 2.2250738585072014e-308lf) {
-                                                phi_6833_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3732 > 0.0lf));
+                                            let _e3579 = phi_6550_;
+                                            let _e3581 = (1.1102230246251565e-16lf * f64(12f));
+                                            let _e3583 = local_1.member_1;
+                                            let _e3587 = local_1.member_2;
+                                            let _e3592 = ((_e3583 * f64(1.01f)) + ((_e3587 * _e3579) * (f64(1f) + _e3581)));
+                                            let _e3596 = local_1.member[0u][0u];
+                                            let _e3604 = (((_e3522 * _e3596[0]) + (_e3524 * _e3596[1])) + (_e3526 * _e3596[2]));
+                                            let _e3608 = local_1.member[0u][1u];
+                                            let _e3616 = (((_e3522 * _e3608[0]) + (_e3524 * _e3608[1])) + (_e3526 * _e3608[2]));
+                                            let _e3620 = local_1.member[0u][2u];
+                                            let _e3628 = (((_e3522 * _e3620[0]) + (_e3524 * _e3620[1])) + (_e3526 * _e3620[2]));
+                                            let _e3632 = local_1.member[0u][3u];
+                                            let _e3640 = (((_e3522 * _e3632[0]) + (_e3524 * _e3632[1])) + (_e3526 * _e3632[2]));
+                                            let _e3644 = local_1.member[1u][0u];
+                                            let _e3652 = (((_e3522 * _e3644[0]) + (_e3524 * _e3644[1])) + (_e3526 * _e3644[2]));
+                                            let _e3656 = local_1.member[1u][1u];
+                                            let _e3664 = (((_e3522 * _e3656[0]) + (_e3524 * _e3656[1])) + (_e3526 * _e3656[2]));
+                                            let _e3668 = local_1.member[1u][2u];
+                                            let _e3676 = (((_e3522 * _e3668[0]) + (_e3524 * _e3668[1])) + (_e3526 * _e3668[2]));
+                                            let _e3680 = local_1.member[1u][3u];
+                                            let _e3688 = (((_e3522 * _e3680[0]) + (_e3524 * _e3680[1])) + (_e3526 * _e3680[2]));
+                                            local_2 = type_39(array<f64, 4>(_e3604, _e3616, _e3628, _e3640), array<f64, 4>(_e3652, _e3664, _e3676, _e3688), array<f64, 4>((_e3592 + ((select(_e3604, -(_e3604), (_e3604 < 0.0lf)) + select(_e3652, -(_e3652), (_e3652 < 0.0lf))) * _e3581)), (_e3592 + ((select(_e3616, -(_e3616), (_e3616 < 0.0lf)) + select(_e3664, -(_e3664), (_e3664 < 0.0lf))) * _e3581)), (_e3592 + ((select(_e3628, -(_e3628), (_e3628 < 0.0lf)) + select(_e3676, -(_e3676), (_e3676 < 0.0lf))) * _e3581)), (_e3592 + ((select(_e3640, -(_e3640), (_e3640 < 0.0lf)) + select(_e3688, -(_e3688), (_e3688 < 0.0lf))) * _e3581))));
+                                            let _e3733 = (((_e3522 * _e3522) + (_e3524 * _e3524)) + (_e3526 * _e3526));
+                                            if (_e3733 <= 2.2250738585072014e-308lf) {
+                                                phi_6845_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3733 > 0.0lf));
                                             } else {
-                                                phi_6776_ = type_16(0i, 5i);
-                                                phi_6779_ = bitcast<f64>(((bitcast<u64>(_e3732) / 2lu) + 2303426169912950784lu));
+                                                phi_6788_ = type_16(0i, 5i);
+                                                phi_6791_ = bitcast<f64>(((bitcast<u64>(_e3733) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3739 = phi_6776_;
-                                                    let _e3741 = phi_6779_;
-                                                    local_25 = _e3741;
-                                                    if (_e3739.member < _e3739.member_1) {
-                                                        let _e3748 = (_e3739.member + 1i);
-                                                        phi_6777_ = type_16(select(_e3748, type_17().member_1, select(false, true, ((false == (_e3748 > _e3739.member)) != false))), _e3739.member_1);
-                                                        phi_6820_ = type_17(1u, _e3739.member);
+                                                    let _e3740 = phi_6788_;
+                                                    let _e3742 = phi_6791_;
+                                                    local_26 = _e3742;
+                                                    if (_e3740.member < _e3740.member_1) {
+                                                        let _e3749 = (_e3740.member + 1i);
+                                                        phi_6789_ = type_16(select(_e3749, type_17().member_1, select(false, true, ((false == (_e3749 > _e3740.member)) != false))), _e3740.member_1);
+                                                        phi_6832_ = type_17(1u, _e3740.member);
                                                     } else {
-                                                        phi_6777_ = _e3739;
-                                                        phi_6820_ = type_17(0u, type_17().member_1);
+                                                        phi_6789_ = _e3740;
+                                                        phi_6832_ = type_17(0u, type_17().member_1);
                                                     }
-                                                    let _e3759 = phi_6777_;
-                                                    let _e3761 = phi_6820_;
-                                                    let _e3764 = (bitcast<i32>(_e3761.member) != 0i);
-                                                    if _e3764 {
-                                                        phi_6780_ = (0.5lf * (_e3741 + (_e3732 / _e3741)));
+                                                    let _e3760 = phi_6789_;
+                                                    let _e3762 = phi_6832_;
+                                                    let _e3765 = (bitcast<i32>(_e3762.member) != 0i);
+                                                    if _e3765 {
+                                                        phi_6792_ = (0.5lf * (_e3742 + (_e3733 / _e3742)));
                                                     } else {
-                                                        phi_6780_ = f64();
+                                                        phi_6792_ = f64();
                                                     }
-                                                    let _e3769 = phi_6780_;
+                                                    let _e3770 = phi_6792_;
                                                     continue;
                                                     continuing {
-                                                        phi_6776_ = _e3759;
-                                                        phi_6779_ = _e3769;
-                                                        break if !(_e3764);
+                                                        phi_6788_ = _e3760;
+                                                        phi_6791_ = _e3770;
+                                                        break if !(_e3765);
                                                     }
                                                 }
-                                                let _e3774 = local_25;
-                                                phi_6833_ = (_e3774 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3775 = local_26;
+                                                phi_6845_ = (_e3775 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3780 = phi_6833_;
-                                            let _e3791 = (((_e3283[0] * _e3283[0]) + (_e3283[1] * _e3283[1])) + (_e3283[2] * _e3283[2]));
-                                            if (_e3791 <= 2.2250738585072014e-308lf) {
-                                                phi_6922_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3791 > 0.0lf));
+                                            let _e3781 = phi_6845_;
+                                            let _e3792 = (((_e3284[0] * _e3284[0]) + (_e3284[1] * _e3284[1])) + (_e3284[2] * _e3284[2]));
+                                            if (_e3792 <= 2.2250738585072014e-308lf) {
+                                                phi_6934_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3792 > 0.0lf));
                                             } else {
-                                                phi_6865_ = type_16(0i, 5i);
-                                                phi_6868_ = bitcast<f64>(((bitcast<u64>(_e3791) / 2lu) + 2303426169912950784lu));
+                                                phi_6877_ = type_16(0i, 5i);
+                                                phi_6880_ = bitcast<f64>(((bitcast<u64>(_e3792) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3798 = phi_6865_;
-                                                    let _e3800 = phi_6868_;
-                                                    local_26 = _e3800;
-                                                    if (_e3798.member < _e3798.member_1) {
-                                                        let _e3807 = (_e3798.member + 1i);
-                                                        phi_6866_ = type_16(select(_e3807, type_17().member_1, select(false, true, ((false == (_e3807 > _e3798.member)) != false))), _e3798.member_1);
-                                                        phi_6909_ = type_17(1u, _e3798.member);
+                                                    let _e3799 = phi_6877_;
+                                                    let _e3801 = phi_6880_;
+                                                    local_27 = _e3801;
+                                                    if (_e3799.member < _e3799.member_1) {
+                                                        let _e3808 = (_e3799.member + 1i);
+                                                        phi_6878_ = type_16(select(_e3808, type_17().member_1, select(false, true, ((false == (_e3808 > _e3799.member)) != false))), _e3799.member_1);
+                                                        phi_6921_ = type_17(1u, _e3799.member);
                                                     } else {
-                                                        phi_6866_ = _e3798;
-                                                        phi_6909_ = type_17(0u, type_17().member_1);
+                                                        phi_6878_ = _e3799;
+                                                        phi_6921_ = type_17(0u, type_17().member_1);
                                                     }
-                                                    let _e3818 = phi_6866_;
-                                                    let _e3820 = phi_6909_;
-                                                    let _e3823 = (bitcast<i32>(_e3820.member) != 0i);
-                                                    if _e3823 {
-                                                        phi_6869_ = (0.5lf * (_e3800 + (_e3791 / _e3800)));
+                                                    let _e3819 = phi_6878_;
+                                                    let _e3821 = phi_6921_;
+                                                    let _e3824 = (bitcast<i32>(_e3821.member) != 0i);
+                                                    if _e3824 {
+                                                        phi_6881_ = (0.5lf * (_e3801 + (_e3792 / _e3801)));
                                                     } else {
-                                                        phi_6869_ = f64();
+                                                        phi_6881_ = f64();
                                                     }
-                                                    let _e3828 = phi_6869_;
+                                                    let _e3829 = phi_6881_;
                                                     continue;
                                                     continuing {
-                                                        phi_6865_ = _e3818;
-                                                        phi_6868_ = _e3828;
-                                                        break if !(_e3823);
+                                                        phi_6877_ = _e3819;
+                                                        phi_6880_ = _e3829;
+                                                        break if !(_e3824);
                                                     }
                                                 }
-                                                let _e3833 = local_26;
-                                                phi_6922_ = (_e3833 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3834 = local_27;
+                                                phi_6934_ = (_e3834 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3839 = phi_6922_;
-                                            let _e3847 = local_5.member[0u];
-                                            let _e3853 = select(_e3847[0], -(_e3847[0]), (_e3847[0] < 0.0lf));
-                                            let _e3856 = select(_e3847[1], -(_e3847[1]), (_e3847[1] < 0.0lf));
-                                            let _e3858 = select(_e3856, _e3853, (_e3853 > _e3856));
-                                            let _e3861 = select(_e3847[2], -(_e3847[2]), (_e3847[2] < 0.0lf));
-                                            let _e3863 = select(_e3861, _e3858, (_e3858 > _e3861));
-                                            let _e3866 = local_5.member[1u];
-                                            let _e3872 = select(_e3866[0], -(_e3866[0]), (_e3866[0] < 0.0lf));
-                                            let _e3875 = select(_e3866[1], -(_e3866[1]), (_e3866[1] < 0.0lf));
-                                            let _e3877 = select(_e3875, _e3872, (_e3872 > _e3875));
-                                            let _e3880 = select(_e3866[2], -(_e3866[2]), (_e3866[2] < 0.0lf));
-                                            let _e3882 = select(_e3880, _e3877, (_e3877 > _e3880));
-                                            let _e3886 = local_5.member_3;
-                                            let _e3890 = local_5.member_1[0u];
-                                            let _e3896 = select(_e3890[0], -(_e3890[0]), (_e3890[0] < 0.0lf));
-                                            let _e3899 = select(_e3890[1], -(_e3890[1]), (_e3890[1] < 0.0lf));
-                                            let _e3901 = select(_e3899, _e3896, (_e3896 > _e3899));
-                                            let _e3904 = select(_e3890[2], -(_e3890[2]), (_e3890[2] < 0.0lf));
-                                            let _e3906 = select(_e3904, _e3901, (_e3901 > _e3904));
-                                            let _e3909 = local_5.member_1[1u];
-                                            let _e3915 = select(_e3909[0], -(_e3909[0]), (_e3909[0] < 0.0lf));
-                                            let _e3918 = select(_e3909[1], -(_e3909[1]), (_e3909[1] < 0.0lf));
-                                            let _e3920 = select(_e3918, _e3915, (_e3915 > _e3918));
-                                            let _e3923 = select(_e3909[2], -(_e3909[2]), (_e3909[2] < 0.0lf));
-                                            let _e3925 = select(_e3923, _e3920, (_e3920 > _e3923));
-                                            let _e3929 = local_5.member_3;
-                                            let _e3933 = local_5.member_2[0u];
-                                            let _e3939 = select(_e3933[0], -(_e3933[0]), (_e3933[0] < 0.0lf));
-                                            let _e3942 = select(_e3933[1], -(_e3933[1]), (_e3933[1] < 0.0lf));
-                                            let _e3944 = select(_e3942, _e3939, (_e3939 > _e3942));
-                                            let _e3947 = select(_e3933[2], -(_e3933[2]), (_e3933[2] < 0.0lf));
-                                            let _e3949 = select(_e3947, _e3944, (_e3944 > _e3947));
-                                            let _e3952 = local_5.member_2[1u];
-                                            let _e3958 = select(_e3952[0], -(_e3952[0]), (_e3952[0] < 0.0lf));
-                                            let _e3961 = select(_e3952[1], -(_e3952[1]), (_e3952[1] < 0.0lf));
-                                            let _e3963 = select(_e3961, _e3958, (_e3958 > _e3961));
-                                            let _e3966 = select(_e3952[2], -(_e3952[2]), (_e3952[2] < 0.0lf));
-                                            let _e3968 = select(_e3966, _e3963, (_e3963 > _e3966));
-                                            let _e3972 = local_5.member_3;
-                                            let _e3980 = local_5.member_3;
-                                            let _e3995 = ((((_e3839 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e3882, _e3863, (_e3863 > _e3882)) + _e3886) + (select(_e3925, _e3906, (_e3906 > _e3925)) + _e3929)) + (select(_e3968, _e3949, (_e3949 > _e3968)) + _e3972)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3980 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) * _e3780) * (f64(1f) + (1.1102230246251565e-16lf * f64(64f))));
-                                            let _e3998 = local_2.member[0u];
-                                            let _e4001 = local_2.member_1[0u];
-                                            phi_7240_ = type_9(1u, 4u);
-                                            phi_7243_ = ((_e3998 + ((_e4001 - _e3998) * _e1511)) - ((_e3513 * f64(1.01f)) + ((select(_e3998, -(_e3998), (_e3998 < 0.0lf)) + select(_e4001, -(_e4001), (_e4001 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
+                                            let _e3840 = phi_6934_;
+                                            let _e3848 = local_5.member[0u];
+                                            let _e3854 = select(_e3848[0], -(_e3848[0]), (_e3848[0] < 0.0lf));
+                                            let _e3857 = select(_e3848[1], -(_e3848[1]), (_e3848[1] < 0.0lf));
+                                            let _e3859 = select(_e3857, _e3854, (_e3854 > _e3857));
+                                            let _e3862 = select(_e3848[2], -(_e3848[2]), (_e3848[2] < 0.0lf));
+                                            let _e3864 = select(_e3862, _e3859, (_e3859 > _e3862));
+                                            let _e3867 = local_5.member[1u];
+                                            let _e3873 = select(_e3867[0], -(_e3867[0]), (_e3867[0] < 0.0lf));
+                                            let _e3876 = select(_e3867[1], -(_e3867[1]), (_e3867[1] < 0.0lf));
+                                            let _e3878 = select(_e3876, _e3873, (_e3873 > _e3876));
+                                            let _e3881 = select(_e3867[2], -(_e3867[2]), (_e3867[2] < 0.0lf));
+                                            let _e3883 = select(_e3881, _e3878, (_e3878 > _e3881));
+                                            let _e3887 = local_5.member_3;
+                                            let _e3891 = local_5.member_1[0u];
+                                            let _e3897 = select(_e3891[0], -(_e3891[0]), (_e3891[0] < 0.0lf));
+                                            let _e3900 = select(_e3891[1], -(_e3891[1]), (_e3891[1] < 0.0lf));
+                                            let _e3902 = select(_e3900, _e3897, (_e3897 > _e3900));
+                                            let _e3905 = select(_e3891[2], -(_e3891[2]), (_e3891[2] < 0.0lf));
+                                            let _e3907 = select(_e3905, _e3902, (_e3902 > _e3905));
+                                            let _e3910 = local_5.member_1[1u];
+                                            let _e3916 = select(_e3910[0], -(_e3910[0]), (_e3910[0] < 0.0lf));
+                                            let _e3919 = select(_e3910[1], -(_e3910[1]), (_e3910[1] < 0.0lf));
+                                            let _e3921 = select(_e3919, _e3916, (_e3916 > _e3919));
+                                            let _e3924 = select(_e3910[2], -(_e3910[2]), (_e3910[2] < 0.0lf));
+                                            let _e3926 = select(_e3924, _e3921, (_e3921 > _e3924));
+                                            let _e3930 = local_5.member_3;
+                                            let _e3934 = local_5.member_2[0u];
+                                            let _e3940 = select(_e3934[0], -(_e3934[0]), (_e3934[0] < 0.0lf));
+                                            let _e3943 = select(_e3934[1], -(_e3934[1]), (_e3934[1] < 0.0lf));
+                                            let _e3945 = select(_e3943, _e3940, (_e3940 > _e3943));
+                                            let _e3948 = select(_e3934[2], -(_e3934[2]), (_e3934[2] < 0.0lf));
+                                            let _e3950 = select(_e3948, _e3945, (_e3945 > _e3948));
+                                            let _e3953 = local_5.member_2[1u];
+                                            let _e3959 = select(_e3953[0], -(_e3953[0]), (_e3953[0] < 0.0lf));
+                                            let _e3962 = select(_e3953[1], -(_e3953[1]), (_e3953[1] < 0.0lf));
+                                            let _e3964 = select(_e3962, _e3959, (_e3959 > _e3962));
+                                            let _e3967 = select(_e3953[2], -(_e3953[2]), (_e3953[2] < 0.0lf));
+                                            let _e3969 = select(_e3967, _e3964, (_e3964 > _e3967));
+                                            let _e3973 = local_5.member_3;
+                                            let _e3981 = local_5.member_3;
+                                            let _e3996 = ((((_e3840 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e3883, _e3864, (_e3864 > _e3883)) + _e3887) + (select(_e3926, _e3907, (_e3907 > _e3926)) + _e3930)) + (select(_e3969, _e3950, (_e3950 > _e3969)) + _e3973)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3981 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) * _e3781) * (f64(1f) + (1.1102230246251565e-16lf * f64(64f))));
+                                            let _e3999 = local_2.member[0u];
+                                            let _e4002 = local_2.member_1[0u];
+                                            phi_7252_ = type_9(1u, 4u);
+                                            phi_7255_ = ((_e3999 + ((_e4002 - _e3999) * _e1512)) - ((_e3514 * f64(1.01f)) + ((select(_e3999, -(_e3999), (_e3999 < 0.0lf)) + select(_e4002, -(_e4002), (_e4002 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
                                             loop {
-                                                let _e4020 = phi_7240_;
-                                                let _e4022 = phi_7243_;
-                                                local_27 = _e4022;
-                                                local_28 = _e4022;
-                                                let _e4025 = (_e4020.member < _e4020.member_1);
-                                                let _e4036 = select(type_9().member_1, _e4020.member, _e4025);
-                                                let _e4038 = (bitcast<i32>(select(0u, 1u, _e4025)) != 0i);
-                                                if _e4038 {
-                                                    let _e4041 = local_2.member[_e4036];
-                                                    let _e4044 = local_2.member_1[_e4036];
-                                                    let _e4061 = ((_e4041 + ((_e4044 - _e4041) * _e1511)) - ((_e3513 * f64(1.01f)) + ((select(_e4041, -(_e4041), (_e4041 < 0.0lf)) + select(_e4044, -(_e4044), (_e4044 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
-                                                    phi_7244_ = select(_e4061, _e4022, (_e4022 < _e4061));
+                                                let _e4021 = phi_7252_;
+                                                let _e4023 = phi_7255_;
+                                                local_28 = _e4023;
+                                                local_29 = _e4023;
+                                                let _e4026 = (_e4021.member < _e4021.member_1);
+                                                let _e4037 = select(type_9().member_1, _e4021.member, _e4026);
+                                                let _e4039 = (bitcast<i32>(select(0u, 1u, _e4026)) != 0i);
+                                                if _e4039 {
+                                                    let _e4042 = local_2.member[_e4037];
+                                                    let _e4045 = local_2.member_1[_e4037];
+                                                    let _e4062 = ((_e4042 + ((_e4045 - _e4042) * _e1512)) - ((_e3514 * f64(1.01f)) + ((select(_e4042, -(_e4042), (_e4042 < 0.0lf)) + select(_e4045, -(_e4045), (_e4045 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
+                                                    phi_7256_ = select(_e4062, _e4023, (_e4023 < _e4062));
                                                 } else {
-                                                    phi_7244_ = f64();
+                                                    phi_7256_ = f64();
                                                 }
-                                                let _e4065 = phi_7244_;
+                                                let _e4066 = phi_7256_;
                                                 continue;
                                                 continuing {
-                                                    phi_7240_ = type_9(select(_e4020.member, (_e4020.member + 1u), _e4025), select(_e4020.member_1, _e4020.member_1, _e4025));
-                                                    phi_7243_ = _e4065;
-                                                    break if !(_e4038);
+                                                    phi_7252_ = type_9(select(_e4021.member, (_e4021.member + 1u), _e4026), select(_e4021.member_1, _e4021.member_1, _e4026));
+                                                    phi_7255_ = _e4066;
+                                                    break if !(_e4039);
                                                 }
                                             }
-                                            let _e4068 = local_27;
-                                            if (_e4068 > f64(0f)) {
-                                                let _e4073 = local_28;
-                                                let _e4077 = (((_e3995 - _e4073) / _e3995) * f64(2.02f));
-                                                if (_e4077 <= 2.2250738585072014e-308lf) {
-                                                    phi_7402_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4077 > 0.0lf));
+                                            let _e4069 = local_28;
+                                            if (_e4069 > f64(0f)) {
+                                                let _e4074 = local_29;
+                                                let _e4078 = (((_e3996 - _e4074) / _e3996) * f64(2.02f));
+                                                if (_e4078 <= 2.2250738585072014e-308lf) {
+                                                    phi_7414_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4078 > 0.0lf));
                                                 } else {
-                                                    phi_7345_ = type_16(0i, 5i);
-                                                    phi_7348_ = bitcast<f64>(((bitcast<u64>(_e4077) / 2lu) + 2303426169912950784lu));
+                                                    phi_7357_ = type_16(0i, 5i);
+                                                    phi_7360_ = bitcast<f64>(((bitcast<u64>(_e4078) / 2lu) + 2303426169912950784lu));
                                                     loop {
-                                                        let _e4084 = phi_7345_;
-                                                        let _e4086 = phi_7348_;
-                                                        local_29 = _e4086;
-                                                        if (_e4084.member < _e4084.member_1) {
-                                                            let _e4093 = (_e4084.member + 1i);
-                                                            phi_7346_ = type_16(select(_e4093, type_17().member_1, select(false, true, ((false == (_e4093 > _e4084.member)) != false))), _e4084.member_1);
-                                                            phi_7389_ = type_17(1u, _e4084.member);
+                                                        let _e4085 = phi_7357_;
+                                                        let _e4087 = phi_7360_;
+                                                        local_30 = _e4087;
+                                                        if (_e4085.member < _e4085.member_1) {
+                                                            let _e4094 = (_e4085.member + 1i);
+                                                            phi_7358_ = type_16(select(_e4094, type_17().member_1, select(false, true, ((false == (_e4094 > _e4085.member)) != false))), _e4085.member_1);
+                                                            phi_7401_ = type_17(1u, _e4085.member);
                                                         } else {
-                                                            phi_7346_ = _e4084;
-                                                            phi_7389_ = type_17(0u, type_17().member_1);
+                                                            phi_7358_ = _e4085;
+                                                            phi_7401_ = type_17(0u, type_17().member_1);
                                                         }
-                                                        let _e4104 = phi_7346_;
-                                                        let _e4106 = phi_7389_;
-                                                        let _e4109 = (bitcast<i32>(_e4106.member) != 0i);
-                                                        if _e4109 {
-                                                            phi_7349_ = (0.5lf * (_e4086 + (_e4077 / _e4086)));
+                                                        let _e4105 = phi_7358_;
+                                                        let _e4107 = phi_7401_;
+                                                        let _e4110 = (bitcast<i32>(_e4107.member) != 0i);
+                                                        if _e4110 {
+                                                            phi_7361_ = (0.5lf * (_e4087 + (_e4078 / _e4087)));
                                                         } else {
-                                                            phi_7349_ = f64();
+                                                            phi_7361_ = f64();
                                                         }
-                                                        let _e4114 = phi_7349_;
+                                                        let _e4115 = phi_7361_;
                                                         continue;
                                                         continuing {
-                                                            phi_7345_ = _e4104;
-                                                            phi_7348_ = _e4114;
-                                                            break if !(_e4109);
+                                                            phi_7357_ = _e4105;
+                                                            phi_7360_ = _e4115;
+                                                            break if !(_e4110);
                                                         }
                                                     }
-                                                    let _e4119 = local_29;
-                                                    phi_7402_ = (_e4119 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                    let _e4120 = local_30;
+                                                    phi_7414_ = (_e4120 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                 }
-                                                let _e4125 = phi_7402_;
-                                                let _e4128 = ((_e4125 * _e3780) * f64(1.01f));
-                                                phi_7409_ = type_9(0u, 4u);
-                                                phi_7412_ = f64(2f);
-                                                phi_7414_ = true;
-                                                phi_7416_ = true;
+                                                let _e4126 = phi_7414_;
+                                                let _e4129 = ((_e4126 * _e3781) * f64(1.01f));
+                                                phi_7421_ = type_9(0u, 4u);
+                                                phi_7424_ = f64(2f);
+                                                phi_7426_ = true;
+                                                phi_7428_ = true;
                                                 loop {
-                                                    let _e4131 = phi_7409_;
-                                                    let _e4133 = phi_7412_;
-                                                    let _e4135 = phi_7414_;
-                                                    let _e4137 = phi_7416_;
-                                                    local_30 = _e4133;
-                                                    local_31 = _e4133;
-                                                    local_32 = _e4135;
-                                                    local_33 = _e4137;
-                                                    local_34 = _e4137;
-                                                    local_35 = _e4137;
-                                                    local_60 = _e4137;
-                                                    local_36 = _e4137;
-                                                    let _e4140 = (_e4131.member < _e4131.member_1);
-                                                    let _e4151 = select(type_9().member_1, _e4131.member, _e4140);
-                                                    let _e4153 = (bitcast<i32>(select(0u, 1u, _e4140)) != 0i);
-                                                    if _e4153 {
-                                                        let _e4157 = local_1.member[0u][_e4151];
-                                                        let _e4164 = local_1.member[1u][_e4151];
-                                                        let _e4178 = ((select(_e4157[0], -(_e4157[0]), (_e4157[0] < 0.0lf)) + select(_e4157[1], -(_e4157[1]), (_e4157[1] < 0.0lf))) + select(_e4157[2], -(_e4157[2]), (_e4157[2] < 0.0lf)));
-                                                        let _e4189 = ((select(_e4164[0], -(_e4164[0]), (_e4164[0] < 0.0lf)) + select(_e4164[1], -(_e4164[1]), (_e4164[1] < 0.0lf))) + select(_e4164[2], -(_e4164[2]), (_e4164[2] < 0.0lf)));
-                                                        let _e4197 = (_e4164[0] - _e4157[0]);
-                                                        let _e4198 = (_e4164[1] - _e4157[1]);
-                                                        let _e4199 = (_e4164[2] - _e4157[2]);
-                                                        let _e4218 = local_2.member[_e4151];
-                                                        let _e4221 = local_2.member_1[_e4151];
-                                                        let _e4234 = ((_e3513 * f64(1.01f)) + ((select(_e4218, -(_e4218), (_e4218 < 0.0lf)) + select(_e4221, -(_e4221), (_e4221 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f))));
-                                                        let _e4241 = local_2.member_1[_e4151];
-                                                        let _e4244 = local_2.member[_e4151];
-                                                        let _e4245 = (_e4241 - _e4244);
-                                                        let _e4248 = ((_e4234 + _e4234) + (_e4128 * ((((select(_e4197, -(_e4197), (_e4197 < 0.0lf)) + select(_e4198, -(_e4198), (_e4198 < 0.0lf))) + select(_e4199, -(_e4199), (_e4199 < 0.0lf))) + (_e3513 * f64(6f))) * f64(1.01f))));
-                                                        let _e4251 = ((((_e4218 + ((_e4221 - _e4218) * _e1511)) - _e4234) - (_e4128 * ((select(_e4189, _e4178, (_e4178 > _e4189)) + (_e3513 * f64(3f))) * f64(1.01f)))) - _e3995);
-                                                        let _e4252 = (_e4251 > 2.2250738585072014e-308lf);
-                                                        let _e4253 = (_e4245 > _e4248);
-                                                        if _e4253 {
-                                                            phi_7653_ = _e4133;
+                                                    let _e4132 = phi_7421_;
+                                                    let _e4134 = phi_7424_;
+                                                    let _e4136 = phi_7426_;
+                                                    let _e4138 = phi_7428_;
+                                                    local_31 = _e4134;
+                                                    local_32 = _e4134;
+                                                    local_33 = _e4136;
+                                                    local_34 = _e4138;
+                                                    local_35 = _e4138;
+                                                    local_36 = _e4138;
+                                                    local_61 = _e4138;
+                                                    local_37 = _e4138;
+                                                    let _e4141 = (_e4132.member < _e4132.member_1);
+                                                    let _e4152 = select(type_9().member_1, _e4132.member, _e4141);
+                                                    let _e4154 = (bitcast<i32>(select(0u, 1u, _e4141)) != 0i);
+                                                    if _e4154 {
+                                                        let _e4158 = local_1.member[0u][_e4152];
+                                                        let _e4165 = local_1.member[1u][_e4152];
+                                                        let _e4179 = ((select(_e4158[0], -(_e4158[0]), (_e4158[0] < 0.0lf)) + select(_e4158[1], -(_e4158[1]), (_e4158[1] < 0.0lf))) + select(_e4158[2], -(_e4158[2]), (_e4158[2] < 0.0lf)));
+                                                        let _e4190 = ((select(_e4165[0], -(_e4165[0]), (_e4165[0] < 0.0lf)) + select(_e4165[1], -(_e4165[1]), (_e4165[1] < 0.0lf))) + select(_e4165[2], -(_e4165[2]), (_e4165[2] < 0.0lf)));
+                                                        let _e4198 = (_e4165[0] - _e4158[0]);
+                                                        let _e4199 = (_e4165[1] - _e4158[1]);
+                                                        let _e4200 = (_e4165[2] - _e4158[2]);
+                                                        let _e4219 = local_2.member[_e4152];
+                                                        let _e4222 = local_2.member_1[_e4152];
+                                                        let _e4235 = ((_e3514 * f64(1.01f)) + ((select(_e4219, -(_e4219), (_e4219 < 0.0lf)) + select(_e4222, -(_e4222), (_e4222 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f))));
+                                                        let _e4242 = local_2.member_1[_e4152];
+                                                        let _e4245 = local_2.member[_e4152];
+                                                        let _e4246 = (_e4242 - _e4245);
+                                                        let _e4249 = ((_e4235 + _e4235) + (_e4129 * ((((select(_e4198, -(_e4198), (_e4198 < 0.0lf)) + select(_e4199, -(_e4199), (_e4199 < 0.0lf))) + select(_e4200, -(_e4200), (_e4200 < 0.0lf))) + (_e3514 * f64(6f))) * f64(1.01f))));
+                                                        let _e4252 = ((((_e4219 + ((_e4222 - _e4219) * _e1512)) - _e4235) - (_e4129 * ((select(_e4190, _e4179, (_e4179 > _e4190)) + (_e3514 * f64(3f))) * f64(1.01f)))) - _e3996);
+                                                        let _e4253 = (_e4252 > 2.2250738585072014e-308lf);
+                                                        let _e4254 = (_e4246 > _e4249);
+                                                        if _e4254 {
+                                                            phi_7665_ = _e4134;
                                                         } else {
-                                                            if _e4252 {
-                                                                let _e4260 = (_e4248 - _e4245);
-                                                                let _e4263 = (_e4251 / select(2.2250738585072014e-308lf, _e4260, (_e4260 > 2.2250738585072014e-308lf)));
-                                                                phi_7652_ = select(_e4263, _e4133, (_e4133 < _e4263));
+                                                            if _e4253 {
+                                                                let _e4261 = (_e4249 - _e4246);
+                                                                let _e4264 = (_e4252 / select(2.2250738585072014e-308lf, _e4261, (_e4261 > 2.2250738585072014e-308lf)));
+                                                                phi_7664_ = select(_e4264, _e4134, (_e4134 < _e4264));
                                                             } else {
-                                                                phi_7652_ = _e4133;
+                                                                phi_7664_ = _e4134;
                                                             }
-                                                            let _e4267 = phi_7652_;
-                                                            phi_7653_ = _e4267;
+                                                            let _e4268 = phi_7664_;
+                                                            phi_7665_ = _e4268;
                                                         }
-                                                        let _e4269 = phi_7653_;
-                                                        phi_7413_ = _e4269;
-                                                        phi_7415_ = (_e4135 && select(_e4252, true, (_e4245 < -(_e4248))));
-                                                        phi_7417_ = (_e4137 && select(_e4252, true, _e4253));
+                                                        let _e4270 = phi_7665_;
+                                                        phi_7425_ = _e4270;
+                                                        phi_7427_ = (_e4136 && select(_e4253, true, (_e4246 < -(_e4249))));
+                                                        phi_7429_ = (_e4138 && select(_e4253, true, _e4254));
                                                     } else {
-                                                        phi_7413_ = f64();
-                                                        phi_7415_ = bool();
-                                                        phi_7417_ = bool();
+                                                        phi_7425_ = f64();
+                                                        phi_7427_ = bool();
+                                                        phi_7429_ = bool();
                                                     }
-                                                    let _e4271 = phi_7413_;
-                                                    let _e4273 = phi_7415_;
-                                                    let _e4275 = phi_7417_;
+                                                    let _e4272 = phi_7425_;
+                                                    let _e4274 = phi_7427_;
+                                                    let _e4276 = phi_7429_;
                                                     continue;
                                                     continuing {
-                                                        phi_7409_ = type_9(select(_e4131.member, (_e4131.member + 1u), _e4140), select(_e4131.member_1, _e4131.member_1, _e4140));
-                                                        phi_7412_ = _e4271;
-                                                        phi_7414_ = _e4273;
-                                                        phi_7416_ = _e4275;
-                                                        break if !(_e4153);
+                                                        phi_7421_ = type_9(select(_e4132.member, (_e4132.member + 1u), _e4141), select(_e4132.member_1, _e4132.member_1, _e4141));
+                                                        phi_7424_ = _e4272;
+                                                        phi_7426_ = _e4274;
+                                                        phi_7428_ = _e4276;
+                                                        break if !(_e4154);
                                                     }
                                                 }
-                                                let _e4277 = f64(2f);
-                                                let _e4279 = local_30;
-                                                let _e4282 = local_31;
-                                                let _e4285 = (select(_e4277, _e4282, (_e4279 < _e4277)) * f64(0.999f));
-                                                let _e4287 = local_32;
-                                                if _e4287 {
-                                                    let _e4291 = local_33;
-                                                    let _e4295 = local_34;
-                                                    let _e4299 = local_35;
-                                                    phi_7671_ = type_42(select(_e1511, type_42().member, _e4291), select(f64(2f), type_42().member_1, _e4295), select(1u, type_42().member_2, _e4299));
-                                                    let _e5412 = local_60;
-                                                    phi_7672_ = _e5412;
+                                                let _e4278 = f64(2f);
+                                                let _e4280 = local_31;
+                                                let _e4283 = local_32;
+                                                let _e4286 = (select(_e4278, _e4283, (_e4280 < _e4278)) * f64(0.999f));
+                                                let _e4288 = local_33;
+                                                if _e4288 {
+                                                    let _e4292 = local_34;
+                                                    let _e4296 = local_35;
+                                                    let _e4300 = local_36;
+                                                    phi_7683_ = type_42(select(_e1512, type_42().member, _e4292), select(f64(2f), type_42().member_1, _e4296), select(1u, type_42().member_2, _e4300));
+                                                    let _e5411 = local_61;
+                                                    phi_7684_ = _e5411;
                                                 } else {
-                                                    phi_7671_ = type_42();
-                                                    phi_7672_ = true;
+                                                    phi_7683_ = type_42();
+                                                    phi_7684_ = true;
                                                 }
-                                                let _e4303 = phi_7671_;
-                                                let _e4305 = phi_7672_;
-                                                if _e4305 {
-                                                    let _e4307 = local_36;
-                                                    if _e4307 {
-                                                        let _e4313 = (_e1511 + _e4285);
-                                                        let _e4316 = select(_e1511, select(_e550, _e4313, (_e4313 < _e550)), (_e4285 > (1.1102230246251565e-16lf * f64(4096f))));
-                                                        phi_7694_ = type_9(0u, 4u);
-                                                        phi_7697_ = _e4316;
-                                                        phi_7699_ = _e1511;
+                                                let _e4304 = phi_7683_;
+                                                let _e4306 = phi_7684_;
+                                                if _e4306 {
+                                                    let _e4308 = local_37;
+                                                    if _e4308 {
+                                                        let _e4314 = (_e1512 + _e4286);
+                                                        let _e4317 = select(_e1512, select(_e551, _e4314, (_e4314 < _e551)), (_e4286 > (1.1102230246251565e-16lf * f64(4096f))));
+                                                        phi_7706_ = type_9(0u, 4u);
+                                                        phi_7709_ = _e4317;
+                                                        phi_7711_ = _e1512;
                                                         loop {
-                                                            let _e4318 = phi_7694_;
-                                                            let _e4320 = phi_7697_;
-                                                            let _e4322 = phi_7699_;
-                                                            local_37 = _e4320;
-                                                            local_38 = _e4322;
-                                                            local_39 = _e4322;
-                                                            let _e4325 = (_e4318.member < _e4318.member_1);
-                                                            let _e4336 = select(type_9().member_1, _e4318.member, _e4325);
-                                                            let _e4338 = (bitcast<i32>(select(0u, 1u, _e4325)) != 0i);
-                                                            if _e4338 {
-                                                                let _e4341 = local_2.member[_e4336];
-                                                                let _e4344 = local_2.member_1[_e4336];
-                                                                let _e4347 = local_2.member[_e4336];
-                                                                let _e4353 = local_2.member_2[_e4336];
-                                                                let _e4354 = ((_e4341 + ((_e4344 - _e4347) * _e1511)) - _e4353);
-                                                                let _e4357 = local_2.member_1[_e4336];
-                                                                let _e4360 = local_2.member[_e4336];
-                                                                let _e4361 = (_e4357 - _e4360);
-                                                                if (_e4361 > f64(0f)) {
-                                                                    let _e4377 = (_e1511 - (_e4354 / _e4361));
-                                                                    phi_7811_ = _e4320;
-                                                                    phi_7812_ = select(_e4377, _e4322, (_e4322 > _e4377));
+                                                            let _e4319 = phi_7706_;
+                                                            let _e4321 = phi_7709_;
+                                                            let _e4323 = phi_7711_;
+                                                            local_38 = _e4321;
+                                                            local_39 = _e4323;
+                                                            local_40 = _e4323;
+                                                            let _e4326 = (_e4319.member < _e4319.member_1);
+                                                            let _e4337 = select(type_9().member_1, _e4319.member, _e4326);
+                                                            let _e4339 = (bitcast<i32>(select(0u, 1u, _e4326)) != 0i);
+                                                            if _e4339 {
+                                                                let _e4342 = local_2.member[_e4337];
+                                                                let _e4345 = local_2.member_1[_e4337];
+                                                                let _e4348 = local_2.member[_e4337];
+                                                                let _e4354 = local_2.member_2[_e4337];
+                                                                let _e4355 = ((_e4342 + ((_e4345 - _e4348) * _e1512)) - _e4354);
+                                                                let _e4358 = local_2.member_1[_e4337];
+                                                                let _e4361 = local_2.member[_e4337];
+                                                                let _e4362 = (_e4358 - _e4361);
+                                                                if (_e4362 > f64(0f)) {
+                                                                    let _e4378 = (_e1512 - (_e4355 / _e4362));
+                                                                    phi_7823_ = _e4321;
+                                                                    phi_7824_ = select(_e4378, _e4323, (_e4323 > _e4378));
                                                                 } else {
-                                                                    if (_e4354 > f64(0f)) {
-                                                                        if (_e4361 < f64(0f)) {
-                                                                            let _e4369 = (_e1511 - (_e4354 / _e4361));
-                                                                            phi_7809_ = select(_e4369, _e4320, (_e4320 < _e4369));
+                                                                    if (_e4355 > f64(0f)) {
+                                                                        if (_e4362 < f64(0f)) {
+                                                                            let _e4370 = (_e1512 - (_e4355 / _e4362));
+                                                                            phi_7821_ = select(_e4370, _e4321, (_e4321 < _e4370));
                                                                         } else {
-                                                                            phi_7809_ = _e4320;
+                                                                            phi_7821_ = _e4321;
                                                                         }
-                                                                        let _e4373 = phi_7809_;
-                                                                        phi_7810_ = _e4373;
+                                                                        let _e4374 = phi_7821_;
+                                                                        phi_7822_ = _e4374;
                                                                     } else {
-                                                                        phi_7810_ = _e4320;
+                                                                        phi_7822_ = _e4321;
                                                                     }
-                                                                    let _e4375 = phi_7810_;
-                                                                    phi_7811_ = _e4375;
-                                                                    phi_7812_ = _e4322;
+                                                                    let _e4376 = phi_7822_;
+                                                                    phi_7823_ = _e4376;
+                                                                    phi_7824_ = _e4323;
                                                                 }
-                                                                let _e4381 = phi_7811_;
-                                                                let _e4383 = phi_7812_;
-                                                                phi_7698_ = _e4381;
-                                                                phi_7700_ = _e4383;
+                                                                let _e4382 = phi_7823_;
+                                                                let _e4384 = phi_7824_;
+                                                                phi_7710_ = _e4382;
+                                                                phi_7712_ = _e4384;
                                                             } else {
-                                                                phi_7698_ = f64();
-                                                                phi_7700_ = f64();
+                                                                phi_7710_ = f64();
+                                                                phi_7712_ = f64();
                                                             }
-                                                            let _e4385 = phi_7698_;
-                                                            let _e4387 = phi_7700_;
+                                                            let _e4386 = phi_7710_;
+                                                            let _e4388 = phi_7712_;
                                                             continue;
                                                             continuing {
-                                                                phi_7694_ = type_9(select(_e4318.member, (_e4318.member + 1u), _e4325), select(_e4318.member_1, _e4318.member_1, _e4325));
-                                                                phi_7697_ = _e4385;
-                                                                phi_7699_ = _e4387;
-                                                                break if !(_e4338);
+                                                                phi_7706_ = type_9(select(_e4319.member, (_e4319.member + 1u), _e4326), select(_e4319.member_1, _e4319.member_1, _e4326));
+                                                                phi_7709_ = _e4386;
+                                                                phi_7711_ = _e4388;
+                                                                break if !(_e4339);
                                                             }
                                                         }
-                                                        let _e4390 = local_37;
-                                                        let _e4392 = local_38;
-                                                        let _e4397 = local_39;
-                                                        let _e4398 = (_e4397 + ((_e4390 - _e4392) * f64(0.5f)));
-                                                        if (_e4398 > _e1511) {
-                                                            if (_e4398 <= _e4316) {
-                                                                let _e4401 = f64(0f);
-                                                                let _e4404 = local_2.member[0u];
-                                                                let _e4407 = local_2.member_1[0u];
-                                                                let _e4410 = local_2.member[0u];
-                                                                let _e4416 = local_2.member_2[0u];
-                                                                if (((_e4404 + ((_e4407 - _e4410) * _e4398)) - _e4416) > _e4401) {
-                                                                    let _e4421 = local_2.member[1u];
-                                                                    let _e4424 = local_2.member_1[1u];
-                                                                    let _e4427 = local_2.member[1u];
-                                                                    let _e4433 = local_2.member_2[1u];
-                                                                    if (((_e4421 + ((_e4424 - _e4427) * _e4398)) - _e4433) > _e4401) {
-                                                                        let _e4438 = local_2.member[2u];
-                                                                        let _e4441 = local_2.member_1[2u];
-                                                                        let _e4444 = local_2.member[2u];
-                                                                        let _e4450 = local_2.member_2[2u];
-                                                                        if (((_e4438 + ((_e4441 - _e4444) * _e4398)) - _e4450) > _e4401) {
-                                                                            let _e4455 = local_2.member[3u];
-                                                                            let _e4458 = local_2.member_1[3u];
-                                                                            let _e4461 = local_2.member[3u];
-                                                                            let _e4467 = local_2.member_2[3u];
-                                                                            phi_7975_ = (((_e4455 + ((_e4458 - _e4461) * _e4398)) - _e4467) > _e4401);
-                                                                            phi_7976_ = false;
+                                                        let _e4391 = local_38;
+                                                        let _e4393 = local_39;
+                                                        let _e4398 = local_40;
+                                                        let _e4399 = (_e4398 + ((_e4391 - _e4393) * f64(0.5f)));
+                                                        if (_e4399 > _e1512) {
+                                                            if (_e4399 <= _e4317) {
+                                                                let _e4402 = f64(0f);
+                                                                let _e4405 = local_2.member[0u];
+                                                                let _e4408 = local_2.member_1[0u];
+                                                                let _e4411 = local_2.member[0u];
+                                                                let _e4417 = local_2.member_2[0u];
+                                                                if (((_e4405 + ((_e4408 - _e4411) * _e4399)) - _e4417) > _e4402) {
+                                                                    let _e4422 = local_2.member[1u];
+                                                                    let _e4425 = local_2.member_1[1u];
+                                                                    let _e4428 = local_2.member[1u];
+                                                                    let _e4434 = local_2.member_2[1u];
+                                                                    if (((_e4422 + ((_e4425 - _e4428) * _e4399)) - _e4434) > _e4402) {
+                                                                        let _e4439 = local_2.member[2u];
+                                                                        let _e4442 = local_2.member_1[2u];
+                                                                        let _e4445 = local_2.member[2u];
+                                                                        let _e4451 = local_2.member_2[2u];
+                                                                        if (((_e4439 + ((_e4442 - _e4445) * _e4399)) - _e4451) > _e4402) {
+                                                                            let _e4456 = local_2.member[3u];
+                                                                            let _e4459 = local_2.member_1[3u];
+                                                                            let _e4462 = local_2.member[3u];
+                                                                            let _e4468 = local_2.member_2[3u];
+                                                                            phi_7987_ = (((_e4456 + ((_e4459 - _e4462) * _e4399)) - _e4468) > _e4402);
+                                                                            phi_7988_ = false;
                                                                         } else {
-                                                                            phi_7975_ = bool();
-                                                                            phi_7976_ = true;
+                                                                            phi_7987_ = bool();
+                                                                            phi_7988_ = true;
                                                                         }
-                                                                        let _e4471 = phi_7975_;
-                                                                        let _e4473 = phi_7976_;
-                                                                        phi_7977_ = _e4471;
-                                                                        phi_7978_ = _e4473;
+                                                                        let _e4472 = phi_7987_;
+                                                                        let _e4474 = phi_7988_;
+                                                                        phi_7989_ = _e4472;
+                                                                        phi_7990_ = _e4474;
                                                                     } else {
-                                                                        phi_7977_ = bool();
-                                                                        phi_7978_ = true;
+                                                                        phi_7989_ = bool();
+                                                                        phi_7990_ = true;
                                                                     }
-                                                                    let _e4475 = phi_7977_;
-                                                                    let _e4477 = phi_7978_;
-                                                                    phi_7979_ = _e4475;
-                                                                    phi_7980_ = _e4477;
+                                                                    let _e4476 = phi_7989_;
+                                                                    let _e4478 = phi_7990_;
+                                                                    phi_7991_ = _e4476;
+                                                                    phi_7992_ = _e4478;
                                                                 } else {
-                                                                    phi_7979_ = bool();
-                                                                    phi_7980_ = true;
+                                                                    phi_7991_ = bool();
+                                                                    phi_7992_ = true;
                                                                 }
-                                                                let _e4479 = phi_7979_;
-                                                                let _e4481 = phi_7980_;
-                                                                phi_7989_ = select(true, false, select(_e4479, false, _e4481));
+                                                                let _e4480 = phi_7991_;
+                                                                let _e4482 = phi_7992_;
+                                                                phi_8001_ = select(true, false, select(_e4480, false, _e4482));
                                                             } else {
-                                                                phi_7989_ = true;
+                                                                phi_8001_ = true;
                                                             }
-                                                            let _e4485 = phi_7989_;
-                                                            phi_7990_ = _e4485;
+                                                            let _e4486 = phi_8001_;
+                                                            phi_8002_ = _e4486;
                                                         } else {
-                                                            phi_7990_ = true;
+                                                            phi_8002_ = true;
                                                         }
-                                                        let _e4487 = phi_7990_;
-                                                        phi_7999_ = type_42(_e4316, select(_e4398, f64(2f), _e4487), 2u);
-                                                        phi_8000_ = type_42();
-                                                        phi_8001_ = false;
+                                                        let _e4488 = phi_8002_;
+                                                        phi_8011_ = type_42(_e4317, select(_e4399, f64(2f), _e4488), 2u);
+                                                        phi_8012_ = type_42();
+                                                        phi_8013_ = false;
                                                     } else {
-                                                        phi_7999_ = type_42();
-                                                        phi_8000_ = type_42(_e1511, f64(2f), 0u);
-                                                        phi_8001_ = true;
+                                                        phi_8011_ = type_42();
+                                                        phi_8012_ = type_42(_e1512, f64(2f), 0u);
+                                                        phi_8013_ = true;
                                                     }
-                                                    let _e4492 = phi_7999_;
-                                                    let _e4494 = phi_8000_;
-                                                    let _e4496 = phi_8001_;
-                                                    phi_8002_ = _e4492;
-                                                    phi_8003_ = _e4494;
-                                                    phi_8004_ = _e4496;
+                                                    let _e4493 = phi_8011_;
+                                                    let _e4495 = phi_8012_;
+                                                    let _e4497 = phi_8013_;
+                                                    phi_8014_ = _e4493;
+                                                    phi_8015_ = _e4495;
+                                                    phi_8016_ = _e4497;
                                                 } else {
-                                                    phi_8002_ = type_42();
-                                                    phi_8003_ = _e4303;
-                                                    phi_8004_ = true;
+                                                    phi_8014_ = type_42();
+                                                    phi_8015_ = _e4304;
+                                                    phi_8016_ = true;
                                                 }
-                                                let _e4498 = phi_8002_;
-                                                let _e4500 = phi_8003_;
-                                                let _e4502 = phi_8004_;
-                                                phi_8010_ = _e4500;
-                                                phi_8011_ = _e4498;
-                                                phi_8012_ = _e4502;
+                                                let _e4499 = phi_8014_;
+                                                let _e4501 = phi_8015_;
+                                                let _e4503 = phi_8016_;
+                                                phi_8022_ = _e4501;
+                                                phi_8023_ = _e4499;
+                                                phi_8024_ = _e4503;
                                             } else {
-                                                phi_8010_ = type_42(_e1511, f64(2f), 0u);
-                                                phi_8011_ = type_42();
-                                                phi_8012_ = true;
+                                                phi_8022_ = type_42(_e1512, f64(2f), 0u);
+                                                phi_8023_ = type_42();
+                                                phi_8024_ = true;
                                             }
-                                            let _e4504 = phi_8010_;
-                                            let _e4506 = phi_8011_;
-                                            let _e4508 = phi_8012_;
-                                            phi_8016_ = _e4504;
-                                            phi_8017_ = _e4506;
-                                            phi_8018_ = false;
-                                            phi_8019_ = _e4508;
+                                            let _e4505 = phi_8022_;
+                                            let _e4507 = phi_8023_;
+                                            let _e4509 = phi_8024_;
+                                            phi_8028_ = _e4505;
+                                            phi_8029_ = _e4507;
+                                            phi_8030_ = false;
+                                            phi_8031_ = _e4509;
                                         } else {
-                                            phi_8016_ = type_42();
-                                            phi_8017_ = type_42();
-                                            phi_8018_ = true;
-                                            phi_8019_ = false;
+                                            phi_8028_ = type_42();
+                                            phi_8029_ = type_42();
+                                            phi_8030_ = true;
+                                            phi_8031_ = false;
                                         }
-                                        let _e4510 = phi_8016_;
-                                        let _e4512 = phi_8017_;
-                                        let _e4514 = phi_8018_;
-                                        let _e4516 = phi_8019_;
-                                        phi_8020_ = _e4510;
-                                        phi_8021_ = _e4512;
-                                        phi_8022_ = _e4514;
-                                        phi_8023_ = _e4516;
+                                        let _e4511 = phi_8028_;
+                                        let _e4513 = phi_8029_;
+                                        let _e4515 = phi_8030_;
+                                        let _e4517 = phi_8031_;
+                                        phi_8032_ = _e4511;
+                                        phi_8033_ = _e4513;
+                                        phi_8034_ = _e4515;
+                                        phi_8035_ = _e4517;
                                     } else {
-                                        phi_8020_ = type_42();
-                                        phi_8021_ = type_42();
-                                        phi_8022_ = true;
-                                        phi_8023_ = false;
+                                        phi_8032_ = type_42();
+                                        phi_8033_ = type_42();
+                                        phi_8034_ = true;
+                                        phi_8035_ = false;
                                     }
-                                    let _e4518 = phi_8020_;
-                                    let _e4520 = phi_8021_;
-                                    let _e4522 = phi_8022_;
-                                    let _e4524 = phi_8023_;
-                                    let _e4532 = select(_e4524, true, _e4522);
-                                    let _e4536 = select(_e4520.member_1, select(_e4518.member_1, f64(2f), _e4522), _e4532);
-                                    let _e4538 = select(_e4520.member_2, select(_e4518.member_2, 0u, _e4522), _e4532);
-                                    if ((_e552 & 64u) != 0u) {
-                                        let _e4540 = (_e4538 == 2u);
-                                        let _e4541 = (_e4536 <= _e550);
-                                        phi_8058_ = select(f64(), select(f64(), _e4536, _e4541), _e4540);
-                                        phi_8059_ = select(f64(), select(f64(), _e4536, _e4541), _e4540);
-                                        phi_8060_ = select(false, _e4541, _e4540);
-                                        phi_8061_ = select(false, select(true, false, _e4541), _e4540);
-                                        phi_8062_ = select(true, false, _e4540);
+                                    let _e4519 = phi_8032_;
+                                    let _e4521 = phi_8033_;
+                                    let _e4523 = phi_8034_;
+                                    let _e4525 = phi_8035_;
+                                    let _e4533 = select(_e4525, true, _e4523);
+                                    let _e4537 = select(_e4521.member_1, select(_e4519.member_1, f64(2f), _e4523), _e4533);
+                                    let _e4539 = select(_e4521.member_2, select(_e4519.member_2, 0u, _e4523), _e4533);
+                                    if ((_e553 & 64u) != 0u) {
+                                        let _e4541 = (_e4539 == 2u);
+                                        let _e4542 = (_e4537 <= _e551);
+                                        phi_8070_ = select(f64(), select(f64(), _e4537, _e4542), _e4541);
+                                        phi_8071_ = select(f64(), select(f64(), _e4537, _e4542), _e4541);
+                                        phi_8072_ = select(false, _e4542, _e4541);
+                                        phi_8073_ = select(false, select(true, false, _e4542), _e4541);
+                                        phi_8074_ = select(true, false, _e4541);
                                     } else {
-                                        phi_8058_ = f64();
-                                        phi_8059_ = f64();
-                                        phi_8060_ = false;
-                                        phi_8061_ = false;
-                                        phi_8062_ = true;
+                                        phi_8070_ = f64();
+                                        phi_8071_ = f64();
+                                        phi_8072_ = false;
+                                        phi_8073_ = false;
+                                        phi_8074_ = true;
                                     }
-                                    let _e4551 = phi_8058_;
-                                    let _e4553 = phi_8059_;
-                                    let _e4555 = phi_8060_;
-                                    let _e4557 = phi_8061_;
-                                    let _e4559 = phi_8062_;
-                                    phi_8063_ = _e4551;
-                                    phi_8064_ = _e4538;
-                                    phi_8065_ = _e4553;
-                                    phi_8066_ = type_42(select(_e4520.member, select(_e4518.member, _e1511, _e4522), _e4532), _e4536, _e4538);
-                                    phi_8067_ = _e4538;
-                                    phi_8068_ = _e4538;
-                                    phi_8069_ = _e4555;
-                                    phi_8070_ = _e4557;
-                                    phi_8071_ = _e4559;
+                                    let _e4552 = phi_8070_;
+                                    let _e4554 = phi_8071_;
+                                    let _e4556 = phi_8072_;
+                                    let _e4558 = phi_8073_;
+                                    let _e4560 = phi_8074_;
+                                    phi_8075_ = _e4552;
+                                    phi_8076_ = _e4539;
+                                    phi_8077_ = _e4554;
+                                    phi_8078_ = type_42(select(_e4521.member, select(_e4519.member, _e1512, _e4523), _e4533), _e4537, _e4539);
+                                    phi_8079_ = _e4539;
+                                    phi_8080_ = _e4539;
+                                    phi_8081_ = _e4556;
+                                    phi_8082_ = _e4558;
+                                    phi_8083_ = _e4560;
                                 }
-                                let _e4561 = phi_8063_;
-                                let _e4563 = phi_8064_;
-                                let _e4565 = phi_8065_;
-                                let _e4567 = phi_8066_;
-                                let _e4569 = phi_8067_;
-                                let _e4571 = phi_8068_;
-                                let _e4573 = phi_8069_;
-                                let _e4575 = phi_8070_;
-                                let _e4577 = phi_8071_;
-                                phi_8072_ = _e4561;
-                                phi_8073_ = _e4563;
-                                phi_8074_ = _e4565;
-                                phi_8075_ = _e4567;
-                                phi_8076_ = _e4569;
-                                phi_8077_ = _e4571;
-                                phi_8078_ = _e4573;
-                                phi_8079_ = _e3215;
-                                phi_8080_ = _e4575;
-                                phi_8081_ = _e4577;
-                                phi_8082_ = false;
+                                let _e4562 = phi_8075_;
+                                let _e4564 = phi_8076_;
+                                let _e4566 = phi_8077_;
+                                let _e4568 = phi_8078_;
+                                let _e4570 = phi_8079_;
+                                let _e4572 = phi_8080_;
+                                let _e4574 = phi_8081_;
+                                let _e4576 = phi_8082_;
+                                let _e4578 = phi_8083_;
+                                phi_8084_ = _e4562;
+                                phi_8085_ = _e4564;
+                                phi_8086_ = _e4566;
+                                phi_8087_ = _e4568;
+                                phi_8088_ = _e4570;
+                                phi_8089_ = _e4572;
+                                phi_8090_ = _e4574;
+                                phi_8091_ = _e3216;
+                                phi_8092_ = _e4576;
+                                phi_8093_ = _e4578;
+                                phi_8094_ = false;
                             } else {
-                                phi_8072_ = f64();
-                                phi_8073_ = u32();
-                                phi_8074_ = f64();
-                                phi_8075_ = type_42();
-                                phi_8076_ = u32();
-                                phi_8077_ = u32();
-                                phi_8078_ = false;
-                                phi_8079_ = false;
-                                phi_8080_ = false;
-                                phi_8081_ = false;
-                                phi_8082_ = true;
+                                phi_8084_ = f64();
+                                phi_8085_ = u32();
+                                phi_8086_ = f64();
+                                phi_8087_ = type_42();
+                                phi_8088_ = u32();
+                                phi_8089_ = u32();
+                                phi_8090_ = false;
+                                phi_8091_ = false;
+                                phi_8092_ = false;
+                                phi_8093_ = false;
+                                phi_8094_ = true;
                             }
-                            let _e4579 = phi_8072_;
-                            let _e4581 = phi_8073_;
-                            let _e4583 = phi_8074_;
-                            let _e4585 = phi_8075_;
-                            let _e4587 = phi_8076_;
-                            let _e4589 = phi_8077_;
-                            let _e4591 = phi_8078_;
-                            let _e4593 = phi_8079_;
-                            let _e4595 = phi_8080_;
-                            let _e4597 = phi_8081_;
-                            let _e4599 = phi_8082_;
-                            phi_8083_ = _e3212;
-                            phi_3067_ = _e4579;
-                            phi_3069_ = _e4581;
-                            phi_3071_ = _e4583;
-                            phi_8084_ = _e4585;
-                            phi_8085_ = _e4587;
-                            phi_8086_ = _e3212;
-                            phi_8087_ = _e4589;
-                            phi_8088_ = _e4591;
-                            phi_8089_ = _e4593;
-                            phi_8090_ = _e4595;
-                            phi_8091_ = _e4597;
-                            phi_8092_ = false;
-                            phi_8093_ = _e4599;
+                            let _e4580 = phi_8084_;
+                            let _e4582 = phi_8085_;
+                            let _e4584 = phi_8086_;
+                            let _e4586 = phi_8087_;
+                            let _e4588 = phi_8088_;
+                            let _e4590 = phi_8089_;
+                            let _e4592 = phi_8090_;
+                            let _e4594 = phi_8091_;
+                            let _e4596 = phi_8092_;
+                            let _e4598 = phi_8093_;
+                            let _e4600 = phi_8094_;
+                            phi_8095_ = _e3213;
+                            phi_3079_ = _e4580;
+                            phi_3081_ = _e4582;
+                            phi_3083_ = _e4584;
+                            phi_8096_ = _e4586;
+                            phi_8097_ = _e4588;
+                            phi_8098_ = _e3213;
+                            phi_8099_ = _e4590;
+                            phi_8100_ = _e4592;
+                            phi_8101_ = _e4594;
+                            phi_8102_ = _e4596;
+                            phi_8103_ = _e4598;
+                            phi_8104_ = false;
+                            phi_8105_ = _e4600;
                         } else {
-                            phi_8083_ = f64();
-                            phi_3067_ = f64();
-                            phi_3069_ = u32();
-                            phi_3071_ = f64();
-                            phi_8084_ = type_42();
-                            phi_8085_ = u32();
-                            phi_8086_ = f64();
-                            phi_8087_ = u32();
-                            phi_8088_ = false;
-                            phi_8089_ = false;
-                            phi_8090_ = false;
-                            phi_8091_ = false;
-                            phi_8092_ = true;
-                            phi_8093_ = false;
+                            phi_8095_ = f64();
+                            phi_3079_ = f64();
+                            phi_3081_ = u32();
+                            phi_3083_ = f64();
+                            phi_8096_ = type_42();
+                            phi_8097_ = u32();
+                            phi_8098_ = f64();
+                            phi_8099_ = u32();
+                            phi_8100_ = false;
+                            phi_8101_ = false;
+                            phi_8102_ = false;
+                            phi_8103_ = false;
+                            phi_8104_ = true;
+                            phi_8105_ = false;
                         }
-                        let _e4601 = phi_8083_;
-                        let _e4603 = phi_3067_;
-                        let _e4605 = phi_3069_;
-                        let _e4607 = phi_3071_;
-                        let _e4609 = phi_8084_;
-                        let _e4611 = phi_8085_;
-                        let _e4613 = phi_8086_;
-                        let _e4615 = phi_8087_;
-                        let _e4617 = phi_8088_;
-                        let _e4619 = phi_8089_;
-                        let _e4621 = phi_8090_;
-                        let _e4623 = phi_8091_;
-                        let _e4625 = phi_8092_;
-                        let _e4627 = phi_8093_;
-                        local_40 = _e4619;
-                        local_41 = _e4621;
-                        local_42 = _e4619;
-                        local_43 = _e4623;
-                        local_44 = _e4619;
-                        local_45 = _e4625;
-                        local_46 = _e4619;
-                        local_47 = _e4627;
-                        local_48 = _e4609;
-                        local_49 = _e4609;
-                        local_50 = _e4611;
-                        local_51 = _e4609;
-                        local_61 = _e4619;
-                        local_52 = _e4615;
-                        local_54 = _e4613;
-                        local_55 = _e4601;
+                        let _e4602 = phi_8095_;
+                        let _e4604 = phi_3079_;
+                        let _e4606 = phi_3081_;
+                        let _e4608 = phi_3083_;
+                        let _e4610 = phi_8096_;
+                        let _e4612 = phi_8097_;
+                        let _e4614 = phi_8098_;
+                        let _e4616 = phi_8099_;
+                        let _e4618 = phi_8100_;
+                        let _e4620 = phi_8101_;
+                        let _e4622 = phi_8102_;
+                        let _e4624 = phi_8103_;
+                        let _e4626 = phi_8104_;
+                        let _e4628 = phi_8105_;
+                        local_41 = _e4620;
+                        local_42 = _e4622;
+                        local_43 = _e4620;
+                        local_44 = _e4624;
+                        local_45 = _e4620;
+                        local_46 = _e4626;
+                        local_47 = _e4620;
+                        local_48 = _e4628;
+                        local_49 = _e4610;
+                        local_50 = _e4610;
+                        local_51 = _e4612;
+                        local_52 = _e4610;
+                        local_62 = _e4620;
+                        local_53 = _e4616;
+                        local_55 = _e4614;
+                        local_56 = _e4602;
                         continue;
                         continuing {
-                            phi_3063_ = _e1529;
-                            phi_3066_ = _e4603;
-                            phi_3068_ = _e4605;
-                            phi_3070_ = _e4607;
-                            break if !(_e4617);
+                            phi_3075_ = _e1530;
+                            phi_3078_ = _e4604;
+                            phi_3080_ = _e4606;
+                            phi_3082_ = _e4608;
+                            break if !(_e4618);
                         }
                     }
-                    let _e4630 = local_40;
-                    let _e4632 = local_41;
-                    let _e4633 = select(_e4632, false, _e4630);
-                    let _e4635 = local_42;
-                    let _e4637 = local_43;
-                    let _e4640 = local_44;
-                    let _e4642 = local_45;
-                    let _e4645 = local_46;
-                    let _e4647 = local_47;
-                    if _e4633 {
-                        let _e4650 = local_48;
-                        if (_e4650.member >= _e550) {
-                            phi_8122_ = type_39(type_38(0u, f64()), 0u);
+                    let _e4631 = local_41;
+                    let _e4633 = local_42;
+                    let _e4634 = select(_e4633, false, _e4631);
+                    let _e4636 = local_43;
+                    let _e4638 = local_44;
+                    let _e4641 = local_45;
+                    let _e4643 = local_46;
+                    let _e4646 = local_47;
+                    let _e4648 = local_48;
+                    if _e4634 {
+                        let _e4651 = local_49;
+                        if (_e4651.member >= _e551) {
+                            phi_8134_ = type_38(type_37(0u, f64()), 0u);
                         } else {
-                            let _e4654 = local_49;
-                            let _e4658 = local_50;
-                            let _e4661 = local_51;
-                            phi_8122_ = type_39(type_38(2u, _e4661.member), select(_e4658, 0u, (_e4654.member > _e541)));
+                            let _e4655 = local_50;
+                            let _e4659 = local_51;
+                            let _e4662 = local_52;
+                            phi_8134_ = type_38(type_37(2u, _e4662.member), select(_e4659, 0u, (_e4655.member > _e542)));
                         }
-                        let _e4668 = phi_8122_;
-                        phi_8123_ = _e4668;
-                        phi_8124_ = false;
-                        phi_8125_ = false;
-                        phi_8126_ = false;
-                        phi_8127_ = false;
+                        let _e4669 = phi_8134_;
+                        phi_8135_ = _e4669;
+                        phi_8136_ = false;
+                        phi_8137_ = false;
+                        phi_8138_ = false;
+                        phi_8139_ = false;
                     } else {
-                        phi_8123_ = type_39();
-                        phi_8124_ = select(_e4637, false, _e4635);
-                        let _e5507 = local_61;
-                        phi_8125_ = _e5507;
-                        phi_8126_ = select(_e4642, false, _e4640);
-                        phi_8127_ = select(_e4647, false, _e4645);
+                        phi_8135_ = type_38();
+                        phi_8136_ = select(_e4638, false, _e4636);
+                        let _e5506 = local_62;
+                        phi_8137_ = _e5506;
+                        phi_8138_ = select(_e4643, false, _e4641);
+                        phi_8139_ = select(_e4648, false, _e4646);
                     }
-                    let _e4670 = phi_8123_;
-                    let _e4672 = phi_8124_;
-                    let _e4674 = phi_8125_;
-                    let _e4676 = phi_8126_;
-                    let _e4678 = phi_8127_;
-                    let _e4680 = local_52;
-                    let _e4682 = local_53;
-                    let _e4685 = local_54;
-                    let _e4687 = local_55;
-                    let _e4689 = select(_e4674, true, _e4672);
-                    let _e4694 = local_56;
-                    let _e4695 = select(_e4694, select(_e4687, _e4685, _e4672), _e4689);
-                    let _e4697 = local_57;
-                    let _e4698 = select(_e4697, select(_e4682, _e4680, _e4672), _e4689);
-                    if select(select(_e4676, false, _e4672), true, _e4689) {
+                    let _e4671 = phi_8135_;
+                    let _e4673 = phi_8136_;
+                    let _e4675 = phi_8137_;
+                    let _e4677 = phi_8138_;
+                    let _e4679 = phi_8139_;
+                    let _e4681 = local_53;
+                    let _e4683 = local_54;
+                    let _e4686 = local_55;
+                    let _e4688 = local_56;
+                    let _e4690 = select(_e4675, true, _e4673);
+                    let _e4695 = local_57;
+                    let _e4696 = select(_e4695, select(_e4688, _e4686, _e4673), _e4690);
+                    let _e4698 = local_58;
+                    let _e4699 = select(_e4698, select(_e4683, _e4681, _e4673), _e4690);
+                    if select(select(_e4677, false, _e4673), true, _e4690) {
                         local[0u] = 0.01f;
                         local[1u] = 0f;
                         local[2u] = 0.8f;
-                        phi_8161_ = type_9(0u, 3u);
+                        phi_8173_ = type_9(0u, 3u);
                         loop {
-                            let _e4711 = phi_8161_;
-                            let _e4714 = (_e4711.member < _e4711.member_1);
-                            if (bitcast<i32>(select(0u, 1u, _e4714)) != 0i) {
-                                let _e4729 = local[select(type_9().member_1, _e4711.member, _e4714)];
-                                let _e4732 = (_e4695 + (select(f64(0f), _e532, (_e532 >= (1.1102230246251565e-16lf * f64(8f)))) * f64(_e4729)));
-                                let _e4734 = select(_e550, _e4732, (_e4732 < _e550));
-                                let _e4737 = local_5.member[0u];
-                                let _e4743 = local_5.member[1u];
-                                let _e4759 = local_5.member_1[0u];
-                                let _e4765 = local_5.member_1[1u];
-                                let _e4781 = local_5.member_2[0u];
-                                let _e4787 = local_5.member_2[1u];
-                                let _e4801 = function_3(array<f64, 3>((_e4737[0] + ((_e4743[0] - _e4737[0]) * _e4734)), (_e4737[1] + ((_e4743[1] - _e4737[1]) * _e4734)), (_e4737[2] + ((_e4743[2] - _e4737[2]) * _e4734))), array<f64, 3>((_e4759[0] + ((_e4765[0] - _e4759[0]) * _e4734)), (_e4759[1] + ((_e4765[1] - _e4759[1]) * _e4734)), (_e4759[2] + ((_e4765[2] - _e4759[2]) * _e4734))), array<f64, 3>((_e4781[0] + ((_e4787[0] - _e4781[0]) * _e4734)), (_e4781[1] + ((_e4787[1] - _e4781[1]) * _e4734)), (_e4781[2] + ((_e4787[2] - _e4781[2]) * _e4734))), _e229.member);
-                                let _e4812 = (((_e4801[0] * _e4801[0]) + (_e4801[1] * _e4801[1])) + (_e4801[2] * _e4801[2]));
-                                if (_e4812 <= 2.2250738585072014e-308lf) {
-                                    phi_8394_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4812 > 0.0lf));
+                            let _e4712 = phi_8173_;
+                            let _e4715 = (_e4712.member < _e4712.member_1);
+                            if (bitcast<i32>(select(0u, 1u, _e4715)) != 0i) {
+                                let _e4730 = local[select(type_9().member_1, _e4712.member, _e4715)];
+                                let _e4733 = (_e4696 + (select(f64(0f), _e533, (_e533 >= (1.1102230246251565e-16lf * f64(8f)))) * f64(_e4730)));
+                                let _e4735 = select(_e551, _e4733, (_e4733 < _e551));
+                                let _e4738 = local_5.member[0u];
+                                let _e4744 = local_5.member[1u];
+                                let _e4760 = local_5.member_1[0u];
+                                let _e4766 = local_5.member_1[1u];
+                                let _e4782 = local_5.member_2[0u];
+                                let _e4788 = local_5.member_2[1u];
+                                let _e4802 = function_4(array<f64, 3>((_e4738[0] + ((_e4744[0] - _e4738[0]) * _e4735)), (_e4738[1] + ((_e4744[1] - _e4738[1]) * _e4735)), (_e4738[2] + ((_e4744[2] - _e4738[2]) * _e4735))), array<f64, 3>((_e4760[0] + ((_e4766[0] - _e4760[0]) * _e4735)), (_e4760[1] + ((_e4766[1] - _e4760[1]) * _e4735)), (_e4760[2] + ((_e4766[2] - _e4760[2]) * _e4735))), array<f64, 3>((_e4782[0] + ((_e4788[0] - _e4782[0]) * _e4735)), (_e4782[1] + ((_e4788[1] - _e4782[1]) * _e4735)), (_e4782[2] + ((_e4788[2] - _e4782[2]) * _e4735))), _e230.member);
+                                let _e4813 = (((_e4802[0] * _e4802[0]) + (_e4802[1] * _e4802[1])) + (_e4802[2] * _e4802[2]));
+                                if (_e4813 <= 2.2250738585072014e-308lf) {
+                                    phi_8406_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4813 > 0.0lf));
                                 } else {
-                                    phi_8337_ = type_16(0i, 5i);
-                                    phi_8340_ = bitcast<f64>(((bitcast<u64>(_e4812) / 2lu) + 2303426169912950784lu));
+                                    phi_8349_ = type_16(0i, 5i);
+                                    phi_8352_ = bitcast<f64>(((bitcast<u64>(_e4813) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e4819 = phi_8337_;
-                                        let _e4821 = phi_8340_;
-                                        local_58 = _e4821;
-                                        if (_e4819.member < _e4819.member_1) {
-                                            let _e4828 = (_e4819.member + 1i);
-                                            phi_8338_ = type_16(select(_e4828, type_17().member_1, select(false, true, ((false == (_e4828 > _e4819.member)) != false))), _e4819.member_1);
-                                            phi_8381_ = type_17(1u, _e4819.member);
+                                        let _e4820 = phi_8349_;
+                                        let _e4822 = phi_8352_;
+                                        local_59 = _e4822;
+                                        if (_e4820.member < _e4820.member_1) {
+                                            let _e4829 = (_e4820.member + 1i);
+                                            phi_8350_ = type_16(select(_e4829, type_17().member_1, select(false, true, ((false == (_e4829 > _e4820.member)) != false))), _e4820.member_1);
+                                            phi_8393_ = type_17(1u, _e4820.member);
                                         } else {
-                                            phi_8338_ = _e4819;
-                                            phi_8381_ = type_17(0u, type_17().member_1);
+                                            phi_8350_ = _e4820;
+                                            phi_8393_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e4839 = phi_8338_;
-                                        let _e4841 = phi_8381_;
-                                        let _e4844 = (bitcast<i32>(_e4841.member) != 0i);
-                                        if _e4844 {
-                                            phi_8341_ = (0.5lf * (_e4821 + (_e4812 / _e4821)));
+                                        let _e4840 = phi_8350_;
+                                        let _e4842 = phi_8393_;
+                                        let _e4845 = (bitcast<i32>(_e4842.member) != 0i);
+                                        if _e4845 {
+                                            phi_8353_ = (0.5lf * (_e4822 + (_e4813 / _e4822)));
                                         } else {
-                                            phi_8341_ = f64();
+                                            phi_8353_ = f64();
                                         }
-                                        let _e4849 = phi_8341_;
+                                        let _e4850 = phi_8353_;
                                         continue;
                                         continuing {
-                                            phi_8337_ = _e4839;
-                                            phi_8340_ = _e4849;
-                                            break if !(_e4844);
+                                            phi_8349_ = _e4840;
+                                            phi_8352_ = _e4850;
+                                            break if !(_e4845);
                                         }
                                     }
-                                    let _e4854 = local_58;
-                                    phi_8394_ = (_e4854 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e4855 = local_59;
+                                    phi_8406_ = (_e4855 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e4860 = phi_8394_;
-                                let _e4868 = local_5.member[0u];
-                                let _e4874 = select(_e4868[0], -(_e4868[0]), (_e4868[0] < 0.0lf));
-                                let _e4877 = select(_e4868[1], -(_e4868[1]), (_e4868[1] < 0.0lf));
-                                let _e4879 = select(_e4877, _e4874, (_e4874 > _e4877));
-                                let _e4882 = select(_e4868[2], -(_e4868[2]), (_e4868[2] < 0.0lf));
-                                let _e4884 = select(_e4882, _e4879, (_e4879 > _e4882));
-                                let _e4887 = local_5.member[1u];
-                                let _e4893 = select(_e4887[0], -(_e4887[0]), (_e4887[0] < 0.0lf));
-                                let _e4896 = select(_e4887[1], -(_e4887[1]), (_e4887[1] < 0.0lf));
-                                let _e4898 = select(_e4896, _e4893, (_e4893 > _e4896));
-                                let _e4901 = select(_e4887[2], -(_e4887[2]), (_e4887[2] < 0.0lf));
-                                let _e4903 = select(_e4901, _e4898, (_e4898 > _e4901));
-                                let _e4907 = local_5.member_3;
-                                let _e4911 = local_5.member_1[0u];
-                                let _e4917 = select(_e4911[0], -(_e4911[0]), (_e4911[0] < 0.0lf));
-                                let _e4920 = select(_e4911[1], -(_e4911[1]), (_e4911[1] < 0.0lf));
-                                let _e4922 = select(_e4920, _e4917, (_e4917 > _e4920));
-                                let _e4925 = select(_e4911[2], -(_e4911[2]), (_e4911[2] < 0.0lf));
-                                let _e4927 = select(_e4925, _e4922, (_e4922 > _e4925));
-                                let _e4930 = local_5.member_1[1u];
-                                let _e4936 = select(_e4930[0], -(_e4930[0]), (_e4930[0] < 0.0lf));
-                                let _e4939 = select(_e4930[1], -(_e4930[1]), (_e4930[1] < 0.0lf));
-                                let _e4941 = select(_e4939, _e4936, (_e4936 > _e4939));
-                                let _e4944 = select(_e4930[2], -(_e4930[2]), (_e4930[2] < 0.0lf));
-                                let _e4946 = select(_e4944, _e4941, (_e4941 > _e4944));
-                                let _e4950 = local_5.member_3;
-                                let _e4954 = local_5.member_2[0u];
-                                let _e4960 = select(_e4954[0], -(_e4954[0]), (_e4954[0] < 0.0lf));
-                                let _e4963 = select(_e4954[1], -(_e4954[1]), (_e4954[1] < 0.0lf));
-                                let _e4965 = select(_e4963, _e4960, (_e4960 > _e4963));
-                                let _e4968 = select(_e4954[2], -(_e4954[2]), (_e4954[2] < 0.0lf));
-                                let _e4970 = select(_e4968, _e4965, (_e4965 > _e4968));
-                                let _e4973 = local_5.member_2[1u];
-                                let _e4979 = select(_e4973[0], -(_e4973[0]), (_e4973[0] < 0.0lf));
-                                let _e4982 = select(_e4973[1], -(_e4973[1]), (_e4973[1] < 0.0lf));
-                                let _e4984 = select(_e4982, _e4979, (_e4979 > _e4982));
-                                let _e4987 = select(_e4973[2], -(_e4973[2]), (_e4973[2] < 0.0lf));
-                                let _e4989 = select(_e4987, _e4984, (_e4984 > _e4987));
-                                let _e4993 = local_5.member_3;
-                                let _e5001 = local_5.member_3;
-                                let _e5011 = (((_e4860 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e4903, _e4884, (_e4884 > _e4903)) + _e4907) + (select(_e4946, _e4927, (_e4927 > _e4946)) + _e4950)) + (select(_e4989, _e4970, (_e4970 > _e4989)) + _e4993)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5001 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e780.member_1);
-                                phi_8671_ = select(true, false, _e5011);
-                                phi_8672_ = _e5011;
+                                let _e4861 = phi_8406_;
+                                let _e4869 = local_5.member[0u];
+                                let _e4875 = select(_e4869[0], -(_e4869[0]), (_e4869[0] < 0.0lf));
+                                let _e4878 = select(_e4869[1], -(_e4869[1]), (_e4869[1] < 0.0lf));
+                                let _e4880 = select(_e4878, _e4875, (_e4875 > _e4878));
+                                let _e4883 = select(_e4869[2], -(_e4869[2]), (_e4869[2] < 0.0lf));
+                                let _e4885 = select(_e4883, _e4880, (_e4880 > _e4883));
+                                let _e4888 = local_5.member[1u];
+                                let _e4894 = select(_e4888[0], -(_e4888[0]), (_e4888[0] < 0.0lf));
+                                let _e4897 = select(_e4888[1], -(_e4888[1]), (_e4888[1] < 0.0lf));
+                                let _e4899 = select(_e4897, _e4894, (_e4894 > _e4897));
+                                let _e4902 = select(_e4888[2], -(_e4888[2]), (_e4888[2] < 0.0lf));
+                                let _e4904 = select(_e4902, _e4899, (_e4899 > _e4902));
+                                let _e4908 = local_5.member_3;
+                                let _e4912 = local_5.member_1[0u];
+                                let _e4918 = select(_e4912[0], -(_e4912[0]), (_e4912[0] < 0.0lf));
+                                let _e4921 = select(_e4912[1], -(_e4912[1]), (_e4912[1] < 0.0lf));
+                                let _e4923 = select(_e4921, _e4918, (_e4918 > _e4921));
+                                let _e4926 = select(_e4912[2], -(_e4912[2]), (_e4912[2] < 0.0lf));
+                                let _e4928 = select(_e4926, _e4923, (_e4923 > _e4926));
+                                let _e4931 = local_5.member_1[1u];
+                                let _e4937 = select(_e4931[0], -(_e4931[0]), (_e4931[0] < 0.0lf));
+                                let _e4940 = select(_e4931[1], -(_e4931[1]), (_e4931[1] < 0.0lf));
+                                let _e4942 = select(_e4940, _e4937, (_e4937 > _e4940));
+                                let _e4945 = select(_e4931[2], -(_e4931[2]), (_e4931[2] < 0.0lf));
+                                let _e4947 = select(_e4945, _e4942, (_e4942 > _e4945));
+                                let _e4951 = local_5.member_3;
+                                let _e4955 = local_5.member_2[0u];
+                                let _e4961 = select(_e4955[0], -(_e4955[0]), (_e4955[0] < 0.0lf));
+                                let _e4964 = select(_e4955[1], -(_e4955[1]), (_e4955[1] < 0.0lf));
+                                let _e4966 = select(_e4964, _e4961, (_e4961 > _e4964));
+                                let _e4969 = select(_e4955[2], -(_e4955[2]), (_e4955[2] < 0.0lf));
+                                let _e4971 = select(_e4969, _e4966, (_e4966 > _e4969));
+                                let _e4974 = local_5.member_2[1u];
+                                let _e4980 = select(_e4974[0], -(_e4974[0]), (_e4974[0] < 0.0lf));
+                                let _e4983 = select(_e4974[1], -(_e4974[1]), (_e4974[1] < 0.0lf));
+                                let _e4985 = select(_e4983, _e4980, (_e4980 > _e4983));
+                                let _e4988 = select(_e4974[2], -(_e4974[2]), (_e4974[2] < 0.0lf));
+                                let _e4990 = select(_e4988, _e4985, (_e4985 > _e4988));
+                                let _e4994 = local_5.member_3;
+                                let _e5002 = local_5.member_3;
+                                let _e5012 = (((_e4861 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e4904, _e4885, (_e4885 > _e4904)) + _e4908) + (select(_e4947, _e4928, (_e4928 > _e4947)) + _e4951)) + (select(_e4990, _e4971, (_e4971 > _e4990)) + _e4994)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5002 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e781.member_1);
+                                phi_8683_ = select(true, false, _e5012);
+                                phi_8684_ = _e5012;
                             } else {
-                                phi_8671_ = false;
-                                phi_8672_ = false;
+                                phi_8683_ = false;
+                                phi_8684_ = false;
                             }
-                            let _e5014 = phi_8671_;
-                            let _e5016 = phi_8672_;
-                            local_59 = _e5016;
+                            let _e5015 = phi_8683_;
+                            let _e5017 = phi_8684_;
+                            local_60 = _e5017;
                             continue;
                             continuing {
-                                phi_8161_ = type_9(select(_e4711.member, (_e4711.member + 1u), _e4714), select(_e4711.member_1, _e4711.member_1, _e4714));
-                                break if !(_e5014);
+                                phi_8173_ = type_9(select(_e4712.member, (_e4712.member + 1u), _e4715), select(_e4712.member_1, _e4712.member_1, _e4715));
+                                break if !(_e5015);
                             }
                         }
-                        let _e5019 = local_59;
-                        if _e5019 {
-                            phi_8684_ = type_39(type_38(1u, _e4695), select(_e4698, 1u, (_e4695 > _e541)));
-                            phi_8685_ = false;
+                        let _e5020 = local_60;
+                        if _e5020 {
+                            phi_8696_ = type_38(type_37(1u, _e4696), select(_e4699, 1u, (_e4696 > _e542)));
+                            phi_8697_ = false;
                         } else {
-                            phi_8684_ = type_39();
-                            phi_8685_ = true;
+                            phi_8696_ = type_38();
+                            phi_8697_ = true;
                         }
-                        let _e5025 = phi_8684_;
-                        let _e5027 = phi_8685_;
-                        if _e5027 {
-                            phi_8697_ = type_39(type_38(2u, _e4695), select(_e4698, 0u, (_e4695 > _e541)));
+                        let _e5026 = phi_8696_;
+                        let _e5028 = phi_8697_;
+                        if _e5028 {
+                            phi_8709_ = type_38(type_37(2u, _e4696), select(_e4699, 0u, (_e4696 > _e542)));
                         } else {
-                            phi_8697_ = _e5025;
+                            phi_8709_ = _e5026;
                         }
-                        let _e5033 = phi_8697_;
-                        phi_8698_ = _e5033;
-                        phi_8699_ = false;
-                        phi_8700_ = false;
+                        let _e5034 = phi_8709_;
+                        phi_8710_ = _e5034;
+                        phi_8711_ = false;
+                        phi_8712_ = false;
                     } else {
-                        phi_8698_ = type_39();
-                        phi_8699_ = select(select(_e4678, false, _e4672), false, _e4689);
-                        phi_8700_ = select(select(_e4633, false, _e4672), false, _e4689);
+                        phi_8710_ = type_38();
+                        phi_8711_ = select(select(_e4679, false, _e4673), false, _e4690);
+                        phi_8712_ = select(select(_e4634, false, _e4673), false, _e4690);
                     }
-                    let _e5035 = phi_8698_;
-                    let _e5037 = phi_8699_;
-                    let _e5039 = phi_8700_;
-                    if _e5037 {
-                        phi_8707_ = type_39(type_38(0u, f64()), 0u);
-                        phi_8708_ = true;
+                    let _e5036 = phi_8710_;
+                    let _e5038 = phi_8711_;
+                    let _e5040 = phi_8712_;
+                    if _e5038 {
+                        phi_8719_ = type_38(type_37(0u, f64()), 0u);
+                        phi_8720_ = true;
                     } else {
-                        phi_8707_ = _e4670;
-                        phi_8708_ = _e5039;
+                        phi_8719_ = _e4671;
+                        phi_8720_ = _e5040;
                     }
-                    let _e5043 = phi_8707_;
-                    let _e5045 = phi_8708_;
-                    phi_8712_ = _e5043;
-                    phi_8713_ = _e5035;
-                    phi_8714_ = _e5045;
+                    let _e5044 = phi_8719_;
+                    let _e5046 = phi_8720_;
+                    phi_8724_ = _e5044;
+                    phi_8725_ = _e5036;
+                    phi_8726_ = _e5046;
                 } else {
-                    phi_8712_ = _e1501;
-                    phi_8713_ = type_39();
-                    phi_8714_ = true;
+                    phi_8724_ = _e1502;
+                    phi_8725_ = type_38();
+                    phi_8726_ = true;
                 }
-                let _e5047 = phi_8712_;
-                let _e5049 = phi_8713_;
-                let _e5051 = phi_8714_;
-                if _e5051 {
-                    phi_8718_ = _e5047;
+                let _e5048 = phi_8724_;
+                let _e5050 = phi_8725_;
+                let _e5052 = phi_8726_;
+                if _e5052 {
+                    phi_8730_ = _e5048;
                 } else {
-                    phi_8718_ = _e5049;
+                    phi_8730_ = _e5050;
                 }
-                let _e5053 = phi_8718_;
-                switch bitcast<i32>(_e5053.member.member) {
+                let _e5054 = phi_8730_;
+                switch bitcast<i32>(_e5054.member.member) {
                     case 0: {
-                        phi_8736_ = type_35(0u, _e5053.member_1, array<u32, 2>(0u, 0u), false);
+                        phi_8748_ = type_35(0u, _e5054.member_1, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5064 = function_4(_e5053.member.member_1);
-                        phi_8736_ = type_35(0u, _e5053.member_1, _e5064, true);
+                        let _e5065 = function_1(_e5054.member.member_1);
+                        phi_8748_ = type_35(0u, _e5054.member_1, _e5065, true);
                         break;
                     }
                     case 2: {
-                        let _e5060 = function_4(_e5053.member.member_1);
-                        phi_8736_ = type_35(1u, _e5053.member_1, _e5060, true);
+                        let _e5061 = function_1(_e5054.member.member_1);
+                        phi_8748_ = type_35(1u, _e5054.member_1, _e5061, true);
                         break;
                     }
                     default: {
-                        phi_8736_ = type_35();
+                        phi_8748_ = type_35();
                         break;
                     }
                 }
-                let _e5068 = phi_8736_;
-                phi_8737_ = _e5068;
-                phi_8738_ = type_9(_e187, _e190);
+                let _e5069 = phi_8748_;
+                local_6 = type_35(_e5069.member, _e5069.member_1, array<u32, 2>(_e5069.member_2[0], _e5069.member_2[1]), _e5069.member_3);
+                phi_8757_ = type_9(_e188, _e191);
             } else {
-                phi_8737_ = type_35(0u, 0u, array<u32, 2>(0u, 0u), false);
-                phi_8738_ = type_9(0u, 0u);
+                phi_8757_ = type_9(0u, 0u);
             }
-            let _e5070 = phi_8737_;
-            let _e5072 = phi_8738_;
-            let _e5077 = params.member.member.member_1;
-            let _e5079 = ((_e5077 & 16u) != 0u);
-            let _e5082 = select(false, select(false, true, _e5079), _e5070.member_3);
-            if _e5070.member_3 {
-                let _e5087 = (_e5070.member_2[1] >> bitcast<u32>(20i));
-                if (_e5087 <= 896u) {
-                    phi_8778_ = 0u;
-                } else {
-                    phi_8778_ = ((((_e5087 - 896u) << bitcast<u32>(23i)) | ((_e5070.member_2[1] & 1048575u) << bitcast<u32>(3i))) | (_e5070.member_2[0] >> bitcast<u32>(29i)));
-                }
-                let _e5102 = phi_8778_;
-                let _e5104 = atomicMin((&earliest.member[0u]), _e5102);
+            let _e5079 = phi_8757_;
+            let _e5085 = local_6.member_3;
+            if _e5085 {
+                let _e5087 = params.member.member.member_1;
+                phi_8782_ = ((_e5087 & 16u) != 0u);
+            } else {
+                phi_8782_ = false;
             }
-            if (_e105 == 0u) {
+            let _e5091 = phi_8782_;
+            let _e5093 = local_6.member_3;
+            if _e5093 {
+                let _e5095 = local_6.member_2;
+                let _e5099 = (_e5095[1] >> bitcast<u32>(20i));
+                let _e5113 = atomicMin((&earliest.member[0u]), select(((((_e5099 - 896u) << bitcast<u32>(23i)) | ((_e5095[1] & 1048575u) << bitcast<u32>(3i))) | (_e5095[0] >> bitcast<u32>(29i))), 0u, (_e5099 <= 896u)));
+            }
+            if (_e106 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e5082 {
-                let _e5108 = atomicAdd((&counters[0u]), 1u);
-                phi_8792_ = _e5108;
+            if _e5091 {
+                let _e5117 = atomicAdd((&counters[0u]), 1u);
+                phi_8825_ = _e5117;
             } else {
-                phi_8792_ = 0u;
+                phi_8825_ = 0u;
             }
-            let _e5110 = phi_8792_;
+            let _e5119 = phi_8825_;
             workgroupBarrier();
-            if (_e105 == 0u) {
-                let _e5113 = atomicLoad((&counters[0u]));
-                if (_e5113 > 0u) {
-                    let _e5116 = atomicAdd((&contacts.member[0u]), _e5113);
-                    atomicStore((&counters[1u]), _e5116);
+            if (_e106 == 0u) {
+                let _e5122 = atomicLoad((&counters[0u]));
+                if (_e5122 > 0u) {
+                    let _e5125 = atomicAdd((&contacts.member[0u]), _e5122);
+                    atomicStore((&counters[1u]), _e5125);
                 }
             }
             workgroupBarrier();
-            let _e5119 = atomicLoad((&counters[1u]));
-            let _e5120 = (_e5119 + _e5110);
-            if _e5082 {
-                if _e5079 {
-                    let _e5123 = params.member.member_1.member_3;
-                    if (_e5120 < _e5123) {
-                        let _e5129 = (7u * _e5120);
-                        atomicStore((&contacts.member[(4u + _e5129)]), select(1u, 0u, ((_e5072.member_1 & 2147483648u) == 0u)));
-                        atomicStore((&contacts.member[(_e5129 + 5u)]), _e5070.member);
-                        atomicStore((&contacts.member[(_e5129 + 6u)]), _e5072.member);
-                        atomicStore((&contacts.member[(_e5129 + 7u)]), (_e5072.member_1 & 2147483647u));
-                        atomicStore((&contacts.member[(_e5129 + 8u)]), _e5070.member_2[0]);
-                        atomicStore((&contacts.member[(_e5129 + 9u)]), _e5070.member_2[1]);
-                        atomicStore((&contacts.member[(_e5129 + 10u)]), _e5070.member_1);
-                    }
-                    phi_8862_ = false;
-                } else {
-                    phi_8862_ = true;
-                }
-                let _e5151 = phi_8862_;
-                phi_8863_ = _e5151;
-            } else {
-                phi_8863_ = true;
-            }
-            let _e5153 = phi_8863_;
-            if _e5153 {
-                if _e5082 {
-                    let _e5156 = params.member.member_2.member;
-                    if (_e5120 < _e5156) {
-                        let _e5158 = (2u * _e5120);
-                        atomicStore((&contacts.member[(4u + _e5158)]), _e5072.member);
-                        atomicStore((&contacts.member[(_e5158 + 5u)]), _e5072.member_1);
-                    }
+            let _e5128 = atomicLoad((&counters[1u]));
+            let _e5129 = (_e5128 + _e5119);
+            if _e5091 {
+                let _e5131 = params.member.member_1.member_3;
+                if (_e5129 < _e5131) {
+                    let _e5137 = (7u * _e5129);
+                    atomicStore((&contacts.member[(4u + _e5137)]), select(1u, 0u, ((_e5079.member_1 & 2147483648u) == 0u)));
+                    let _e5142 = local_6.member;
+                    atomicStore((&contacts.member[(_e5137 + 5u)]), _e5142);
+                    atomicStore((&contacts.member[(_e5137 + 6u)]), _e5079.member);
+                    atomicStore((&contacts.member[(_e5137 + 7u)]), (_e5079.member_1 & 2147483647u));
+                    let _e5151 = local_6.member_2[0u];
+                    atomicStore((&contacts.member[(_e5137 + 8u)]), _e5151);
+                    let _e5156 = local_6.member_2[1u];
+                    atomicStore((&contacts.member[(_e5137 + 9u)]), _e5156);
+                    let _e5160 = local_6.member_1;
+                    atomicStore((&contacts.member[(_e5137 + 10u)]), _e5160);
                 }
             }
         }
         continue;
         continuing {
-            phi_991_ = type_9(select(_e158.member, (_e158.member + 1u), _e161), select(_e158.member_1, _e158.member_1, _e161));
-            break if !(_e174);
+            phi_1001_ = type_9(select(_e159.member, (_e159.member + 1u), _e162), select(_e159.member_1, _e159.member_1, _e162));
+            break if !(_e175);
         }
     }
     return;

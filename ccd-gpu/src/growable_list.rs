@@ -4,7 +4,7 @@
 use crate::device::Device;
 use crate::error::Error;
 use crate::readback::word;
-use ccd_core::backend::layout::{Dispatch, LIST_HEADER, Pair, elements};
+use ccd_core::backend::layout::{Dispatch, LIST_HEADER, Pair};
 use wgpu::BufferUsages as U;
 
 /// Bytes of a header.
@@ -46,16 +46,6 @@ pub fn read_header_of_parts(bytes: &[u8]) -> Result<Header, Error> {
 /// The pairs of a list that was read.
 pub fn read_pairs(bytes: &[u8]) -> Vec<Pair> {
     bytemuck::pod_collect_to_vec(&bytes[HEADER_BYTES as usize..])
-}
-
-/// The same of a list of pairs of both kinds, by kind.
-pub fn read_by_kind(bytes: &[u8]) -> [Vec<Pair>; 2] {
-    let mut by_kind = [Vec::new(), Vec::new()];
-    for pair in read_pairs(bytes) {
-        let (kind, pair) = elements::kind_of(pair);
-        by_kind[kind as usize].push(pair);
-    }
-    by_kind
 }
 
 /// Runs of one search, at most. A run that was not complete makes a list longer by a quarter at

@@ -13,7 +13,7 @@ use crate::step::frame::{Found, Frames};
 use crate::step::upload::Input;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
-use ccd_core::model::contact::PerKind;
+use ccd_core::model::contact::{Kind, PerKind};
 use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Mode;
 use ccd_core::model::positions::Gathered;
@@ -200,7 +200,7 @@ impl Engine {
         self.frames.worker_counts(&self.device)
     }
 
-    /// Pairs of the last call that `f32` on the device left open and the CPU decided.
+    /// Pairs of the last call that the device left open and the CPU decided.
     pub fn left_open(&self) -> PerKind {
         self.left_open
     }
@@ -284,9 +284,8 @@ impl Engine {
         self.flight = None;
         let found = found?;
         report.times.boxes = uploaded.as_secs_f64() * 1e3;
-        // What the device leaves to the host: pairs, or contacts that it could not certify.
-        let leaves =
-            !found.summary.undecided.is_empty() || found.open.iter().any(|open| !open.is_empty());
+        // Contacts that the device could not certify.
+        let leaves = !found.summary.undecided.is_empty();
         match input.chosen {
             Some(chosen) if leaves => {
                 let mut gathered = std::mem::take(&mut self.gathered);
@@ -311,21 +310,21 @@ impl Engine {
         let State { mesh, options, report, .. } = &mut self.state;
         let decider = &Decider::new(options, window);
         let contacts = &mut report.contacts;
-        let open = std::mem::take(&mut found.open);
-        self.left_open = PerKind::new(open[0].len() as u64, open[1].len() as u64);
+        // By a minimum distance in `f64` the host would find no more.
+        let is_left = options.min_distance == 0.0 || !self.device.info().wide;
+        let open = if is_left { &found.summary.undecided[..] } else { &[] };
+        let of_faces = |&&at: &&u32| contacts[at as usize].kind == Kind::VertexFace;
+        let n_faces = open.iter().filter(of_faces).count();
+        self.left_open = PerKind::new(n_faces as u64, (open.len() - n_faces) as u64);
         report.rebuilt = found.sorted;
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         report.triangles = found.triangles;
         report.front = self.frames.buffers.source.finder().front();
-        let (distance, summary) = (options.min_distance, &mut found.summary);
+        let summary = &mut found.summary;
         match given {
-            Precision::F32(x) => {
-                Host { mesh, x, decider }.finish(distance, &open, (contacts, summary))
-            }
-            Precision::F64(x) => {
-                Host { mesh, x, decider }.finish(distance, &open, (contacts, summary))
-            }
+            Precision::F32(x) => Host { mesh, x, decider }.finish(is_left, (contacts, summary)),
+            Precision::F64(x) => Host { mesh, x, decider }.finish(is_left, (contacts, summary)),
         }
         let undecided = summary.undecided.iter().map(|&at| contacts[at as usize].toi);
         let toi = undecided.fold(summary.toi, f64::min);
@@ -341,7 +340,7 @@ impl Engine {
             contacts.clear();
             report.undecided = 0;
         }
-        if !found.in_order || open.iter().any(|open| !open.is_empty()) {
+        if !found.in_order {
             cpu_fallback::sort(contacts);
         }
     }

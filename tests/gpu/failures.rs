@@ -3,7 +3,7 @@
 
 use crate::emulated::{is_thin, methods};
 use crate::scenes::check_pairs;
-use crate::support::{bytes, capacity, list, not_run, read, read_back, run};
+use crate::support::{bytes, list, not_run, read, read_back, run};
 use ccd::gpu::bind::{Decide, DecideIntegers};
 use ccd::gpu::harness::{Faults, set_faults};
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
@@ -99,7 +99,8 @@ fn check_parts(device: &Device) {
     }
 }
 
-/// Pairs that are left open beyond the capacity of their list are counted and not written.
+/// Pairs that are left to another decision beyond the capacity of their list, and contacts beyond
+/// that of theirs, are counted and not written.
 fn check_capacities(device: &Device) {
     // All vertices are one point: no arithmetic decides that.
     let (n, few) = (200u32, 10u32);
@@ -109,31 +110,31 @@ fn check_capacities(device: &Device) {
         let pairs: Vec<Pair> = (0..n).map(pair).collect();
         let frame = Frame { flags: Frame::FLAG_KEEP, ..Frame::default() };
         let frame = frame.searching(&Search::whole(0.0));
-        let mut open = capacity(n);
+        let words_of_one = if integers { 2 } else { TOUCH_WORDS };
+        let mut open = vec![0u8; 4 * (LIST_HEADER + words_of_one * n as usize)];
         // In two parts, of which the second may take more than there is.
         for (first, most, sum) in [(0, 150, 150), (150, n, n)] {
-            let dispatch = Dispatch { n: most, first, capacity_in: n, capacity_out: n };
-            let args = Decision { capacity_open: few };
-            let contacts = vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n as usize)];
+            let dispatch = Dispatch { n: most, first, capacity_in: n, capacity_out: few };
             let (paths, input, earliest) = (paths.clone(), list(&pairs), vec![0xff; 16]);
             let elements =
                 bytes(if kind == 0 { &[1u32, 2, 3, 4, 5, 6][..] } else { &[0, 1, 2, 3] });
             open = if integers {
                 let window = Window::of(&Search::whole(0.0)).unwrap();
-                let args = IntegerDecision::new(args, window);
-                let (positions, left) = (bytes(&[0u32]), open);
+                let args = IntegerDecision::new(Decision { capacity_left: few }, window);
+                let (positions, left, contacts) = (bytes(&[0u32]), open, vec![0u8; 256]);
                 let kernel =
                     DecideIntegers { paths, positions, elements, input, contacts, left, earliest };
                 run(device, kernel, &Params { frame, dispatch, args }, 3).left
             } else {
-                let undecided = open;
-                let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
-                run(device, kernel, &Params { frame, dispatch, args }, 3).undecided
+                let contacts = open;
+                let kernel = Decide { paths, elements, input, contacts, earliest };
+                let p = Params { frame, dispatch, ..Params::default() };
+                run(device, kernel, &p, 3).contacts
             };
             assert_eq!(read::<u32>(&open)[0], sum, "pairs of this part and those before");
         }
         let words: Vec<u32> = read(&open);
-        let (within, beyond) = words[LIST_HEADER..].split_at(2 * few as usize);
+        let (within, beyond) = words[LIST_HEADER..].split_at(words_of_one * few as usize);
         assert!(within.iter().any(|&w| w != 0), "nothing is written");
         assert!(beyond.iter().all(|&w| w == 0), "written beyond the capacity: {beyond:?}");
     }
@@ -227,26 +228,17 @@ fn check_recorded(device: &Device) {
     let want = session.step(&x0, &x1).unwrap().contacts.len();
     let n_found = |session: &mut Session| {
         let mut encoder = device.wgpu().create_command_encoder(&Default::default());
-        let (contacts, undecided) = {
-            let found = session.record(&mut encoder).unwrap();
-            (found.contacts.clone(), found.undecided.clone())
-        };
-        let lists = [&contacts, &undecided].map(|list| (list.buffer(), 4));
-        let words = read_back(device, encoder, &lists);
-        [0, 1].map(|i| words[i][0] as usize)
+        let contacts = session.record(&mut encoder).unwrap().contacts.clone();
+        read_back(device, encoder, &[(contacts.buffer(), 4)])[0][0] as usize
     };
-    // What was uploaded last is still there.
-    let [certain, open] = n_found(&mut session);
-    if device.info().wide {
-        assert_eq!([certain, open], [want, 0]);
-    } else {
-        assert!(certain + open >= want, "{certain} + {open} < {want}");
-    }
+    // What was uploaded last is still there. Without `f64` some pairs stay open.
+    let n = n_found(&mut session);
+    assert!(n == want || n > want && !device.info().wide, "{n} for {want}");
     // Positions written by the caller: nothing moves, nothing touches.
     let at = |i: usize| [(i % 16) as f32, 0.0, (i / 16) as f32, 0.0];
     let still: Vec<Path> = (0..x0.len()).map(|i| Path { t0: at(i), t1: at(i) }).collect();
     device.queue().write_buffer(session.paths(), 0, bytemuck::cast_slice(&still));
-    assert_eq!(n_found(&mut session), [0, 0]);
+    assert_eq!(n_found(&mut session), 0);
 }
 
 fn check_empty(device: &Device) {

@@ -1,9 +1,9 @@
 //! All published queries through the kernels that decide, against exact answers.
 
 use crate::scenes::{Runnable, Test};
-use crate::support::{bytes, capacity, entries, list, run};
+use crate::support::{bytes, capacity, list, run};
 use ccd::gpu::Device;
-use ccd::gpu::bind::{Decide, DecideIntegers, DecideNear, DecideNearWide, DecideWide};
+use ccd::gpu::bind::{AdvanceWide, Decide, DecideIntegers, DecideNear, DecideNearWide, DecideWide};
 use ccd::io::{Queries, Query, read_queries};
 use ccd::{EdgeEdge, Pair, Verdict, VertexFace};
 use ccd_core::backend::layout::elements::with_kind;
@@ -154,48 +154,44 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends], min_distance: f64) ->
     let (paths, elements, input) = (bytes(&paths), bytes(&elements), list(&pairs));
     let (contacts, earliest) = (vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n)], vec![0xff; 16]);
     let of_pair = |a: u32| if is_vf { a / 4 } else { a / 2 } as usize;
-    let args = Decision { capacity_open: count };
+    let (args, left) = (Decision { capacity_left: count }, capacity(count));
     let positions = bytes(&[x0, x1].concat());
-    let (near, p) = (min_distance > 0.0, Params { frame, dispatch, args });
-    if device.info().wide {
-        let contacts = if near {
+    let near = min_distance > 0.0;
+    let (p, plain) =
+        (Params { frame, dispatch, args }, Params { frame, dispatch, ..Params::default() });
+    let contacts = match (device.info().wide, near) {
+        (true, true) => {
             let kernel = DecideNearWide { paths, positions, elements, input, contacts, earliest };
-            run(device, kernel, &p, 3).contacts
-        } else {
-            let kernel = DecideWide { paths, positions, elements, input, contacts, earliest };
-            run(device, kernel, &p, 3).contacts
-        };
-        for touch in touches(&contacts) {
-            let toi = join(touch.toi);
-            verdicts[of_pair(touch.a)] =
-                if touch.state == 0 { Verdict::Hit { toi } } else { Verdict::Undecided { toi } };
+            run(device, kernel, &plain, 3).contacts
         }
-    } else {
-        let undecided = capacity(count);
-        let (contacts, undecided) = if near {
-            let kernel = DecideNear { paths, elements, input, contacts, undecided, earliest };
-            let done = run(device, kernel, &p, 3);
-            (done.contacts, done.undecided)
-        } else {
+        (true, false) => {
+            let (own, given, words) = (paths.clone(), positions.clone(), elements.clone());
+            let kernel = DecideWide { paths, positions, elements, input, contacts, left, earliest };
+            let DecideWide { contacts, left, earliest, .. } = run(device, kernel, &p, 3);
+            let (paths, positions, elements, input) = (own, given, words, left);
+            let kernel = AdvanceWide { paths, positions, elements, input, contacts, earliest };
+            run(device, kernel, &plain, 3).contacts
+        }
+        (false, true) => {
+            let kernel = DecideNear { paths, elements, input, contacts, earliest };
+            run(device, kernel, &plain, 3).contacts
+        }
+        (false, false) => {
             let window = Window::of(&Search::whole(0.0)).unwrap();
-            let args = IntegerDecision::new(args, window);
-            let left = capacity(count);
-            let (own, faces) = (paths.clone(), elements.clone());
+            let p = Params { frame, dispatch, args: IntegerDecision::new(args, window) };
+            let (own, words) = (paths.clone(), elements.clone());
             let kernel =
                 DecideIntegers { paths, positions, elements, input, contacts, left, earliest };
-            let done = run(device, kernel, &Params { frame, dispatch, args }, 3);
-            let DecideIntegers { contacts, left, earliest, .. } = done;
-            let (paths, elements, input) = (own, faces, left);
-            let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
-            let done = run(device, kernel, &p, 3);
-            (done.contacts, done.undecided)
-        };
-        touches(&contacts)
-            .iter()
-            .for_each(|t| verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) });
-        entries(&undecided)
-            .iter()
-            .for_each(|p| verdicts[of_pair(p.a)] = Verdict::Undecided { toi: 0.0 });
+            let DecideIntegers { contacts, left, earliest, .. } = run(device, kernel, &p, 3);
+            let (paths, elements, input) = (own, words, left);
+            let kernel = Decide { paths, elements, input, contacts, earliest };
+            run(device, kernel, &plain, 3).contacts
+        }
+    };
+    for touch in touches(&contacts) {
+        let toi = join(touch.toi);
+        verdicts[of_pair(touch.a)] =
+            if touch.state == 0 { Verdict::Hit { toi } } else { Verdict::Undecided { toi } };
     }
     verdicts
 }

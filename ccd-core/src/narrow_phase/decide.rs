@@ -9,7 +9,7 @@ use crate::math::q62::Q62;
 use crate::math::real::Real;
 use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::integer_search::{self, Found, NO_UNIT, Window};
-use crate::narrow_phase::query::{Verdict, contact, near};
+use crate::narrow_phase::query::{self, Verdict};
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 use crate::narrow_phase::search::{Answer, Search};
 
@@ -64,13 +64,6 @@ pub fn wide_search_of(frame: &Frame) -> Search<f64> {
         latest: join(frame.until_bits),
         leaves: frame.has(Frame::FLAG_LEAVES),
     }
-}
-
-/// Whether there is a minimum distance. Without one a host decides exactly what stays undecided in
-/// `f64`.
-#[inline(always)]
-pub fn is_near(frame: &Frame) -> bool {
-    frame.distance_bits[0] | frame.distance_bits[1] != 0
 }
 
 /// Rounds that workgroup `group` of `groups` needs for its share of `n` items.
@@ -188,22 +181,6 @@ pub fn by_integers<P: Stored<Path>>(
     integer_search::search(patch, &points, &Window { from, until, tolerance })
 }
 
-/// The bit of `a` of a listed pair by which integers say that it is a tie, so that `f32` passes it
-/// on. Ids are smaller: a device binds no more than 2^32 bytes of boxes at once.
-const TIE: u32 = 1 << 31;
-
-/// The pair of which integers found this, as it is listed if that is open.
-#[inline(always)]
-pub fn left_pair(pair: Pair, found: Found) -> Pair {
-    if found == Found::Tie { Pair { a: pair.a | TIE, ..pair } } else { pair }
-}
-
-/// The pair that [`left_pair`] was made of, and whether it is a tie.
-#[inline(always)]
-pub fn was_left(pair: Pair) -> (Pair, bool) {
-    (Pair { a: pair.a & !TIE, ..pair }, pair.a & TIE != 0)
-}
-
 /// What integers found in a window that begins at `from`.
 #[inline(always)]
 pub fn found_verdicts(found: Found, from: u32) -> Verdicts {
@@ -218,9 +195,9 @@ pub fn found_verdicts(found: Found, from: u32) -> Verdicts {
     }
 }
 
-/// Decides a pair of a kind in `f32`. `NEAR`: by a minimum distance.
+/// Decides a pair of a kind in `f32`. `HOW`: see [`by`].
 #[inline(always)]
-pub fn narrow<const NEAR: bool, P: Stored<Path>>(
+pub fn narrow<const HOW: u32, P: Stored<Path>>(
     kind: u32,
     pair: Pair,
     frame: &Frame,
@@ -230,7 +207,7 @@ pub fn narrow<const NEAR: bool, P: Stored<Path>>(
     let (patch, ids) = words_of_pair(kind, pair, frame, elements);
     let (x0, x1) = ends(ids, paths);
     let motion = Motion::new(patch, &x0, &x1, frame.path_error);
-    narrow_verdicts(answer::<NEAR, _>(&motion, patch, &search_of(frame)), frame)
+    narrow_verdicts(answer::<HOW, _>(&motion, patch, &search_of(frame)), frame)
 }
 
 #[inline(always)]
@@ -256,10 +233,21 @@ fn time_of(units: u32) -> [u32; 2] {
     [fraction << 20, ((1023 - zeros) << 20) | (fraction >> 12)]
 }
 
-/// Decides a pair of a kind in `f64`. `NEAR`: by a minimum distance; a kernel for either takes half
-/// as long to compile as one for both.
+/// How a kernel decides. One for each takes half as long to compile as one for all.
+pub mod by {
+    /// Contact, by zeros of the cubic: what these do not tell is open.
+    pub const ZEROS: u32 = 0;
+    /// Contact, by advancing time: none, or open.
+    pub const ADVANCE: u32 = 1;
+    /// Contact, by both.
+    pub const BOTH: u32 = 2;
+    /// A minimum distance.
+    pub const DISTANCE: u32 = 3;
+}
+
+/// Decides a pair of a kind in `f64`. `HOW`: see [`by`].
 #[inline(always)]
-pub fn wide<const NEAR: bool, P: Stored<Path>>(
+pub fn wide<const HOW: u32, P: Stored<Path>>(
     kind: u32,
     pair: Pair,
     frame: &Frame,
@@ -270,17 +258,21 @@ pub fn wide<const NEAR: bool, P: Stored<Path>>(
     let (patch, ids) = words_of_pair(kind, pair, frame, elements);
     let (x0, x1) = wide_ends(ids, frame, paths, positions);
     let motion = Motion::new(patch, &x0, &x1, 0.0);
-    verdicts(answer::<NEAR, _>(&motion, patch, &wide_search_of(frame)), split)
+    verdicts(answer::<HOW, _>(&motion, patch, &wide_search_of(frame)), split)
 }
 
-/// Contact, `NEAR`: by a minimum distance.
 #[inline(always)]
-fn answer<const NEAR: bool, R: Real>(
+fn answer<const HOW: u32, R: Real>(
     motion: &Motion<R>,
     patch: Patch,
     search: &Search<R>,
 ) -> Answer<R> {
-    if NEAR { near(motion, patch, search) } else { contact(motion, patch, search) }
+    match HOW {
+        by::ZEROS => query::by_zeros::<false, R>(motion, patch, search),
+        by::ADVANCE => query::by_advance(motion, patch, search),
+        by::BOTH => query::contact(motion, patch, search),
+        _ => query::near(motion, patch, search),
+    }
 }
 
 /// Positions as given: in `f32` if those are exact.

@@ -125,12 +125,35 @@ pub fn search<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answe
 /// [`search`] without a minimum distance, whatever the search says.
 #[inline(always)]
 pub(super) fn contact<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {
+    by_zeros::<true, R>(m, patch, search)
+}
+
+/// What zeros of the cubic tell of a contact. `ADVANCES`: and, where they do not, advancing time;
+/// else that is undecided. Of pairs that filters leave, hardly any needs it, but features that rest
+/// on each other or stay in one plane do; and it is half of a kernel, which then runs slower.
+#[inline(always)]
+pub(super) fn by_zeros<const ADVANCES: bool, R: Real>(
+    m: &Motion<R>,
+    patch: Patch,
+    search: &Search<R>,
+) -> Answer<R> {
     let (m, _) = in_unit(m, R::splat(0.0));
-    let verdict = touching(&m, patch, search);
+    let verdict = touching::<ADVANCES, R>(&m, patch, search);
     // It certainly is apart until the time of impact, and certainly touches after it.
     let nears = matches!(verdict, Verdict::Hit { toi } if toi > search.from);
     let approach = if nears { Approach::Approaching } else { Approach::Unknown };
     Answer { verdict, approach }
+}
+
+/// What advancing time alone tells of a contact: that there is none, or nothing from some time on.
+#[inline(always)]
+pub(super) fn by_advance<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {
+    let (zero, Search { from, until, tolerance, .. }) = (R::splat(0.0), *search);
+    let (m, _) = in_unit(m, zero);
+    Answer::from(match advance(&m, patch, from, until, zero, tolerance) {
+        Advance::Clear => Verdict::Miss,
+        Advance::Stuck(toi) => Verdict::Undecided { toi },
+    })
 }
 
 /// [`search`] with a minimum distance.
@@ -166,8 +189,12 @@ pub(super) fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R)
     (m.scaled(unit), distance)
 }
 
-/// Contact as coplanarity and containment: `min_distance = 0`.
-fn touching<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Verdict<R> {
+/// Contact as coplanarity and containment: `min_distance = 0`. `ADVANCES`: see [`by_zeros`].
+fn touching<const ADVANCES: bool, R: Real>(
+    m: &Motion<R>,
+    patch: Patch,
+    search: &Search<R>,
+) -> Verdict<R> {
     let zero = R::splat(0.0);
     let plane = Coplanarity::new(m);
     if plane.clearance(zero) > zero {
@@ -208,6 +235,9 @@ fn touching<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Verdict
             if touches && at.hi - at.lo <= early {
                 return Verdict::Hit { toi: at.lo };
             }
+        }
+        if !ADVANCES {
+            return Verdict::Undecided { toi: at.lo };
         }
         if let Advance::Stuck(toi) = advance(m, patch, at.lo, at.hi, zero, search.tolerance) {
             // What touches in the interval does after this time.

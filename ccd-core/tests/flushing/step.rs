@@ -7,7 +7,7 @@ use ccd_core::backend::broad_phase::swept_box::swept;
 use ccd_core::backend::layout::{Frame, Pair, Path, join, split};
 use ccd_core::backend::quantization::{Scan, Table, margin};
 use ccd_core::narrow_phase::cascade::apart;
-use ccd_core::narrow_phase::decide::{self, Verdicts, narrow_verdicts, search_of};
+use ccd_core::narrow_phase::decide::{self, Verdicts, by, narrow_verdicts, search_of};
 use ccd_core::narrow_phase::query::{TOI_TOLERANCE, search};
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::search::{Answer, Search};
@@ -139,11 +139,14 @@ impl OnDevice {
             Patch::Triangle => (0, Pair { a: ids[0], b: 0 }, &ids[1..]),
             Patch::Parallelogram => (1, Pair { a: 0, b: 1 }, &ids[..]),
         };
-        if decide::is_near(frame) {
-            decide::wide::<true, _>(kind, pair, frame, paths, given, elements)
-        } else {
-            decide::wide::<false, _>(kind, pair, frame, paths, given, elements)
+        if frame.distance_bits != [0; 2] {
+            return decide::wide::<{ by::DISTANCE }, _>(kind, pair, frame, paths, given, elements);
         }
+        let first = decide::wide::<{ by::ZEROS }, _>(kind, pair, frame, paths, given, elements);
+        if first.undecided == 0 {
+            return first;
+        }
+        decide::wide::<{ by::ADVANCE }, _>(kind, pair, frame, paths, given, elements)
     }
 }
 

@@ -36,18 +36,16 @@ use ccd_core::model::session;
 /// ```
 #[derive(Clone, Debug)]
 pub struct OnDevice<'a> {
-    /// Contacts: entries are [`Touch`](ccd_core::records::Touch).
+    /// Contacts: entries are [`Touch`](ccd_core::records::Touch). Those of state 1 the device could
+    /// not decide: they do not touch before their time, which is that of the start if nothing is
+    /// known, and are to be treated as contacts.
     pub contacts: &'a List,
-    /// Pairs that a device without `f64` could not decide, to be treated as contacts: entries are
-    /// [`Pair`](ccd_core::records::Pair), of edges where the highest bit of `b` is set. Where `f64`
-    /// is used they are among the contacts, with state 1.
-    pub undecided: &'a List,
     /// Every list of the frame, also those between stages: if the first word of any of them exceeds
     /// its capacity, or the third is not 0, results are incomplete.
     pub lists: Vec<&'a List>,
     /// One word: the bits of the earliest time of impact as `f32`, rounded down; greater than those
-    /// of 1 if there is none. Without the undecided pairs, in their list or, unless there is a
-    /// minimum distance, among the contacts: who steps by it looks for those as well.
+    /// of 1 if there is none. Without contacts of state 1, but in `f64` with a minimum distance: who
+    /// steps by it looks for those as well.
     pub earliest: &'a wgpu::Buffer,
 }
 
@@ -128,12 +126,7 @@ impl Engine {
         self.abandon();
         let b =
             self.frames.record(&self.device, (&self.state.mesh, &self.state.options), encoder)?;
-        Ok(OnDevice {
-            contacts: &b.contacts,
-            undecided: &b.undecided,
-            lists: b.lists().into_vec(),
-            earliest: &b.earliest,
-        })
+        Ok(OnDevice { contacts: &b.contacts, lists: b.lists().into_vec(), earliest: &b.earliest })
     }
 
     /// Records what writes point, normal, weights and vertices of every contact on the device that
@@ -143,8 +136,7 @@ impl Engine {
     ///
     /// Into the encoder of [`Engine::record`] after it, or, after a step, into any. Submit the
     /// encoder before the session's next call. Computed in `f64` where the device has it and else
-    /// in `f32`, from times rounded down to that. Pairs that the device left open have no
-    /// time and so no geometry.
+    /// in `f32`, from times rounded down to that.
     ///
     /// # Errors
     /// [`Error::NoContacts`] if the last call was another, which lists no contacts;

@@ -37,10 +37,11 @@ pub struct Buffers {
     pub rules: Option<Rules>,
     /// Pairs that the filters leave, of both kinds, as in the two lists that follow.
     pub survivors: List,
-    /// Pairs that integers leave to `f32`.
+    /// Of these, pairs that the first of two decisions leaves to the second.
     pub left: List,
-    /// Pairs that the device leaves open.
-    pub undecided: List,
+    /// Whether the next frame looks at those.
+    pub decides_twice: bool,
+    /// Contacts, undecided ones among them; alone where only an earliest time is wanted.
     pub contacts: List,
     /// Candidates, by kind: of a part of a step, or all that were asked for.
     pub candidates: [List; 2],
@@ -101,8 +102,8 @@ impl Buffers {
             bodies,
             body_flags,
             survivors: list(|old| &old.survivors, "filtered pairs", 2, pairs)?,
-            left: list(|old| &old.left, "pairs left by integers", 2, pairs)?,
-            undecided: list(|old| &old.undecided, "undecided pairs", 2, pairs)?,
+            left: list(|old| &old.left, "pairs left by the first decision", 2, pairs)?,
+            decides_twice: true,
             contacts: list(|old| &old.contacts, "contacts", TOUCH_WORDS, features / 2)?,
             candidates: [
                 list(|old| &old.candidates[0], "vertex-face candidates", 2, of_part(8, count[2]))?,
@@ -161,7 +162,6 @@ impl Buffers {
             candidates: self.candidates.each_ref(),
             survivors: &self.survivors,
             left: &self.left,
-            undecided: &self.undecided,
             contacts: &self.contacts,
             source: self.source.lists(),
         }
@@ -173,23 +173,20 @@ impl Buffers {
             candidates: self.candidates.each_mut(),
             survivors: &mut self.survivors,
             left: &mut self.left,
-            undecided: &mut self.undecided,
             contacts: &mut self.contacts,
             source: self.source.lists_mut(),
         }
     }
 
-    /// Which lists a frame uses. `wide`: the device decides in `f64`; what that leaves undecided is
-    /// among the contacts, if they are listed. What is not used is neither cleared nor read: each
-    /// costs as much as a small kernel.
-    pub fn used(&self, goal: Goal, wide: bool) -> Lists<bool> {
+    /// Which lists a frame uses. What is not used is neither cleared nor read: each costs as much as
+    /// a small kernel.
+    pub fn used(&self, goal: Goal) -> Lists<bool> {
         let filters = goal != Goal::Candidates;
         Lists {
             candidates: [true; 2],
             survivors: filters,
-            left: filters && !wide,
-            undecided: filters && !wide || goal.is_earliest(),
-            contacts: goal == Goal::Contacts,
+            left: filters && self.decides_twice,
+            contacts: filters,
             source: vec![true; self.source.lists().len()],
         }
     }

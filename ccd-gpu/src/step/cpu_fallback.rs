@@ -96,22 +96,15 @@ pub struct Host<'a, T> {
 }
 
 impl<T: Real> Host<'_, T> {
-    /// Finds exact times, if they are wanted, and decides what a device left open: contacts that it
-    /// wrote as undecided, unless there is a minimum distance, and pairs of both kinds.
-    pub fn finish(&self, min_distance: f64, open: &[Vec<Pair>; 2], (contacts, summary): Listed) {
+    /// Finds exact times, if they are wanted, and decides what a device left open, if it `is_left`
+    /// to the host.
+    pub fn finish(&self, is_left: bool, (contacts, summary): Listed) {
         if self.decider.has_exact_times() {
             self.time((contacts, summary));
         }
-        if min_distance == 0.0 {
+        if is_left {
             self.settle((contacts, summary));
         }
-        for (kind, pairs) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(open) {
-            self.decide(kind, pairs, (contacts, summary));
-        }
-    }
-
-    fn contact(&self, kind: Kind, pair: Pair) -> Option<Contact> {
-        self.decider.contact(self.mesh, kind, pair, self.x)
     }
 
     /// Puts exact times into contacts of which a device is certain. Those whose time `f64` does not
@@ -149,7 +142,8 @@ impl<T: Real> Host<'_, T> {
         threads::each(parts.into_iter(), |(open, contacts, first, (summary, dropped))| {
             for at in open.iter().map(|&at| at as usize) {
                 let contact = &mut contacts[at - first];
-                match self.contact(contact.kind, Pair { a: contact.a, b: contact.b }) {
+                let pair = Pair { a: contact.a, b: contact.b };
+                match self.decider.contact(self.mesh, contact.kind, pair, self.x) {
                     Some(settled) => {
                         *contact = settled;
                         summary.add(at, &[settled]);
@@ -171,18 +165,6 @@ impl<T: Real> Host<'_, T> {
         });
         *summary = Summary::default();
         summary.add(0, contacts);
-    }
-
-    /// Decides pairs and appends those that touch or stay undecided.
-    fn decide(&self, kind: Kind, pairs: &[Pair], (contacts, summary): Listed) {
-        let before = contacts.len();
-        let share = threads::share(pairs.len());
-        let mut parts = vec![Vec::new(); pairs.len().div_ceil(share)];
-        threads::each(pairs.chunks(share).zip(&mut parts), |(pairs, found)| {
-            found.extend(pairs.iter().filter_map(|&pair| self.contact(kind, pair)));
-        });
-        parts.iter().for_each(|found| contacts.extend_from_slice(found));
-        summary.add(before, &contacts[before..]);
     }
 }
 

@@ -38,10 +38,10 @@ pub struct Frames {
     pub stages: Vec<(&'static str, f64)>,
     /// How often a list was too short, so that a frame ran again.
     pub grown: u32,
-    /// Contacts that are read with the results of a step.
-    contacts: Expected,
-    /// Pairs that are left open, by goal.
-    open: [Expected; 4],
+    /// Contacts that are read with the results, by goal.
+    contacts: [Expected; 4],
+    /// Pairs that the first of two decisions in `f64` left, or would have left, by goal.
+    left: [u32; 4],
     /// Whether edges and faces on the device may be those of a mesh that was not taken.
     stale: bool,
     /// Calls for which the earliest time is looked for at once, because a sample did not pay the
@@ -72,7 +72,8 @@ pub struct Found {
     pub filtered: PerKind,
     /// If pairs of triangles were looked for.
     pub triangles: Option<TriangleCounts>,
-    pub open: [Vec<Pair>; 2],
+    /// Pairs that a first decision left to a second.
+    pub left: u32,
     /// Of the contacts that the device listed.
     pub summary: Summary,
     /// Whether contacts are in their order already.
@@ -87,8 +88,8 @@ impl Frames {
             readback: Readback::default(),
             stages: Vec::new(),
             grown: 0,
-            contacts: Expected::default(),
-            open: Default::default(),
+            contacts: Default::default(),
+            left: [0; 4],
             stale: false,
             at_once: 0,
             order: KeptOrder::default(),
@@ -145,6 +146,7 @@ impl Frames {
         // The caller may submit the encoder or not.
         self.order.forget();
         self.buffers.keeps_order = false;
+        self.buffers.decides_twice = true;
         let (bench, buffers) = (&mut self.bench, &self.buffers);
         let frame = buffers.describe(options, WHOLE);
         device.guarded("a frame", 0, || -> Result<(), Error> {

@@ -9,10 +9,8 @@ pub struct Lists<T> {
     pub candidates: [T; 2],
     /// Pairs that the filters leave.
     pub survivors: T,
-    /// Pairs that integers leave to `f32`.
+    /// Pairs that the first of two decisions leaves to the second.
     pub left: T,
-    /// Pairs that the device leaves open.
-    pub undecided: T,
     /// Contacts.
     pub contacts: T,
     /// Those of the source of pairs.
@@ -24,9 +22,9 @@ impl<T> Lists<T> {
     pub fn try_map<U, E>(self, mut f: impl FnMut(T) -> Result<U, E>) -> Result<Lists<U>, E> {
         let [vf, ee] = self.candidates;
         let (candidates, survivors) = ([f(vf)?, f(ee)?], f(self.survivors)?);
-        let (left, undecided, contacts) = (f(self.left)?, f(self.undecided)?, f(self.contacts)?);
+        let (left, contacts) = (f(self.left)?, f(self.contacts)?);
         let source = self.source.into_iter().map(&mut f).collect::<Result<Vec<U>, E>>()?;
-        Ok(Lists { candidates, survivors, left, undecided, contacts, source })
+        Ok(Lists { candidates, survivors, left, contacts, source })
     }
 
     /// Something else for each list.
@@ -42,7 +40,6 @@ impl<T> Lists<T> {
             candidates: [(a, c), (b, d)],
             survivors: (self.survivors, other.survivors),
             left: (self.left, other.left),
-            undecided: (self.undecided, other.undecided),
             contacts: (self.contacts, other.contacts),
             source: self.source.into_iter().zip(other.source).collect(),
         }
@@ -61,16 +58,16 @@ mod tests {
     use super::*;
 
     fn lists() -> Lists<u32> {
-        let (candidates, source) = ([1, 2], vec![7, 8, 9]);
-        Lists { candidates, survivors: 3, left: 4, undecided: 5, contacts: 6, source }
+        let (candidates, source) = ([1, 2], vec![6, 7, 8]);
+        Lists { candidates, survivors: 3, left: 4, contacts: 5, source }
     }
 
     #[test]
     fn each_list_keeps_its_name() {
         assert_eq!(lists().map(|i| i), lists());
-        assert_eq!(lists().into_vec(), (1..=9).collect::<Vec<_>>());
+        assert_eq!(lists().into_vec(), (1..=8).collect::<Vec<_>>());
         let both = lists().zip(lists().map(|i| 10 * i)).into_vec();
-        assert!(both.iter().all(|(a, b)| 10 * a == *b) && both.len() == 9);
+        assert!(both.iter().all(|(a, b)| 10 * a == *b) && both.len() == 8);
         assert_eq!(lists().try_map(|i| if i < 5 { Ok(i) } else { Err(i) }), Err(5));
     }
 }

@@ -4,8 +4,8 @@ use super::buffers::Buffers;
 use super::upload::{Boxes, Positions};
 use super::{Goal, SAMPLE};
 use crate::bind::{
-    Decide, DecideIntegers, DecideNear, DecideNearWide, DecideWide, PlaceVertices, Shorten,
-    SweepElements, SweepVertices,
+    AdvanceWide, Decide, DecideIntegers, DecideNear, DecideNearWide, DecideWide, PlaceVertices,
+    Shorten, SweepElements, SweepVertices,
 };
 use crate::broad_phase::block_bvh::Features;
 use crate::growable_list::{HEADER_BYTES, List, parts};
@@ -19,7 +19,7 @@ use ccd_core::narrow_phase::integer_search::Window;
 impl Buffers {
     /// Everything from positions to results.
     pub fn record(&self, recorder: &mut Recorder, frame: &Frame, goal: Goal, wide: bool) {
-        self.clear(recorder, goal, wide);
+        self.clear(recorder, goal);
         recorder.copy(&self.never, 0, &self.earliest, 0, 4);
         self.source.clear(recorder, self.keeps_order);
         let contact_order = self.order.as_ref().filter(|_| self.to_order > 0);
@@ -86,15 +86,15 @@ impl Buffers {
         for (to, list) in [8, 12].into_iter().zip(self.source.sampled()) {
             recorder.copy(list.buffer(), 0, &self.sample, to, 4);
         }
-        self.clear(recorder, Goal::Earliest, wide);
+        self.clear(recorder, Goal::Earliest);
         let cut = self.shorten(recorder, frame, false);
         let (bodies, paths) = (&self.bodies, &self.shortened);
         let cut = self.source.fit(recorder, &cut, Features { bodies, paths, ends: true });
         self.contacts(recorder, &cut, paths, 1, wide);
     }
 
-    fn clear(&self, recorder: &mut Recorder, goal: Goal, wide: bool) {
-        let lists = self.lists().zip(self.used(goal, wide)).into_vec().into_iter();
+    fn clear(&self, recorder: &mut Recorder, goal: Goal) {
+        let lists = self.lists().zip(self.used(goal)).into_vec().into_iter();
         let used = lists.filter(|(_, is_used)| *is_used);
         used.for_each(|(list, _)| recorder.clear(list.buffer(), HEADER_BYTES));
     }
@@ -140,20 +140,18 @@ impl Buffers {
     ) {
         self.source.find(recorder, frame, self.keeps_order);
         self.filter(recorder, frame, paths, step);
-        self.decide(recorder, frame, wide);
+        // What is open bounds nothing, and is found again after a sample.
+        self.decide(recorder, frame, wide, self.decides_twice && (step == 1 || !wide));
     }
 
-    fn decide(&self, recorder: &mut Recorder, frame: &Frame, wide: bool) {
+    /// Decides what the filters left. `twice`: and what a first decision leaves open, once more.
+    fn decide(&self, recorder: &mut Recorder, frame: &Frame, wide: bool, twice: bool) {
         recorder.stage("decide");
         let frame = Frame { path_error: self.positions.path_error(), ..*frame };
-        let is_near = decide::is_near(&frame);
-        // Where contacts are not kept, `f64` lists the pairs that it leaves open.
-        let keep = frame.has(Frame::FLAG_KEEP);
-        let contacts = if wide && !keep { &self.undecided } else { &self.contacts }.buffer();
-        let paths = self.positions.paths();
-        let Positions { wide: positions, .. } = &self.positions;
+        let is_near = frame.distance_bits != [0; 2];
         let Self { elements, earliest, .. } = self;
-        let undecided = self.undecided.buffer();
+        let (paths, positions) = (self.positions.paths(), &self.positions.wide);
+        let (contacts, left) = (self.contacts.buffer(), self.left.buffer());
         let threads = Id::Decide.threads();
         let limit = DISPATCH_LIMIT.min(self.groups * threads * PAIRS_A_THREAD);
         let parts_of = |list: &List| {
@@ -161,27 +159,42 @@ impl Buffers {
                 .map(|dispatch| (dispatch, self.groups.min(dispatch.n.div_ceil(threads))))
         };
         let mut decided = &self.survivors;
-        if let (false, Some(window)) = (wide, self.integer_window(&frame)) {
-            let (input, list) = (decided.buffer(), &self.left);
-            let left = list.buffer();
-            let args = Decision { capacity_open: list.capacity() };
-            let args = IntegerDecision::new(args, window);
+        let integers = if wide { None } else { self.integer_window(&frame) };
+        if integers.is_some() || wide && !is_near {
+            let input = decided.buffer();
+            let args = Decision { capacity_left: if twice { self.left.capacity() } else { 0 } };
             for (dispatch, groups) in parts_of(decided) {
-                let kernel =
-                    DecideIntegers { paths, positions, elements, input, contacts, left, earliest };
-                recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
+                if let Some(window) = integers {
+                    let args = IntegerDecision::new(args, window);
+                    let kernel = DecideIntegers {
+                        paths,
+                        positions,
+                        elements,
+                        input,
+                        contacts,
+                        left,
+                        earliest,
+                    };
+                    recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
+                } else {
+                    let kernel =
+                        DecideWide { paths, positions, elements, input, contacts, left, earliest };
+                    recorder.dispatch(&kernel, &Params { frame, dispatch, args }, groups);
+                }
             }
-            decided = list;
+            if !twice {
+                return;
+            }
+            decided = &self.left;
         }
-        let (input, args) =
-            (decided.buffer(), Decision { capacity_open: self.undecided.capacity() });
+        let input = decided.buffer();
         for (dispatch, groups) in parts_of(decided) {
             // One of four, so that a first step waits for no more than it needs.
-            let params = Params { frame, dispatch, args };
+            let params = Params { dispatch, ..plain(&frame) };
             match (wide, is_near) {
                 (true, false) => {
                     let kernel =
-                        DecideWide { paths, positions, elements, input, contacts, earliest };
+                        AdvanceWide { paths, positions, elements, input, contacts, earliest };
                     recorder.dispatch(&kernel, &params, groups);
                 }
                 (true, true) => {
@@ -190,12 +203,11 @@ impl Buffers {
                     recorder.dispatch(&kernel, &params, groups);
                 }
                 (false, false) => {
-                    let kernel = Decide { paths, elements, input, contacts, undecided, earliest };
+                    let kernel = Decide { paths, elements, input, contacts, earliest };
                     recorder.dispatch(&kernel, &params, groups);
                 }
                 (false, true) => {
-                    let kernel =
-                        DecideNear { paths, elements, input, contacts, undecided, earliest };
+                    let kernel = DecideNear { paths, elements, input, contacts, earliest };
                     recorder.dispatch(&kernel, &params, groups);
                 }
             }

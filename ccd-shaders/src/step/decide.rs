@@ -1,5 +1,6 @@
-//! Verdicts of what the filters left: in `f64`; or without it by integers, and what these leave in
-//! `f32`. What that cannot decide is for the host.
+//! Verdicts of what the filters left: by zeros of a cubic, in `f64`, or without it by integers; then
+//! what that leaves, by advancing time, in `f64`, or without it in `f32`. What is still open is
+//! listed as undecided, for the host.
 
 use crate::entry::kernel;
 use crate::records::PathWords;
@@ -7,8 +8,9 @@ use crate::workgroup::{add, add_shared, barrier, get, lower, part, read_pair, se
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::put;
 use ccd_core::backend::layout::elements::kind_of;
-use ccd_core::backend::layout::{Decision, Frame, LIST_HEADER, Pair, Params, TOUCH_WORDS};
-use ccd_core::narrow_phase::decide::{self, Verdicts};
+use ccd_core::backend::layout::{Dispatch, Frame, LIST_HEADER, Pair, TOUCH_WORDS};
+use ccd_core::narrow_phase::decide::{self, Verdicts, by};
+use ccd_core::narrow_phase::integer_search::Found;
 
 const THREADS: u32 = Id::Decide.threads();
 
@@ -50,88 +52,124 @@ fn write_touch(list: &mut [u32], capacity: u32, i: u32, listed: Pair, v: &Verdic
     }
 }
 
-/// Lists a verdict of this thread, if it is one of contact, as a contact or as a pair. `pair`: with
-/// its kind.
-/// `is_decided_again`: what is open is decided by the host, and may be none, so that its time
+/// Lists a verdict of this thread if it is one of contact; where contacts are not kept, if it is
+/// open. `is_decided_again`: what is open is decided by the host, and may be none, so that its time
 /// bounds nothing.
 #[inline(always)]
-fn list_wide(
+fn list(
     lane: u32,
-    params: &Params<Decision>,
-    pair: Pair,
-    verdict: &Verdicts,
+    (frame, dispatch): (&Frame, &Dispatch),
+    (pair, verdict): (Pair, &Verdicts),
     is_decided_again: bool,
     counters: &mut [u32; 4],
     contacts: &mut [u32],
     earliest: &mut [u32],
 ) {
-    let keep = params.frame.has(Frame::FLAG_KEEP);
     let open = verdict.undecided != 0 && is_decided_again;
-    let listed = verdict.touches && (keep || open);
+    let listed = verdict.touches && (open || frame.has(Frame::FLAG_KEEP));
     if verdict.touches && !open {
         lower(earliest, 0, decide::earliest_key(verdict.toi));
     }
     let to = place(lane, listed, counters, contacts);
-    if listed && keep {
-        write_touch(contacts, params.dispatch.capacity_out, to, pair, verdict);
-    } else if listed {
-        write_pair(contacts, params.args.capacity_open, to, pair);
+    if listed {
+        write_touch(contacts, dispatch.capacity_out, to, pair, verdict);
     }
 }
 
-/// Lists a verdict of this thread, if it is one of contact: as a contact if it is certain, else as
-/// a pair for the host.
+/// The same of the first of two decisions: what is open, and no tie, goes to `left`, unless that
+/// has no capacity.
 #[inline(always)]
-fn list_narrow<A>(
+fn list_first(
     lane: u32,
-    params: &Params<A>,
-    args: &Decision,
-    pair: Pair,
-    verdict: &Verdicts,
+    of: (&Frame, &Dispatch),
+    (pair, verdict, is_tie): (Pair, &Verdicts, bool),
+    capacity_left: u32,
     counters: &mut [u32; 4],
     contacts: &mut [u32],
-    undecided: &mut [u32],
+    left: &mut [u32],
     earliest: &mut [u32],
 ) {
-    let open = verdict.undecided != 0;
-    let certain = verdict.touches && !open;
-    if certain {
-        lower(earliest, 0, decide::earliest_key(verdict.toi));
-    }
-    if params.frame.has(Frame::FLAG_KEEP) {
-        let to = place(lane, certain, counters, contacts);
-        if certain {
-            write_touch(contacts, params.dispatch.capacity_out, to, pair, verdict);
-        }
-    }
+    let is_left = verdict.undecided != 0 && !is_tie && capacity_left > 0;
+    let listed = if is_left { Verdicts::NONE } else { *verdict };
+    list(lane, of, (pair, &listed), true, counters, contacts, earliest);
     barrier();
     // Counted also beyond the capacity, so that the host sees how many there are.
-    let to = place(lane, open, counters, undecided);
-    if open {
-        write_pair(undecided, args.capacity_open, to, pair);
+    let to = place(lane, is_left, counters, left);
+    if is_left {
+        write_pair(left, capacity_left, to, pair);
     }
 }
 
-/// Decides pairs in `f64`, `$near`: by a minimum distance.
+kernel! {
+    /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f64`, by zeros of the cubic;
+    /// what these leave open goes to `left`.
+    decide_wide[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords],
+        positions: [[f64; 3]], elements: [u32], input: [u32], mut contacts: [u32], mut left: [u32],
+        mut earliest: [u32]) {
+        let (len, frame) = (part(input, &params.dispatch), &params.frame);
+        for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
+            let i = (t.group + round * t.groups) * THREADS + t.lane;
+            let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
+            if i < len {
+                pair = read_pair(input, params.dispatch.first + i);
+                let (kind, alone) = kind_of(pair);
+                verdict = decide::wide::<{ by::ZEROS }, _>(
+                    kind, alone, frame, paths, positions, elements,
+                );
+            }
+            let (of, found) = ((frame, &params.dispatch), (pair, &verdict, false));
+            list_first(
+                t.lane, of, found, params.args.capacity_left, counters, contacts, left, earliest,
+            );
+        }
+    }
+}
+
+kernel! {
+    /// The same by integers. `positions`: words of positions as given, if paths are not exact.
+    decide_integers[64](t; params: IntegerDecision; counters: [u32; 4]; paths: [PathWords],
+        positions: [u32], elements: [u32], input: [u32], mut contacts: [u32], mut left: [u32],
+        mut earliest: [u32]) {
+        let (len, frame, args) = (part(input, &params.dispatch), &params.frame, &params.args);
+        for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
+            let i = (t.group + round * t.groups) * THREADS + t.lane;
+            let (mut pair, mut found) = (Pair { a: 0, b: 0 }, Found::Miss);
+            if i < len {
+                pair = read_pair(input, params.dispatch.first + i);
+                let (kind, alone) = kind_of(pair);
+                found = decide::by_integers(kind, alone, frame, args, paths, positions, elements);
+            }
+            let verdict = decide::found_verdicts(found, args.from);
+            let (of, found) = ((frame, &params.dispatch), (pair, &verdict, found == Found::Tie));
+            let capacity_left = args.of_pairs.capacity_left;
+            list_first(
+                t.lane, of, found, capacity_left, counters, contacts, left, earliest,
+            );
+        }
+    }
+}
+
+/// Decides pairs in `f64`, `$how` of [`by`].
 macro_rules! wide {
-    ($(#[$doc:meta])* $name:ident, $near:literal) => {
+    ($(#[$doc:meta])* $name:ident, $how:expr) => {
         kernel! {
             $(#[$doc])*
-            $name[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords],
+            $name[64](t; params: Plain; counters: [u32; 4]; paths: [PathWords],
                 positions: [[f64; 3]], elements: [u32], input: [u32], mut contacts: [u32],
                 mut earliest: [u32]) {
-                let len = part(input, &params.dispatch);
+                let (len, frame) = (part(input, &params.dispatch), &params.frame);
                 for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
                     let i = (t.group + round * t.groups) * THREADS + t.lane;
                     let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
                     if i < len {
                         pair = read_pair(input, params.dispatch.first + i);
                         let (kind, alone) = kind_of(pair);
-                        verdict = decide::wide::<$near, _>(
-                            kind, alone, &params.frame, paths, positions, elements,
+                        verdict = decide::wide::<{ $how }, _>(
+                            kind, alone, frame, paths, positions, elements,
                         );
                     }
-                    list_wide(t.lane, params, pair, &verdict, !$near, counters, contacts, earliest);
+                    let (of, again) = ((frame, &params.dispatch), $how != by::DISTANCE);
+                    list(t.lane, of, (pair, &verdict), again, counters, contacts, earliest);
                 }
             }
         }
@@ -139,68 +177,35 @@ macro_rules! wide {
 }
 
 wide! {
-    /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f64`. Without `FLAG_KEEP`
-    /// the list of contacts is one of pairs, those that the host decides again.
-    decide_wide, false
+    /// Thread `i` decides the `i`-th pair from `dispatch.first` on, which `decide_wide` left, in
+    /// `f64`, by advancing time.
+    advance_wide, by::ADVANCE
 }
 wide! {
-    /// The same by a minimum distance; no host decides these again.
-    decide_near_wide, true
+    /// The same of all pairs, by a minimum distance; no host decides these again.
+    decide_near_wide, by::DISTANCE
 }
 
-kernel! {
-    /// Thread `i` decides the `i`-th pair from `dispatch.first` on by integers; what these leave
-    /// open goes to `left`, ties with a mark. `positions`: words of positions as given, if paths
-    /// are not exact.
-    decide_integers[64](t; params: IntegerDecision; counters: [u32; 4]; paths: [PathWords],
-        positions: [u32], elements: [u32], input: [u32], mut contacts: [u32], mut left: [u32],
-        mut earliest: [u32]) {
-        let (len, args) = (part(input, &params.dispatch), &params.args.of_pairs);
-        for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
-            let i = (t.group + round * t.groups) * THREADS + t.lane;
-            let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
-            if i < len {
-                pair = read_pair(input, params.dispatch.first + i);
-                let (frame, args) = (&params.frame, &params.args);
-                let (kind, alone) = kind_of(pair);
-                let found =
-                    decide::by_integers(kind, alone, frame, args, paths, positions, elements);
-                verdict = decide::found_verdicts(found, args.from);
-                pair = decide::left_pair(pair, found);
-            }
-            list_narrow(t.lane, params, args, pair, &verdict, counters, contacts, left, earliest);
-        }
-    }
-}
-
-/// Decides pairs in `f32`, `$near`: by a minimum distance.
+/// Decides pairs in `f32`, `$how` of [`by`].
 macro_rules! narrow {
-    ($(#[$doc:meta])* $name:ident, $near:literal) => {
+    ($(#[$doc:meta])* $name:ident, $how:expr) => {
         kernel! {
             $(#[$doc])*
-            $name[64](t; params: Decision; counters: [u32; 4]; paths: [PathWords],
-                elements: [u32], input: [u32], mut contacts: [u32], mut undecided: [u32],
-                mut earliest: [u32]) {
-                let (len, args) = (part(input, &params.dispatch), &params.args);
+            $name[64](t; params: Plain; counters: [u32; 4]; paths: [PathWords],
+                elements: [u32], input: [u32], mut contacts: [u32], mut earliest: [u32]) {
+                let (len, frame) = (part(input, &params.dispatch), &params.frame);
                 for round in 0..decide::rounds(len, t.group, t.groups, THREADS) {
                     let i = (t.group + round * t.groups) * THREADS + t.lane;
                     let (mut pair, mut verdict) = (Pair { a: 0, b: 0 }, Verdicts::NONE);
                     if i < len {
-                        let left = read_pair(input, params.dispatch.first + i);
-                        let (listed, is_tie) = decide::was_left(left);
-                        pair = listed;
-                        verdict = Verdicts::OPEN;
-                        if !is_tie {
-                            let (kind, alone) = kind_of(pair);
-                            verdict = decide::narrow::<$near, _>(
-                                kind, alone, &params.frame, paths, elements,
-                            );
-                        }
+                        pair = read_pair(input, params.dispatch.first + i);
+                        let (kind, alone) = kind_of(pair);
+                        verdict = decide::narrow::<{ $how }, _>(
+                            kind, alone, frame, paths, elements,
+                        );
                     }
-                    list_narrow(
-                        t.lane, params, args, pair, &verdict, counters, contacts, undecided,
-                        earliest,
-                    );
+                    let of = (frame, &params.dispatch);
+                    list(t.lane, of, (pair, &verdict), true, counters, contacts, earliest);
                 }
             }
         }
@@ -208,11 +213,10 @@ macro_rules! narrow {
 }
 
 narrow! {
-    /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f32`; what that leaves open
-    /// goes to `undecided`.
-    decide, false
+    /// Thread `i` decides the `i`-th pair from `dispatch.first` on in `f32`.
+    decide, by::BOTH
 }
 narrow! {
     /// The same by a minimum distance.
-    decide_near, true
+    decide_near, by::DISTANCE
 }

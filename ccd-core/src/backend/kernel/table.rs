@@ -109,19 +109,21 @@ macro_rules! kernels {
                 { paths: Read, positions: Read, elements: Read, input: Read,
                   contacts: Write, left: Write, earliest: Write }
             /// Verdicts of pairs in `f32`.
-            Decide = decide(64 threads, 7 barriers, f32, Params<Decision>)
-                { paths: Read, elements: Read, input: Read,
-                  contacts: Write, undecided: Write, earliest: Write }
+            Decide = decide(64 threads, 3 barriers, f32, Params<Plain>)
+                { paths: Read, elements: Read, input: Read, contacts: Write, earliest: Write }
             /// Verdicts of pairs in `f64`.
-            DecideWide = decide_wide(64 threads, 3 barriers, f64, Params<Decision>)
+            DecideWide = decide_wide(64 threads, 7 barriers, f64, Params<Decision>)
+                { paths: Read, positions: Read, elements: Read, input: Read,
+                  contacts: Write, left: Write, earliest: Write }
+            /// Verdicts of those that this leaves open.
+            AdvanceWide = advance_wide(64 threads, 3 barriers, f64, Params<Plain>)
                 { paths: Read, positions: Read, elements: Read, input: Read,
                   contacts: Write, earliest: Write }
             /// Verdicts of pairs by a minimum distance, without `f64`.
-            DecideNear = decide_near(64 threads, 7 barriers, f32, Params<Decision>)
-                { paths: Read, elements: Read, input: Read,
-                  contacts: Write, undecided: Write, earliest: Write }
+            DecideNear = decide_near(64 threads, 3 barriers, f32, Params<Plain>)
+                { paths: Read, elements: Read, input: Read, contacts: Write, earliest: Write }
             /// Verdicts of pairs by a minimum distance, in `f64`.
-            DecideNearWide = decide_near_wide(64 threads, 3 barriers, f64, Params<Decision>)
+            DecideNearWide = decide_near_wide(64 threads, 3 barriers, f64, Params<Plain>)
                 { paths: Read, positions: Read, elements: Read, input: Read,
                   contacts: Write, earliest: Write }
             /// Contacts of each kind and `a`, and the rank of each among them.

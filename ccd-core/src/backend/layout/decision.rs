@@ -19,12 +19,12 @@ pub struct Filtering {
     pub capacity_ee: u32,
 }
 
-/// Parameters of the kernels that decide listed pairs.
+/// Parameters of the first of two kernels that decide listed pairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Decision {
-    /// Capacity of the list of pairs that are left open.
-    pub capacity_open: u32,
+    /// Capacity of the list of pairs that are left to the second; 0: there is none.
+    pub capacity_left: u32,
 }
 
 /// Parameters of the kernel that decides listed pairs by integers. Times are in 2^-31 of the step,

@@ -5,16 +5,13 @@ use super::attempt::Attempt;
 use super::{Found, Frames};
 use crate::device::Device;
 use crate::error::Error;
-use crate::growable_list::{
-    HEADER_BYTES, Header, List, Runs, read_by_kind, read_header, read_header_of_parts,
-};
+use crate::growable_list::{HEADER_BYTES, Header, List, Runs, read_header, read_header_of_parts};
 use crate::readback::{Mapping, Part, Plan, word};
 use crate::recorder::submit;
-use crate::step::buffers::Buffers;
 use crate::step::cpu_fallback::{Summary, take_touches};
 use crate::step::triangle_pairs::read_counts;
 use crate::step::{Goal, SAMPLE};
-use ccd_core::backend::layout::{PackedTouch, Pair};
+use ccd_core::backend::layout::PackedTouch;
 use ccd_core::model::cancel::CancelToken;
 use ccd_core::model::contact::{Contact, PerKind};
 use ccd_core::model::options::Options;
@@ -33,18 +30,15 @@ pub struct Flight {
 enum Stage {
     /// The frame's own reading.
     Results(Attempt),
-    /// What that left.
+    /// All contacts: they were more than expected.
     Rest(Found, Rest),
 }
 
-/// All contacts, if they were more than expected, and pairs that are left open.
+/// All contacts of a frame.
 struct Rest {
-    /// Contacts so far.
-    listed: Vec<Contact>,
     mapping: Mapping,
-    n_contacts: u32,
+    n: u32,
     contacts: Part,
-    open: Part,
 }
 
 /// What became of a frame.
@@ -116,10 +110,13 @@ impl Frames {
                     }
                 }
                 Stage::Rest(mut found, rest) => {
-                    found.open = rest.take(contacts, &mut found.summary, &mut self.spare)?;
+                    (*contacts, found.summary) = rest.take(&mut self.spare)?;
                     found
                 }
             };
+            let n_open = found.summary.undecided.len() as u32;
+            let n_left = if self.buffers.decides_twice { found.left } else { n_open };
+            self.left[flight.goal as usize] = n_left;
             self.geometry.listed = flight.goal == Goal::Contacts;
             return Poll::Ready(Ok(found));
         }
@@ -149,7 +146,7 @@ impl Frames {
         goal: Goal,
         contacts: &mut Vec<Contact>,
     ) -> Result<End, Error> {
-        let Attempt { guess, guess_open, mut order, kept, parts, mapping, times } = attempt;
+        let Attempt { guess, mut order, kept, parts, mapping, times } = attempt;
         let Self { buffers, bench, spare, .. } = self;
         let mut found = Found { sorted: !kept, ..Found::default() };
         let mut sampled_of = 0;
@@ -179,11 +176,6 @@ impl Frames {
                 0 => take_touches(touches, n, identity, spare),
                 _ => take_touches(touches, n, |packed: PackedTouch| packed.touch(), spare),
             };
-            let n_open = headers.undecided.wanted;
-            if 0 < n_open && n_open <= guess_open {
-                let len = buffers.undecided.bytes(n_open) as usize;
-                found.open = read_by_kind(&parts.open.of(bytes)[..len]);
-            }
             found.in_order = parts.order.bytes > 0 && word(parts.order.of(bytes), 0) == 0;
             let triangles = buffers.source.triangles();
             found.triangles = triangles.map(|_| read_counts(parts.counts.of(bytes)));
@@ -227,64 +219,37 @@ impl Frames {
         if goal == Goal::Earliest && found.candidates.total() > found.sampled * SAMPLE as u64 / 4 {
             self.at_once = AT_ONCE;
         }
-        let n_contacts = headers.contacts.wanted;
-        let n_open = headers.undecided.wanted;
-        let beyond = n_contacts > guess;
-        if goal == Goal::Contacts {
-            self.contacts.found(n_contacts);
-        }
-        self.open[goal as usize].found(n_open);
-        found.in_order &= !beyond;
-        if beyond || n_open > guess_open {
-            let n_contacts = if beyond { n_contacts } else { 0 };
-            let rest = self.begin_rest(device, n_contacts, n_open, std::mem::take(contacts))?;
+        found.left = headers.left.wanted;
+        let n = headers.contacts.wanted;
+        self.contacts[goal as usize].found(n);
+        if n > guess {
+            found.in_order = false;
+            self.spare = std::mem::take(contacts);
+            let rest = self.begin_rest(device, n)?;
             return Ok(End::Rest(found, rest));
         }
         Ok(End::Found(found))
     }
 
-    /// Asks for what the frame's own reading left: all contacts, if they were more than expected,
-    /// and pairs that are left open.
-    fn begin_rest(
-        &mut self,
-        device: &Device,
-        n_contacts: u32,
-        n_open: u32,
-        listed: Vec<Contact>,
-    ) -> Result<Rest, Error> {
+    /// Asks for all contacts, where they are more than the frame's own reading had room for.
+    fn begin_rest(&mut self, device: &Device, n: u32) -> Result<Rest, Error> {
         let Self { buffers, bench, readback, .. } = self;
-        let Buffers { contacts: list, undecided, .. } = buffers;
+        let list = &buffers.contacts;
         let mut plan = Plan::default();
-        let of_contacts = plan.part(list.bytes(n_contacts));
-        let open = plan.part(undecided.bytes(n_open));
+        let contacts = plan.part(list.bytes(n));
         let reading = readback.prepare(device, plan)?;
-        submit(device, bench, |recorder| {
-            for (part, list) in [(of_contacts, &*list), (open, undecided)] {
-                recorder.read(&reading, part, list.buffer(), 0);
-            }
-        })?;
-        let mapping = reading.begin(device)?;
-        Ok(Rest { listed, mapping, n_contacts, contacts: of_contacts, open })
+        submit(device, bench, |recorder| recorder.read(&reading, contacts, list.buffer(), 0))?;
+        Ok(Rest { mapping: reading.begin(device)?, n, contacts })
     }
 }
 
 impl Rest {
-    /// Takes contacts, if some were left, and the pairs that are left open.
-    fn take(
-        self,
-        contacts: &mut Vec<Contact>,
-        summary: &mut Summary,
-        spare: &mut Vec<Contact>,
-    ) -> Result<[Vec<Pair>; 2], Error> {
-        let Self { listed, mapping, n_contacts, contacts: of_contacts, open } = self;
-        *contacts = listed;
+    /// Takes the contacts.
+    fn take(self, spare: &mut Vec<Contact>) -> Result<(Vec<Contact>, Summary), Error> {
+        let Self { mapping, n, contacts } = self;
         mapping.read(|bytes| {
-            if n_contacts > 0 {
-                let touches = &of_contacts.of(bytes)[HEADER_BYTES as usize..];
-                let n = n_contacts as usize;
-                (*contacts, *summary) = take_touches(touches, n, identity, spare);
-            }
-            read_by_kind(open.of(bytes))
+            let touches = &contacts.of(bytes)[HEADER_BYTES as usize..];
+            take_touches(touches, n as usize, identity, spare)
         })
     }
 }
