@@ -6,7 +6,7 @@
 
 /// A number of `[-2, 2)` as a multiple of 2^-62, two's complement in two words.
 ///
-/// Sums wrap around; products are cut. `u` below is 2^-62.
+/// Sums wrap around; products are rounded down. `u` below is 2^-62.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Q62 {
     hi: u32,
@@ -128,35 +128,47 @@ impl Q62 {
         self.plus(other).shifted_down(1)
     }
 
-    /// The product of two numbers, if it is in `(-2, 2)`: off by less than `5 u`, towards 0.
+    /// The product of two numbers, if it is in `(-2, 2)`: less than `5 u` below.
     #[inline(never)]
     pub fn times(self, other: Self) -> Self {
-        let (a, b) = (self.abs(), other.abs());
-        // Without the product of the low words, which is below 4 u.
+        let (a, b, of_a, of_b) = (self, other, self.ones_if_negative(), other.ones_if_negative());
+        // Without the product of the low words, which is below 4 u. The bits of a negative word are
+        // those of a number that is 2^32 greater.
         let [high, middle] = wide_product(a.hi, b.hi);
         let [c, low] = wide_product(a.hi, b.lo);
         let [d, other_low] = wide_product(a.lo, b.hi);
+        let high = high.wrapping_sub(of_a & b.hi).wrapping_sub(of_b & a.hi);
+        let (c, d) = (c.wrapping_sub(of_a & b.lo), d.wrapping_sub(of_b & a.lo));
         let low = low.wrapping_add(other_low);
         let carry = if low < other_low { 1 } else { 0 };
-        let sum = Self { hi: high, lo: middle }.plus(Self { hi: 0, lo: c });
-        let sum = sum.plus(Self { hi: 0, lo: d }).plus(Self { hi: 0, lo: carry });
+        let sum = Self { hi: high, lo: middle }.plus(Self::of_word(c)).plus(Self::of_word(d));
+        let sum = sum.plus(Self::of_units(carry));
         let lo = (sum.lo << 2) | (low >> 30);
-        let product = Self { hi: (sum.hi << 2) | (sum.lo >> 30), lo };
-        product.negated_if(self.is_negative() != other.is_negative())
+        Self { hi: (sum.hi << 2) | (sum.lo >> 30), lo }
     }
 
-    /// The number times `n` 2^-31, for `n <= 2^31`: off by less than `u`, towards 0.
+    /// The number times `n` 2^-31, for `n <= 2^31`: less than `u` below.
     #[inline(never)]
     pub fn times_fraction(self, n: u32) -> Self {
-        let a = self.abs();
-        let [high, middle] = wide_product(a.hi, n);
-        let [c, low] = wide_product(a.lo, n);
-        let sum = Self { hi: high, lo: middle }.plus(Self { hi: 0, lo: c });
-        let product = Self { hi: (sum.hi << 1) | (sum.lo >> 31), lo: (sum.lo << 1) | (low >> 31) };
-        product.negated_if(self.is_negative())
+        let [high, middle] = wide_product(self.hi, n);
+        let [c, low] = wide_product(self.lo, n);
+        let high = high.wrapping_sub(self.ones_if_negative() & n);
+        let sum = Self { hi: high, lo: middle }.plus(Self::of_units(c));
+        Self { hi: (sum.hi << 1) | (sum.lo >> 31), lo: (sum.lo << 1) | (low >> 31) }
     }
 
-    /// From this number at 0 to another at 1, at `n` 2^-31: off by less than `u`. For numbers that
+    #[inline(always)]
+    fn ones_if_negative(self) -> u32 {
+        ((self.hi as i32) >> 31) as u32
+    }
+
+    /// A word with a sign, in units of `u`.
+    #[inline(always)]
+    fn of_word(word: u32) -> Self {
+        Self { hi: ((word as i32) >> 31) as u32, lo: word }
+    }
+
+    /// From this number at 0 to another at 1, at `n` 2^-31: less than `u` below. For numbers that
     /// differ by less than 2.
     #[inline(always)]
     pub fn towards(self, other: Self, n: u32) -> Self {
@@ -209,17 +221,15 @@ mod tests {
             let (p, q) = (x / 2, y / 2);
             assert_eq!(of(p).mean(of(q)).units(), (p + q) >> 1, "{p} {q}");
             assert_eq!(of(p).is_above(of(q)), p > q, "{p} {q}");
-            // The product cut, or less by what its low words have.
+            // The product rounded down, or less by what its low words have.
             let exact = x as i128 * y as i128;
             let product = a.times(b).units() as i128;
-            let cut = (exact.abs() >> 62) - product.abs();
+            let below = (exact >> 62) - product;
             let wide = exact.abs() >> 125 == 0;
-            assert!(!wide || (0..5).contains(&cut), "{x} {y}: {cut}");
-            assert!(!wide || product == 0 || (product < 0) == (exact < 0), "{x} {y}");
+            assert!(!wide || (0..5).contains(&below), "{x} {y}: {below}");
             for n in [0, 1, 1 << 31, 0x7fff_ffff, random.bits() >> 1] {
                 let exact = x as i128 * n as i128;
-                let want = (exact.abs() >> 31) * exact.signum();
-                assert_eq!(a.times_fraction(n).units() as i128, want, "{x} {n}");
+                assert_eq!(a.times_fraction(n).units() as i128, exact >> 31, "{x} {n}");
             }
         }
     }

@@ -164,19 +164,24 @@ pub fn by_integers<P: Stored<Path>>(
     if unit == NO_UNIT {
         return Found::Open;
     }
-    let points = if frame.has(Frame::FLAG_EXACT) {
-        let point = |i: usize| [in_units(x0[i], unit), in_units(x1[i], unit)];
-        [point(0), point(1), point(2), point(3)]
-    } else {
-        // The scale of paths is a power of two.
-        let unit = unit - ((frame.scale_bits[1] >> 20) as i32 - 1023);
-        let point = |i: usize| {
-            let id = ids[i] as usize;
-            let end = 6 * (frame.count[0] as usize + id);
-            [given_in_units(positions, 6 * id, unit), given_in_units(positions, end, unit)]
+    let exact = frame.has(Frame::FLAG_EXACT);
+    // The scale of paths is a power of two.
+    let scale = (frame.scale_bits[1] >> 20) as i32 - 1023;
+    let unit = if exact { unit } else { unit - scale };
+    let (mut points, mut ids) = ([[[Q62::ZERO; 3]; 2]; 4], ids);
+    // One after the other, because a kernel takes as long to compile as it has conversions.
+    for _ in 0..4 {
+        let id = ids[0] as usize;
+        let (x0, x1) = if exact {
+            let path = P::load(paths, id);
+            (words(path.t0), words(path.t1))
+        } else {
+            let end = frame.count[0] as usize + id;
+            (given_words(positions, 6 * id), given_words(positions, 6 * end))
         };
-        [point(0), point(1), point(2), point(3)]
-    };
+        points = [points[1], points[2], points[3], [in_units(x0, unit), in_units(x1, unit)]];
+        ids = [ids[1], ids[2], ids[3], ids[0]];
+    }
     let IntegerDecision { from, until, tolerance, .. } = *args;
     integer_search::search(patch, &points, &Window { from, until, tolerance })
 }
@@ -211,13 +216,18 @@ pub fn narrow<const HOW: u32, P: Stored<Path>>(
 }
 
 #[inline(always)]
-fn in_units(p: [f32; 3], unit: i32) -> [Q62; 3] {
-    [Q62::of(widen(p[0]), unit), Q62::of(widen(p[1]), unit), Q62::of(widen(p[2]), unit)]
+fn in_units([x, y, z]: [[u32; 2]; 3], unit: i32) -> [Q62; 3] {
+    [Q62::of(x, unit), Q62::of(y, unit), Q62::of(z, unit)]
 }
 
 #[inline(always)]
-fn given_in_units(words: &[u32], i: usize, unit: i32) -> [Q62; 3] {
-    let of = |i: usize| Q62::of([at(words, i), at(words, i + 1)], unit);
+fn words([x, y, z, _]: [f32; 4]) -> [[u32; 2]; 3] {
+    [widen(x), widen(y), widen(z)]
+}
+
+#[inline(always)]
+fn given_words(words: &[u32], i: usize) -> [[u32; 2]; 3] {
+    let of = |i: usize| [at(words, i), at(words, i + 1)];
     [of(i), of(i + 2), of(i + 4)]
 }
 

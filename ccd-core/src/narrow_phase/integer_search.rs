@@ -245,21 +245,37 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
             let is_last = located || depth == DEPTH || is_flat;
             let mut part = Part { begin: from, end: until, depth };
             let mut crosses = sign(c[0]) | sign(c[3]) == 3;
+            let guesses = !begins && (located || once && depth < finest);
+            let reaches = !begins && !guesses && depth == DEPTH && !crosses && sign(c[0]) != 0;
             (looked, begun) = (!begins, true);
             if begins {
                 part = Part { begin: from, end: from + 1, depth: DEPTH };
-            } else if located || once && depth < finest {
+            } else if guesses {
                 let (of, to) = if located { (zero, DEPTH) } else { (part, finest) };
-                (zero, located) = around_zero(whole, of, guess(c), to);
-                (guessed, crosses) = (true, located);
-                if located {
-                    part = zero;
-                }
-            } else if depth == DEPTH && !crosses && sign(c[0]) != 0 {
+                zero = around_zero(of, guess(c), to);
+                guessed = true;
+            } else if reaches {
                 // Where the sign after the zero is not certain, it may be within the tolerance.
                 part.depth = window.tolerance.leading_zeros();
                 part.end = from + (1 << (DEPTH - part.depth));
-                crosses = part.end <= 1 << DEPTH && sign(c[0]) | sign(value(whole, part.end)) == 3;
+            }
+            if guesses || reaches && part.end <= 1 << DEPTH {
+                let (mut t, end, mut signs) = if guesses {
+                    (zero.begin, zero.end, 0)
+                } else {
+                    (part.end, part.end, sign(c[0]))
+                };
+                for _ in 0..2 {
+                    signs |= sign(value(whole, t));
+                    t = end;
+                }
+                crosses = signs == 3;
+            }
+            if guesses {
+                located = crosses;
+                if located {
+                    part = zero;
+                }
             }
             let place = place(&vectors, patch, part.begin, part.depth);
             let (is_outside, is_inside) = (place == Place::Outside, place == Place::Inside);

@@ -34,39 +34,45 @@ pub fn minus(p: [Q62; 3], q: [Q62; 3]) -> [Q62; 3] {
     [p[0].minus(q[0]), p[1].minus(q[1]), p[2].minus(q[2])]
 }
 
+/// The first component of `p x q`.
 #[inline(always)]
-fn cross2(p: [Q62; 3], q: [Q62; 3], i: usize, j: usize) -> Q62 {
-    p[i].times(q[j]).minus(p[j].times(q[i]))
+fn cross_x(p: [Q62; 3], q: [Q62; 3]) -> Q62 {
+    p[1].times(q[2]).minus(p[2].times(q[1]))
+}
+
+/// The vector with its second component first.
+#[inline(always)]
+fn turned([x, y, z]: [Q62; 3]) -> [Q62; 3] {
+    [y, z, x]
 }
 
 /// `p x q`
 #[inline(always)]
 pub fn cross(p: [Q62; 3], q: [Q62; 3]) -> [Q62; 3] {
-    [cross2(p, q, 1, 2), cross2(p, q, 2, 0), cross2(p, q, 0, 1)]
+    let (r, s) = (turned(p), turned(q));
+    [cross_x(p, q), cross_x(r, s), cross_x(turned(r), turned(s))]
 }
 
+/// Three times the Bernstein control values of the cubic of coplanarity. An axis after the other,
+/// because a kernel takes as long to compile as it has products.
 #[inline(always)]
-fn dot(p: [Q62; 3], q: [Q62; 3]) -> Q62 {
-    p[0].times(q[0]).plus(p[1].times(q[1])).plus(p[2].times(q[2]))
-}
-
-#[inline(always)]
-fn plus(p: [Q62; 3], q: [Q62; 3]) -> [Q62; 3] {
-    [p[0].plus(q[0]), p[1].plus(q[1]), p[2].plus(q[2])]
-}
-
-/// Three times the Bernstein control values of the cubic of coplanarity.
-#[inline(always)]
-pub fn coplanarity([a, b, c]: &Vectors) -> [Q62; 4] {
-    let (n00, n11) = (cross(b[0], c[0]), cross(b[1], c[1]));
-    let n01 = plus(cross(b[0], c[1]), cross(b[1], c[0]));
+pub fn coplanarity(vectors: &Vectors) -> [Q62; 4] {
+    let [mut a, mut b, mut c] = *vectors;
+    let mut sums = [Q62::ZERO; 4];
+    for _ in 0..3 {
+        let (n00, n11) = (cross_x(b[0], c[0]), cross_x(b[1], c[1]));
+        let n01 = cross_x(b[0], c[1]).plus(cross_x(b[1], c[0]));
+        let (a0, a1) = (a[0][0], a[1][0]);
+        sums[0] = sums[0].plus(a0.times(n00));
+        sums[1] = sums[1].plus(a1.times(n00)).plus(a0.times(n01));
+        sums[2] = sums[2].plus(a0.times(n11)).plus(a1.times(n01));
+        sums[3] = sums[3].plus(a1.times(n11));
+        a = [turned(a[0]), turned(a[1])];
+        b = [turned(b[0]), turned(b[1])];
+        c = [turned(c[0]), turned(c[1])];
+    }
     let thrice = |x: Q62| x.plus(x).plus(x);
-    [
-        thrice(dot(a[0], n00)),
-        dot(a[1], n00).plus(dot(a[0], n01)),
-        dot(a[0], n11).plus(dot(a[1], n01)),
-        thrice(dot(a[1], n11)),
-    ]
+    [thrice(sums[0]), sums[1], sums[2], thrice(sums[3])]
 }
 
 /// 1: certainly above 0, 2: certainly below, 0: neither.
@@ -92,23 +98,25 @@ pub fn has_no_zero(c: [Q62; 4]) -> bool {
 /// blossom at `from`, 3 - i times, and `until`, i times.
 #[inline(always)]
 pub fn over(c: [Q62; 4], from: u32, until: u32) -> [Q62; 4] {
-    let two = |c: [Q62; 3], t| [c[0].towards(c[1], t), c[1].towards(c[2], t)];
-    let three = |t| [c[0].towards(c[1], t), c[1].towards(c[2], t), c[2].towards(c[3], t)];
-    let (early, late) = (three(from), three(until));
-    let (p, q, r) = (two(early, from), two(early, until), two(late, until));
-    [
-        p[0].towards(p[1], from),
-        p[0].towards(p[1], until),
-        q[0].towards(q[1], until),
-        r[0].towards(r[1], until),
-    ]
+    let mut values = [Q62::ZERO; 4];
+    let mut times = [from; 3];
+    for _ in 0..4 {
+        values = [values[1], values[2], values[3], blossom(c, times)];
+        times = [times[1], times[2], until];
+    }
+    values
+}
+
+#[inline(always)]
+fn blossom(c: [Q62; 4], [r, s, t]: [u32; 3]) -> Q62 {
+    let (p, q, o) = (c[0].towards(c[1], r), c[1].towards(c[2], r), c[2].towards(c[3], r));
+    p.towards(q, s).towards(q.towards(o, s), t)
 }
 
 /// The value of a cubic at a time, of its control values over the step.
 #[inline(always)]
 pub fn value(c: [Q62; 4], t: u32) -> Q62 {
-    let (p, q, r) = (c[0].towards(c[1], t), c[1].towards(c[2], t), c[2].towards(c[3], t));
-    p.towards(q, t).towards(q.towards(r, t), t)
+    blossom(c, [t; 3])
 }
 
 /// Whether a cubic certainly has one zero between the ends: the signs of its control values are
@@ -156,14 +164,13 @@ pub fn guess(c: [Q62; 4]) -> f32 {
 }
 
 /// A short part of an interval around where its only zero seems to be, `guess` of the interval
-/// after its begin; and whether signs certainly differ at its ends, so that it is in between.
+/// after its begin.
 #[inline(always)]
-pub fn around_zero(whole: [Q62; 4], of: Part, guess: f32, depth: u32) -> (Part, bool) {
+pub fn around_zero(of: Part, guess: f32, depth: u32) -> Part {
     let (step, length) = (1 << (DEPTH - depth), of.end - of.begin);
     // Whatever the guess is, this is in the interval.
     let way = ((guess * length as f32) as u32).min(length);
     let begin = of.begin + way - (step / 2).min(way);
     let end = (begin + step).min(of.end);
-    let differ = sign(value(whole, begin)) | sign(value(whole, end)) == 3;
-    (Part { begin, end, depth }, differ)
+    Part { begin, end, depth }
 }
