@@ -247,12 +247,10 @@ fn time_of(units: u32) -> [u32; 2] {
 pub mod by {
     /// Contact, by zeros of the cubic: what these do not tell is open.
     pub const ZEROS: u32 = 0;
-    /// Contact, by advancing time: none, or open.
-    pub const ADVANCE: u32 = 1;
-    /// Contact, by both.
-    pub const BOTH: u32 = 2;
+    /// Contact, by zeros and, where they do not tell, by advancing time.
+    pub const BOTH: u32 = 1;
     /// A minimum distance.
-    pub const DISTANCE: u32 = 3;
+    pub const DISTANCE: u32 = 2;
 }
 
 /// Decides a pair of a kind in `f64`. `HOW`: see [`by`].
@@ -279,7 +277,6 @@ fn answer<const HOW: u32, R: Real>(
 ) -> Answer<R> {
     match HOW {
         by::ZEROS => query::by_zeros::<false, R>(motion, patch, search),
-        by::ADVANCE => query::by_advance(motion, patch, search),
         by::BOTH => query::contact(motion, patch, search),
         _ => query::near(motion, patch, search),
     }

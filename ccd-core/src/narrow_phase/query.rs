@@ -145,17 +145,6 @@ pub(super) fn by_zeros<const ADVANCES: bool, R: Real>(
     Answer { verdict, approach }
 }
 
-/// What advancing time alone tells of a contact: that there is none, or nothing from some time on.
-#[inline(always)]
-pub(super) fn by_advance<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {
-    let (zero, Search { from, until, tolerance, .. }) = (R::splat(0.0), *search);
-    let (m, _) = in_unit(m, zero);
-    Answer::from(match advance(&m, patch, from, until, zero, tolerance) {
-        Advance::Clear => Verdict::Miss,
-        Advance::Stuck(toi) => Verdict::Undecided { toi },
-    })
-}
-
 /// [`search`] with a minimum distance.
 #[inline(always)]
 pub(super) fn near<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {

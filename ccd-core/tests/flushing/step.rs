@@ -146,7 +146,7 @@ impl OnDevice {
         if first.undecided == 0 {
             return first;
         }
-        decide::wide::<{ by::ADVANCE }, _>(kind, pair, frame, paths, given, elements)
+        decide::wide::<{ by::BOTH }, _>(kind, pair, frame, paths, given, elements)
     }
 }
 

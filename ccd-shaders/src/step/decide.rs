@@ -178,8 +178,8 @@ macro_rules! wide {
 
 wide! {
     /// Thread `i` decides the `i`-th pair from `dispatch.first` on, which `decide_wide` left, in
-    /// `f64`, by advancing time.
-    advance_wide, by::ADVANCE
+    /// `f64`, and advances time where zeros do not tell.
+    advance_wide, by::BOTH
 }
 wide! {
     /// The same of all pairs, by a minimum distance; no host decides these again.
