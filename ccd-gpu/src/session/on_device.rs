@@ -44,8 +44,8 @@ pub struct OnDevice<'a> {
     /// its capacity, or the third is not 0, results are incomplete.
     pub lists: Vec<&'a List>,
     /// One word: the bits of the earliest time of impact as `f32`, rounded down; greater than those
-    /// of 1 if there is none. Without contacts of state 1, but in `f64` with a minimum distance: who
-    /// steps by it looks for those as well.
+    /// of 1 if there is none. Without contacts of state 1, but in `f64` with a minimum distance:
+    /// who steps by it looks for those as well.
     pub earliest: &'a wgpu::Buffer,
 }
 

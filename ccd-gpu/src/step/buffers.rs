@@ -178,8 +178,8 @@ impl Buffers {
         }
     }
 
-    /// Which lists a frame uses. What is not used is neither cleared nor read: each costs as much as
-    /// a small kernel.
+    /// Which lists a frame uses. What is not used is neither cleared nor read: each costs as much
+    /// as a small kernel.
     pub fn used(&self, goal: Goal) -> Lists<bool> {
         let filters = goal != Goal::Candidates;
         Lists {

@@ -1,6 +1,6 @@
-//! Verdicts of what the filters left: by zeros of a cubic, in `f64`, or without it by integers; then
-//! what that leaves, by advancing time, in `f64`, or without it in `f32`. What is still open is
-//! listed as undecided, for the host.
+//! Verdicts of what the filters left: by zeros of a cubic, in `f64`, or without it by integers;
+//! then of what that leaves, by advancing time too, in `f64`, or without it in `f32`. What is still
+//! open is listed as undecided, for the host.
 
 use crate::entry::kernel;
 use crate::records::PathWords;
