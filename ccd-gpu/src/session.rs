@@ -13,7 +13,7 @@ use crate::step::frame::{Found, Frames};
 use crate::step::upload::Input;
 use ccd_core::backend::layout::Pair;
 use ccd_core::model::cancel::CancelToken;
-use ccd_core::model::contact::{Kind, PerKind};
+use ccd_core::model::contact::PerKind;
 use ccd_core::model::decision::Decider;
 use ccd_core::model::options::Mode;
 use ccd_core::model::positions::Gathered;
@@ -312,20 +312,16 @@ impl Engine {
         let contacts = &mut report.contacts;
         // By a minimum distance in `f64` the host would find no more.
         let is_left = options.min_distance == 0.0 || !self.device.info().wide;
-        let open = if is_left { &found.summary.undecided[..] } else { &[] };
-        let of_faces = |&&at: &&u32| contacts[at as usize].kind == Kind::VertexFace;
-        let n_faces = open.iter().filter(of_faces).count();
-        self.left_open = PerKind::new(n_faces as u64, (open.len() - n_faces) as u64);
         report.rebuilt = found.sorted;
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         report.triangles = found.triangles;
         report.front = self.frames.buffers.source.finder().front();
         let summary = &mut found.summary;
-        match given {
+        self.left_open = match given {
             Precision::F32(x) => Host { mesh, x, decider }.finish(is_left, (contacts, summary)),
             Precision::F64(x) => Host { mesh, x, decider }.finish(is_left, (contacts, summary)),
-        }
+        };
         let undecided = summary.undecided.iter().map(|&at| contacts[at as usize].toi);
         let toi = undecided.fold(summary.toi, f64::min);
         report.toi = toi.is_finite().then_some(toi);

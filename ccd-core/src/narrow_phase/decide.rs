@@ -169,7 +169,8 @@ pub fn by_integers<P: Stored<Path>>(
     let scale = (frame.scale_bits[1] >> 20) as i32 - 1023;
     let unit = if exact { unit } else { unit - scale };
     let (mut points, mut ids) = ([[[Q62::ZERO; 3]; 2]; 4], ids);
-    // One after the other, because a kernel takes as long to compile as it has conversions.
+    // One after the other, because a kernel takes as long to compile as it has conversions; and
+    // read again, because an index that is computed would put paths into memory.
     for _ in 0..4 {
         let id = ids[0] as usize;
         let (x0, x1) = if exact {

@@ -6,7 +6,7 @@ use crate::threads;
 use bytemuck::Pod;
 use ccd_core::Real;
 use ccd_core::backend::layout::{Pair, Touch};
-use ccd_core::model::contact::{Contact, Kind, State};
+use ccd_core::model::contact::{Contact, Kind, PerKind, State};
 use ccd_core::model::decision::Decider;
 use ccd_core::model::mesh::Mesh;
 
@@ -97,14 +97,12 @@ pub struct Host<'a, T> {
 
 impl<T: Real> Host<'_, T> {
     /// Finds exact times, if they are wanted, and decides what a device left open, if it `is_left`
-    /// to the host.
-    pub fn finish(&self, is_left: bool, (contacts, summary): Listed) {
+    /// to the host. Returns how many pairs that decided.
+    pub fn finish(&self, is_left: bool, (contacts, summary): Listed) -> PerKind {
         if self.decider.has_exact_times() {
             self.time((contacts, summary));
         }
-        if is_left {
-            self.settle((contacts, summary));
-        }
+        if is_left { self.settle((contacts, summary)) } else { PerKind::default() }
     }
 
     /// Puts exact times into contacts of which a device is certain. Those whose time `f64` does not
@@ -126,11 +124,12 @@ impl<T: Real> Host<'_, T> {
     }
 
     /// Decides again, in place, the contacts that a device left undecided, and drops those that are
-    /// none.
-    fn settle(&self, (contacts, summary): Listed) {
+    /// none. Returns how many there were.
+    fn settle(&self, (contacts, summary): Listed) -> PerKind {
         let open = std::mem::take(&mut summary.undecided);
         let share = threads::share(open.len());
-        let mut settled = vec![(Summary::default(), Vec::new()); open.len().div_ceil(share)];
+        let none = (Summary::default(), Vec::new(), PerKind::default());
+        let mut settled = vec![none; open.len().div_ceil(share)];
         let (mut parts, mut rest, mut first) = (Vec::new(), &mut contacts[..], 0);
         for (open, settled) in open.chunks(share).zip(&mut settled) {
             // They ascend, so that each part has contacts of its own.
@@ -139,9 +138,13 @@ impl<T: Real> Host<'_, T> {
             parts.push((open, part, first, settled));
             (rest, first) = (after, end);
         }
-        threads::each(parts.into_iter(), |(open, contacts, first, (summary, dropped))| {
+        threads::each(parts.into_iter(), |(open, contacts, first, (summary, dropped, n))| {
             for at in open.iter().map(|&at| at as usize) {
                 let contact = &mut contacts[at - first];
+                match contact.kind {
+                    Kind::VertexFace => n.vf += 1,
+                    _ => n.ee += 1,
+                }
                 let pair = Pair { a: contact.a, b: contact.b };
                 match self.decider.contact(self.mesh, contact.kind, pair, self.x) {
                     Some(settled) => {
@@ -152,10 +155,12 @@ impl<T: Real> Host<'_, T> {
                 }
             }
         });
-        let mut dropped = settled.iter().flat_map(|(_, dropped)| dropped).copied().peekable();
+        let (vf, ee) = settled.iter().fold((0, 0), |(vf, ee), (.., n)| (vf + n.vf, ee + n.ee));
+        let n_open = PerKind::new(vf, ee);
+        let mut dropped = settled.iter().flat_map(|(_, dropped, _)| dropped).copied().peekable();
         if dropped.peek().is_none() {
-            settled.into_iter().for_each(|(part, _)| summary.join(part));
-            return;
+            settled.into_iter().for_each(|(part, ..)| summary.join(part));
+            return n_open;
         }
         let mut at = 0;
         contacts.retain(|_| {
@@ -165,6 +170,7 @@ impl<T: Real> Host<'_, T> {
         });
         *summary = Summary::default();
         summary.add(0, contacts);
+        n_open
     }
 }
 
@@ -199,7 +205,8 @@ mod tests {
             let decider =
                 &Decider::new(&Options::default().with_mode(Mode::Conservative), [0.0, 1.0]);
             let x = x.each_ref().map(|x| &x[..]);
-            Host { mesh: &mesh, x, decider }.settle((&mut contacts, &mut summary));
+            let n_open = Host { mesh: &mesh, x, decider }.settle((&mut contacts, &mut summary));
+            assert_eq!(n_open, PerKind::new(n.div_ceil(2) as u64, 0));
             let is_left = |&i: &u32| i % 2 == 1 || !i.is_multiple_of(stays);
             let ids: Vec<u32> = contacts.iter().map(|contact| contact.b).collect();
             assert_eq!(ids, (0..n).filter(is_left).collect::<Vec<u32>>(), "{n}, {stays}");
