@@ -44,8 +44,8 @@ impl RadixSort {
         order: &mut Vec<u32>,
     ) {
         for half in 0..2 {
-            self.keys[half].resize_with(n, AtomicU64::default);
-            self.values[half].resize_with(n, AtomicU32::default);
+            threads.resize(&mut self.keys[half], n, AtomicU64::default);
+            threads.resize(&mut self.values[half], n, AtomicU32::default);
         }
         let n_workers = threads.count().min(n.div_ceil(MIN_PART)).max(1);
         while self.workers.len() < n_workers {
@@ -103,7 +103,7 @@ impl RadixSort {
         threads.each(workers, &|k, worker| {
             sort_ties(&keys[from], &values[from], range(k), &mut worker.ties)
         });
-        order.resize(n, 0);
+        threads.resize(order, n, u32::default);
         threads.fill(order, |i| values[from][i].load(Relaxed));
     }
 }

@@ -168,6 +168,16 @@ impl Threads {
         unsafe { out.set_len(out.len() + n) };
     }
 
+    /// As [`Vec::resize`]; memory that is new is first touched by all threads, which takes longer
+    /// than to fill it.
+    pub fn resize<T: Send>(&self, out: &mut Vec<T>, n: usize, new: impl Fn() -> T + Sync) {
+        out.truncate(n);
+        if out.len() < n {
+            out.reserve_exact(n - out.len());
+            self.append(out, n - out.len(), |_| new());
+        }
+    }
+
     /// Replaces every `x` by `f(x)`.
     pub fn update<T: Copy + Send>(&self, items: &mut [T], f: impl Fn(T) -> T + Sync) {
         self.chunks(items, &|_, part| part.iter_mut().for_each(|x| *x = f(*x)));

@@ -2,7 +2,7 @@
 //!
 //! Twin: none; on a GPU a sort of keys, as any other.
 
-use crate::broad_phase::hilbert_code::{BITS, hilbert_code};
+use crate::broad_phase::hilbert_code::{BITS, hilbert_code, turned_octants};
 use crate::broad_phase::marks::Marks;
 use crate::simd::WIDTH;
 use crate::sort::RadixSort;
@@ -58,9 +58,9 @@ impl CurveOrder {
         order: &mut Vec<u32>,
     ) -> MortonGrid {
         let grid = self.grid(threads, boxes);
-        let curve = self.curve;
+        let (curve, turned) = (self.curve, turned_octants());
         let code = |i: usize| match curve {
-            Curve::Hilbert => hilbert_code(&boxes[i], &grid),
+            Curve::Hilbert => hilbert_code(turned, &boxes[i], &grid),
             Curve::Morton => {
                 let [low, high] = morton_key::morton(i, boxes, &grid);
                 (high as u64) << 32 | low as u64

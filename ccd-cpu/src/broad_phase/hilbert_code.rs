@@ -1,10 +1,11 @@
-//! Hilbert codes of 63 bits from Morton codes, a level of the grid a look into a table.
+//! Hilbert codes of 63 bits from Morton codes, two levels of the grid a look into a table.
 //!
 //! Twin: on a GPU `hilbert_cell` of the core's `math/hilbert.rs`, level by level: the same codes,
 //! without a table.
 
 use ccd_core::Aabb;
 use ccd_core::math::morton::{MortonGrid, morton63};
+use std::sync::LazyLock;
 
 /// Bits an axis of a code.
 pub const BITS: u32 = 21;
@@ -19,30 +20,41 @@ struct Turn {
 
 const TURNS: usize = 48;
 
-/// By turn and octant: the turned octant, three bits, and above them the turn of what is below it.
-static TABLE: [[u16; 8]; TURNS] = table();
+/// By turn and the octants of two levels, three bits each: the turned octants, six bits, and above
+/// them the turn of what is below. Made at the first use, since it is 8 KB that a program would be
+/// larger by; as long as a number of its bits can be, so that no look is checked.
+pub type Turned = [u16; 1 << 12];
+static TURNED: LazyLock<Turned> = LazyLock::new(turned);
 
 /// The bits of the three coordinates in a code.
 const X: u64 = 0x4924_9249_2492_4924;
 const Y: u64 = X >> 1;
 const Z: u64 = X >> 2;
 
+/// The table that codes are looked up in.
+pub fn turned_octants() -> &'static Turned {
+    &TURNED
+}
+
 /// The Hilbert code of the cell of a box's centre, on a grid of [`BITS`] an axis.
 #[inline]
-pub fn hilbert_code(aabb: &Aabb, grid: &MortonGrid) -> u64 {
+pub fn hilbert_code(turned: &Turned, aabb: &Aabb, grid: &MortonGrid) -> u64 {
     let [low, high] = morton63(grid.cell(aabb));
-    hilbert63((high as u64) << 32 | low as u64)
+    hilbert63(turned, (high as u64) << 32 | low as u64)
 }
 
 /// The Hilbert code of the cell with this Morton code.
 #[inline]
-fn hilbert63(morton: u64) -> u64 {
-    let (mut turn, mut code) = (0, 0);
-    for level in (0..BITS).rev() {
-        let found = TABLE[turn][(morton >> (3 * level)) as usize & 7] as usize;
-        code = code << 3 | (found & 7) as u64;
-        turn = found >> 3;
+fn hilbert63(turned: &Turned, morton: u64) -> u64 {
+    let (mut found, mut code) = (0, 0);
+    for two in (0..BITS / 2).rev() {
+        let octants = (morton >> (6 * two + 3)) as usize & 63;
+        found = turned[(found & (63 << 6)) | octants] as usize;
+        code = code << 6 | (found & 63) as u64;
     }
+    // The last level, and one below it that is not there.
+    found = turned[(found & (63 << 6)) | (morton as usize & 7) << 3] as usize;
+    code = code << 3 | (found >> 3 & 7) as u64;
     // From the Gray code of each level to its place, and back where the levels above it turn.
     code ^= (code & X) >> 1;
     code ^= (code & Y) >> 1;
@@ -57,7 +69,7 @@ fn hilbert63(morton: u64) -> u64 {
 }
 
 impl Turn {
-    const fn of(number: usize) -> Self {
+    fn of(number: usize) -> Self {
         let (a, b) = (number / 16, number / 8 % 2);
         let b = if b < a { b } else { b + 1 };
         let flips = number % 8;
@@ -65,7 +77,7 @@ impl Turn {
         Self { axes: [a as u8, b as u8, (3 - a - b) as u8], inverted }
     }
 
-    const fn number(self) -> usize {
+    fn number(self) -> usize {
         let [a, b, _] = self.axes;
         let [x, y, z] = self.inverted;
         let rank = 2 * a as usize + if b < a { b } else { b - 1 } as usize;
@@ -74,39 +86,28 @@ impl Turn {
 
     /// An octant (the bits of x, y and z) turned, and the turn of what is below it; see
     /// `hilbert_cell`.
-    const fn level(mut self, octant: usize) -> (usize, Self) {
-        let mut bits = [false; 3];
-        let mut k = 0;
-        while k < 3 {
-            bits[k] = (octant >> (2 - self.axes[k]) & 1 == 1) != self.inverted[k];
-            k += 1;
-        }
+    fn level(mut self, octant: usize) -> (usize, Self) {
+        let bit = |k: usize| (octant >> (2 - self.axes[k]) & 1 == 1) != self.inverted[k];
+        let bits = [bit(0), bit(1), bit(2)];
         self.inverted[0] ^= bits[0];
-        let mut other = 1;
-        while other < 3 {
+        for other in [1, 2] {
             if bits[other] {
                 self.inverted[0] ^= true;
             } else {
                 self.axes.swap(0, other);
                 self.inverted.swap(0, other);
             }
-            other += 1;
         }
         (4 * bits[0] as usize + 2 * bits[1] as usize + bits[2] as usize, self)
     }
 }
 
-const fn table() -> [[u16; 8]; TURNS] {
-    let mut out = [[0; 8]; TURNS];
-    let mut turn = 0;
-    while turn < TURNS {
-        let mut octant = 0;
-        while octant < 8 {
-            let (turned, below) = Turn::of(turn).level(octant);
-            out[turn][octant] = (below.number() << 3 | turned) as u16;
-            octant += 1;
-        }
-        turn += 1;
+fn turned() -> Turned {
+    let mut out = [0; 1 << 12];
+    for i in 0..64 * TURNS {
+        let (first, below) = Turn::of(i / 64).level(i / 8 % 8);
+        let (second, below) = below.level(i % 8);
+        out[i] = (below.number() << 6 | first << 3 | second) as u16;
     }
     out
 }
@@ -123,11 +124,11 @@ mod tests {
             let [low, high] = morton63(cell);
             (high as u64) << 32 | low as u64
         };
-        let mut unit = random(5);
+        let (mut unit, turned) = (random(5), turned_octants());
         for i in 0..20_000 {
             // Of all sizes.
             let cell = [(); 3].map(|()| (unit() * 2_097_152.0) as u32 >> (i % 21));
-            assert_eq!(hilbert63(code(cell)), code(hilbert_cell(cell, BITS)), "{cell:?}");
+            assert_eq!(hilbert63(turned, code(cell)), code(hilbert_cell(cell, BITS)), "{cell:?}");
         }
     }
 

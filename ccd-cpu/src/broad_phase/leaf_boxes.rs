@@ -286,7 +286,7 @@ impl LeafBoxes {
     pub fn take(&mut self, threads: &Threads, boxes: &[Aabb<f32>], keeps: Keeps) {
         assert_eq!(boxes.len(), self.n_boxes, "refit with another number of boxes");
         let n = self.len.div_ceil(WIDTH);
-        self.blocks.resize(n, EMPTY);
+        threads.resize(&mut self.blocks, n, || EMPTY);
         let (free, moving) = (self.n_free(), self.n_moving());
         let posed = free..if keeps.posed { free } else { moving };
         let last = moving..if keeps.still { moving } else { n };

@@ -141,7 +141,7 @@ impl<const N: usize> Leaves<N> {
         features: impl Fn(u32) -> [u32; N] + Sync,
     ) {
         let boxes = &self.boxes;
-        self.vertices.resize(boxes.len().div_ceil(WIDTH), [[0; WIDTH]; N]);
+        threads.resize(&mut self.vertices, boxes.len().div_ceil(WIDTH), || [[0; WIDTH]; N]);
         threads.fill(&mut self.vertices, |i| {
             let features = boxes.ids(i).map(&features);
             std::array::from_fn(|k| features.map(|vertices| vertices[k]))
@@ -174,7 +174,7 @@ impl<const N: usize> Leaves<N> {
     /// not changed do. Of what is posed those are made that have boxes.
     pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]], holds: bool) {
         let Self { boxes, vertices, ends, taken, untaken, .. } = self;
-        ends.resize(vertices.len(), [EMPTY; 2]);
+        threads.resize(ends, vertices.len(), || [EMPTY; 2]);
         if !holds {
             *taken = false;
             untaken.clear();

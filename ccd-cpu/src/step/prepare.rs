@@ -190,8 +190,8 @@ impl Prepared {
         made?;
         let Self { vertices, edges, faces, still, .. } = self;
         let vertices = &vertices.boxes;
-        edges.boxes.resize(mesh.edges().len(), Aabb::EMPTY);
-        faces.boxes.resize(mesh.faces().len(), Aabb::EMPTY);
+        threads.resize(&mut edges.boxes, mesh.edges().len(), || Aabb::EMPTY);
+        threads.resize(&mut faces.boxes, mesh.faces().len(), || Aabb::EMPTY);
         let (edges, faces) = (&mut edges.boxes, &mut faces.boxes);
         threads.together(
             || still.fill(threads, 1, edges, |i| swept_box::edge(i, mesh.edges(), vertices)),
@@ -287,9 +287,10 @@ impl Prepared {
             // What stands where it stood keeps its order.
             let keep = (self.built && keeps.still, &*rigid);
             self.built = true;
-            vertices.build(threads, method, rules, keep, |v| [v]);
+            // What is most first: buffers are long enough then.
             edges.build(threads, method, rules, keep, |e| mesh.edges()[e as usize]);
             faces.build(threads, method, rules, keep, |f| mesh.faces()[f as usize]);
+            vertices.build(threads, method, rules, keep, |v| [v]);
             keeps.still = false;
             still.movers.forget_order();
         }

@@ -39,7 +39,7 @@ impl Prepared {
     /// (minus a common origin).
     fn fill_table<T: Real>(&mut self, threads: &Threads, x: &Ends<T>) -> Table {
         let table = self.scan.table(x.times.whole());
-        self.table.resize(x.x0.len(), [0.0; WIDTH]);
+        threads.resize(&mut self.table, x.x0.len(), || [0.0; WIDTH]);
         self.still.look_at_table(table);
         self.still.fill_table(threads, &mut self.table, |i| {
             let [p, q] = x.ends(i).map(|p| table.place(p));
@@ -52,7 +52,7 @@ impl Prepared {
     fn sweep<T: Real>(&mut self, threads: &Threads, x: &Ends<T>, margin: T) {
         let Self { vertices, still, .. } = self;
         let boxes = &mut vertices.boxes;
-        boxes.resize(x.x0.len(), Aabb::EMPTY);
+        threads.resize(boxes, x.x0.len(), || Aabb::EMPTY);
         if x.times.whole() {
             still.fill(threads, 0, boxes, |i| swept_box::vertex(i, x.x0, x.x1, margin));
         } else {
