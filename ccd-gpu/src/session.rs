@@ -20,6 +20,7 @@ use ccd_core::model::positions::Gathered;
 use ccd_core::model::precision::{Given, Precision};
 use ccd_core::model::report::Report;
 use ccd_core::model::session::{self, Ask, Change, Kept, Moved, On, State};
+use ccd_core::model::toi::toi_to_f32;
 use ccd_core::narrow_phase::decide;
 use in_flight::{Copied, Flight, Sought};
 use std::task::{Context, Poll, ready};
@@ -330,7 +331,9 @@ impl Engine {
             // Contacts that the device counted are not in the list; their earliest time is.
             let device =
                 (found.earliest != decide::NEVER).then(|| f32::from_bits(found.earliest) as f64);
-            report.toi = report.toi.into_iter().chain(device).reduce(f64::min);
+            // Rounded as those of the device, so that it is the same whoever decides a pair.
+            let host = report.toi.map(|toi| toi_to_f32(toi) as f64);
+            report.toi = host.into_iter().chain(device).reduce(f64::min);
         }
         if goal != Goal::Contacts {
             contacts.clear();

@@ -8,7 +8,7 @@ use ccd::gpu::bind::{Decide, DecideIntegers};
 use ccd::gpu::harness::{Faults, set_faults};
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
 use ccd::method::{BroadPhaseMethod, Pipeline, TriangleOptions};
-use ccd::{Options, Pair};
+use ccd::{Mode, Options, Pair};
 use ccd_core::backend::layout::elements::with_kind;
 use ccd_core::backend::layout::{
     Decision, Dispatch, Frame, IntegerDecision, LIST_HEADER, Params, Path, TOUCH_WORDS,
@@ -26,6 +26,9 @@ pub const TESTS: crate::Tests = &[
     ("no_adapter", check_no_adapter),
     ("lost_device", check_lost),
     ("recorded_by_the_caller", check_recorded),
+    ("recorded_after_a_step_made_room", check_room_of_recorded),
+    ("one_time_whoever_decides", check_time_of_open),
+    ("memory_of_open_pairs", check_memory_of_open),
     ("empty_mesh", check_empty),
     ("unlike_sizes", check_unlike),
 ];
@@ -239,6 +242,99 @@ fn check_recorded(device: &Device) {
     let still: Vec<Path> = (0..x0.len()).map(|i| Path { t0: at(i), t1: at(i) }).collect();
     device.queue().write_buffer(session.paths(), 0, bytemuck::cast_slice(&still));
     assert_eq!(n_found(&mut session), 0);
+}
+
+/// Triangles below a face each, with a corner up that moves between these points, far from each
+/// other. `turn`: by how much a corner of the face rises.
+fn standing(n: usize, corner: [[f64; 3]; 2], turn: f64) -> (ccd::Mesh, [Vec<[f64; 3]>; 2]) {
+    let n = n as u32;
+    let faces: Vec<[u32; 3]> = (0..2 * n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let mesh = ccd::Mesh::new(6 * n as usize, &faces).unwrap();
+    let x = [0, 1].map(|end| {
+        let (c, rise) = (corner[end], end as f64 * turn);
+        let group = |i: u32| {
+            let at = |x: f64, y: f64, z: f64| [c[0] + x, c[1] + y, c[2] + z];
+            [[0.0; 3], [1.0, rise, 0.0], [0.0, 0.0, 1.0], c, at(0.1, -9.0, 0.0)]
+                .into_iter()
+                .chain([at(0.0, -9.0, 0.1)])
+                .map(move |[x, y, z]| [x, y, z + 20.0 * i as f64])
+        };
+        (0..n).flat_map(group).collect()
+    });
+    (mesh, x)
+}
+
+/// What the first of two decisions leaves, a recorded frame has in a list that steps which decide
+/// once do not use: as the documentation promises, one step makes room there.
+fn check_room_of_recorded(device: &Device) {
+    let (mesh, [x0, x1]) = standing(20, [[0.2, 0.0, 0.2]; 2], 0.0);
+    let mut session = Session::new(device, mesh, Options::default()).unwrap();
+    session.reserve(8).unwrap();
+    let fits = |session: &mut Session| {
+        let mut encoder = device.wgpu().create_command_encoder(&Default::default());
+        let lists = session.record(&mut encoder).unwrap().lists;
+        let lists: Vec<_> = lists.into_iter().cloned().collect();
+        let headers: Vec<_> = lists.iter().map(|list| (list.buffer(), 12)).collect();
+        let headers = read_back(device, encoder, &headers);
+        lists.iter().zip(headers).all(|(list, header)| {
+            list.capacity() == 0 || header[0] <= list.capacity() && header[2] == 0
+        })
+    };
+    assert_eq!(session.step(&x0, &x1).unwrap().contacts.len(), 20);
+    session.reserve(8).unwrap();
+    assert!(!fits(&mut session), "lists of 8 entries hold all");
+    session.step(&x0, &x1).unwrap();
+    assert!(fits(&mut session), "a step has made no room");
+}
+
+/// Corners that begin in the plane of a face, beside it, and go through it later: a first step
+/// leaves them to the host, which the next one does not.
+fn check_time_of_open(device: &Device) {
+    let (mesh, [x0, x1]) = standing(100, [[2.0, 0.0, 0.2], [-3.1, 0.6, 0.2]], 2.0);
+    let options = Options::default().with_mode(Mode::Conservative);
+    let mut session = Session::new(device, mesh, options).unwrap();
+    let mut left = Vec::new();
+    let times: Vec<f64> = (0..3)
+        .map(|_| {
+            let toi = session.earliest_toi(&x0, &x1).unwrap().expect("a contact");
+            left.push(session.left_open().total());
+            toi
+        })
+        .collect();
+    assert!(times[0] <= 1.0 / 3.0 && times[0] > 1.0 / 3.0 - 2e-6, "{times:?}");
+    assert!(times.iter().all(|toi| toi.to_bits() == times[0].to_bits()), "{times:?}");
+    assert!(!device.info().wide || left[0] >= 100 && left[2] == 0, "left open: {left:?}");
+}
+
+/// Corners that rest beside a face, nearer than filters see, on a device that has no memory for as
+/// many contacts as a first decision leaves open: the second one takes less, and leaves none.
+fn check_memory_of_open(device: &Device) {
+    if !device.info().wide {
+        return;
+    }
+    let beside = 0.5 + 1e-9;
+    let n = 200;
+    let (mesh, [x0, x1]) = standing(n, [[beside, 0.0, 0.5]; 2], 0.0);
+    let run = |faults: Faults| {
+        let mut session = Session::new(device, &mesh, Options::default()).unwrap();
+        session.reserve(8).unwrap();
+        set_faults(device, faults);
+        let found = session.step(&x0, &x1).map(|report| report.contacts.len());
+        set_faults(device, Faults::default());
+        assert!(
+            found.as_ref().is_ok_and(|&n| n == 0)
+                || matches!(found, Err(Error::OutOfMemory { .. }))
+        );
+        assert_eq!(session.step(&x0, &x1).unwrap().contacts.len(), 0);
+        let mut encoder = device.wgpu().create_command_encoder(&Default::default());
+        (found.is_ok(), session.record(&mut encoder).unwrap().contacts.capacity() >= n as u32)
+    };
+    assert_eq!(run(Faults::default()), (true, true), "none was left open");
+    let error = Error::OutOfMemory { what: "a test", bytes: 1 };
+    // A list is tried with some more entries, and then with just enough.
+    let faults = |skip| Faults { skip, n: 2, error: Some(error.clone()), ..Faults::default() };
+    let goes_on = (0..60).any(|skip| run(faults(skip)) == (true, false));
+    assert!(goes_on, "no step did without memory for contacts");
 }
 
 fn check_empty(device: &Device) {

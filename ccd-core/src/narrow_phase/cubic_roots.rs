@@ -183,7 +183,9 @@ impl<R: Real> Cubic<R> {
     /// monotone up to what the band allows for. In `f64`, what [`Cubic::zero_in_piece`] says then
     /// starts after `latest`, too: the later value is beyond twice the band, so a value that falls
     /// towards zero was beyond the band at all times before (rounding of two values and what the
-    /// piece turns back are less than the band, `252 u max|c|`), the bracket of the start is above
+    /// piece turns back are less than the band, `252 u max|c|`; another `11 u` if coefficients are
+    /// off as far as they can be, of which less than 10 together were ever reached; were it more,
+    /// the same contact would be found with other last bits), the bracket of the start is above
     /// these times, and once it is a width wide, all of it is; a value that moves away from zero
     /// stays on its side to the end of the piece, and no zero is reported. (A bracket that is wider
     /// after `MAX_STEPS` may start earlier; not known to happen.)

@@ -79,7 +79,7 @@ const NEAR: u32 = 18;
 const EARLY: [u32; 3] = [3, 8, 14];
 
 /// log2 of a unit in which all components of the vectors of a query are below 1; [`NO_UNIT`] where
-/// they are above 2^63 or below 2^-63, since then something may have overflowed or been flushed.
+/// they may be above 2^64 or below 2^-63, since then something may have overflowed or been flushed.
 /// `rounded`: the query in `f32`, with what coordinates are off by.
 #[inline(always)]
 pub fn unit(rounded: &Motion<f32>) -> i32 {

@@ -168,7 +168,9 @@ pub fn guess(c: [Q62; 4]) -> f32 {
 #[inline(always)]
 pub fn around_zero(of: Part, guess: f32, depth: u32) -> Part {
     let (step, length) = (1 << (DEPTH - depth), of.end - of.begin);
-    // Whatever the guess is, this is in the interval.
+    // Whatever the guess is, this is in the interval. By its bits, because a compiler may take it
+    // for a number, and what becomes of NaN as an integer is for each device to say.
+    let guess = if guess.to_bits() <= 1f32.to_bits() { guess } else { 0.5 };
     let way = ((guess * length as f32) as u32).min(length);
     let begin = of.begin + way - (step / 2).min(way);
     let end = (begin + step).min(of.end);

@@ -137,5 +137,5 @@ impl Frames {
 
 /// Pairs that the first of two decisions in `f64` leaves and the host decides at once: what a
 /// workgroup decides at a time. A second dispatch would take longer, and rejects only what the host
-/// does, so that it changes no result.
+/// does: contacts are the same, and each time within the tolerance, but not always to the last bit.
 const FEW_LEFT: u32 = 64;

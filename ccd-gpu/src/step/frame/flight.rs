@@ -115,10 +115,26 @@ impl Frames {
                 }
             };
             let n_open = found.summary.undecided.len() as u32;
-            let n_left = if self.buffers.decides_twice { found.left } else { n_open };
-            self.left[flight.goal as usize] = n_left;
+            let decides_twice = self.buffers.decides_twice;
+            self.left[flight.goal as usize] = if decides_twice { found.left } else { n_open };
+            if !decides_twice {
+                self.grow_left(device, n_open)?;
+            }
             self.geometry.listed = flight.goal == Goal::Contacts;
             return Poll::Ready(Ok(found));
+        }
+    }
+
+    /// A frame that is recorded decides twice, whatever the steps before did: what those left open
+    /// must fit where it lists such pairs. A step does not end for want of that memory.
+    fn grow_left(&mut self, device: &Device, n_open: u32) -> Result<(), Error> {
+        match self.buffers.left.grow(device, n_open) {
+            Ok(false) => Ok(()),
+            Err(e) if !e.is_of_memory() => Err(e),
+            _ => {
+                self.bench.forget();
+                Ok(())
+            }
         }
     }
 
@@ -147,7 +163,7 @@ impl Frames {
         contacts: &mut Vec<Contact>,
     ) -> Result<End, Error> {
         let Attempt { guess, mut order, kept, parts, mapping, times } = attempt;
-        let Self { buffers, bench, spare, .. } = self;
+        let Self { buffers, bench, spare, left, .. } = self;
         let mut found = Found { sorted: !kept, ..Found::default() };
         let mut sampled_of = 0;
         let (mut headers, counted) = mapping.read(|bytes| {
@@ -201,7 +217,17 @@ impl Frames {
         if !complete {
             contacts.clear();
         }
-        let grown = grown?;
+        let left = &mut left[goal as usize];
+        let is_short = headers.contacts.wanted > buffers.contacts.capacity();
+        let grown = match grown {
+            // Most of them may be pairs that the first of two decisions leaves open. The second one
+            // rejects some, from a list that takes less memory.
+            Err(e) if e.is_of_memory() && is_short && !buffers.decides_twice && *left < ALWAYS => {
+                *left = ALWAYS;
+                true
+            }
+            grown => grown?,
+        };
         settled?;
         if grown {
             return Ok(End::Incomplete);
@@ -253,6 +279,9 @@ impl Rest {
         })
     }
 }
+
+/// Pairs left, so that there are two decisions.
+const ALWAYS: u32 = u32::MAX;
 
 /// If more than a quarter of the candidates is left after paths were cut, so many of the next calls
 /// do without: what is cut takes less time than the sample, the cut and the second fit only where
