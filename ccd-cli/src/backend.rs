@@ -10,7 +10,7 @@ use std::path::PathBuf;
 const BACKENDS: Choices<Backend, 3> = [
     ("cpu", "Threads of this machine", Backend::Cpu),
     ("gpu", "A GPU; an error if there is none", Backend::Gpu),
-    ("auto", "A GPU if there is one, and work enough for it; else the CPU", Backend::Auto),
+    ("auto", "A GPU from 20,000 edges or boxes on, if there is one; else the CPU", Backend::Auto),
 ];
 
 const SHADERS: Choices<gpu::Path, 2> = [
@@ -90,7 +90,7 @@ pub fn print_compilation(compilation: Option<Compilation>) {
 /// Options of every command that works on either.
 #[derive(Args)]
 pub struct BackendOptions {
-    /// What runs the work
+    /// Where the work runs
     #[arg(short, long, value_parser = choice(BACKENDS), default_value = "auto")]
     #[arg(help_heading = PLACE)]
     backend: Backend,
@@ -112,7 +112,9 @@ impl BackendOptions {
         let choice = choice.map_err(|e| Failure(format!("{option}: {e}")))?;
         Ok(choice.with_notice(|why| match why {
             // Most machines have none; `ccd info` says why.
-            gpu::Error::Unavailable { .. } => output::notice!("no GPU (`ccd info`)"),
+            gpu::Error::Unavailable { .. } => {
+                output::notice!("no GPU found; going on with the CPU (`ccd info` says why)")
+            }
             _ => output::notice!("{why}; going on with the CPU"),
         }))
     }

@@ -128,7 +128,7 @@ impl Bench {
                 let stamps = if device.info().timestamps {
                     "beside them what the device itself says, boxes being there"
                 } else {
-                    "the device tells none itself"
+                    "the device has no timestamps"
                 };
                 output::line("", format_args!("with uploads and results read back; {stamps}"));
             }

@@ -18,7 +18,7 @@ pub struct BodyOptions {
     /// Leave out contacts within one body, or one connected part if no bodies are given
     #[arg(long, help_heading = QUESTION)]
     no_self_contact: bool,
-    /// Bodies that do not move, as 0,3
+    /// Bodies that do not move, such as 0,3
     ///
     /// Contacts between two of them are left out.
     #[arg(long, value_name = "BODY", value_delimiter = ',', allow_hyphen_values = true)]
@@ -31,7 +31,7 @@ pub struct BodyOptions {
     #[arg(long, value_name = "BODY=M/F", value_delimiter = ',', value_parser = layers)]
     #[arg(allow_hyphen_values = true, hide_short_help = true, help_heading = QUESTION)]
     layers: Vec<(u32, Groups)>,
-    /// Leave out features of which two vertices are at most N edges apart
+    /// Leave out pairs of features at most N edges apart in the mesh
     ///
     /// With a --min-distance above the length of edges, neighbours would always be in contact.
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
@@ -48,7 +48,8 @@ fn layers(text: &str) -> Result<(u32, Groups), String> {
             Groups { memberships: memberships.parse().ok()?, filter: filter.parse().ok()? };
         Some((body.parse().ok()?, groups))
     };
-    read().ok_or("a body, the layers that it is in, and those that it touches, as 3=1/6".into())
+    read()
+        .ok_or("a body, the layers that it is in, and those that it touches, such as 3=1/6".into())
 }
 
 impl BodyOptions {

@@ -90,7 +90,7 @@ impl Check {
             return Err(Failure(format!("{what}: use one of the two")));
         }
         if self.earliest.is_some() && !self.options.shows_contacts() {
-            output::notice!("--earliest is about --contacts and --picture, of which there is none");
+            output::notice!("--earliest has no effect without --contacts or --picture");
         }
         let picture = self.options.picture_file()?;
         let file = self.options.contact_file(false)?;
@@ -108,10 +108,7 @@ impl Check {
         work.goes_on("preparing the step");
         let mut session = self.options.session(mesh, objects.bodies())?;
         if session.options().scheduling.front != Front::Off {
-            output::notice!(
-                "--front on changes nothing of one step: a front is what a step leaves for the \
-                 next, as of `ccd sequence`"
-            );
+            output::notice!("--front on has no effect on a single step; it is for `ccd sequence`");
         }
         let precision = self.options.precision;
         let place = |time, vertex| objects.place(time == 1, vertex);
@@ -276,7 +273,7 @@ pub fn look_at_start<'a>(
 /// Two parts of a step, with a comma.
 fn window(text: &str) -> Result<[f64; 2], String> {
     let ends = text.split_once(',').and_then(|(a, b)| Some([a.parse().ok()?, b.parse().ok()?]));
-    ends.ok_or("two numbers with a comma, as 0,0.5".into())
+    ends.ok_or("expected two numbers and a comma, such as 0,0.5".into())
 }
 
 /// One step between two frames, in a window of it; an error in coordinates names the file by

@@ -156,10 +156,10 @@ pub fn check(
         }
         let this = identity(path);
         if let Some((other, _)) = seen.iter().find(|(_, path)| *path == this) {
-            return Err(in_file(path, format_args!("{other} and {option} both write it")));
+            return Err(in_file(path, format_args!("{other} and {option} would both write it")));
         }
         if read.contains(&this) {
-            return Err(in_file(path, format_args!("is read; {option} would write over it")));
+            return Err(in_file(path, format_args!("is an input; {option} would overwrite it")));
         }
         seen.push((option, this));
     }

@@ -27,10 +27,7 @@ impl Frames {
             && path.is_file()
         {
             let Some(mesh) = mesh else {
-                return Err(in_file(
-                    path,
-                    "holds positions alone; --mesh says what they belong to",
-                ));
+                return Err(in_file(path, "has positions only: name their mesh by --mesh"));
             };
             let (cache, frame) = (PointCache::open(path)?, read_frame(mesh)?);
             if !frame.merged.is_empty() {
@@ -54,7 +51,7 @@ impl Frames {
         }
         if let Some(mesh) = mesh {
             let formats = listed(&PointCache::EXTENSIONS);
-            let what = "is for one file of positions over time";
+            let what = "needs one file of positions over time";
             return Err(Failure(format!("--mesh {} {what} ({formats})", mesh.display())));
         }
         let (files, is_unsorted) = expand(given)?;

@@ -49,14 +49,16 @@ fn direction(text: &str) -> Result<[f64; 3], String> {
     let numbers: Option<Vec<f64>> = text.split(',').map(|x| x.trim().parse().ok()).collect();
     let direction = numbers.and_then(|numbers| <[f64; 3]>::try_from(numbers).ok());
     let is_one = |d: &[f64; 3]| d.iter().all(|x| x.is_finite()) && *d != [0.0; 3];
-    direction.filter(is_one).ok_or("three numbers with commas, not all of them 0, as 0,0,1".into())
+    direction
+        .filter(is_one)
+        .ok_or("three numbers with commas, not all of them 0, such as 0,0,1".into())
 }
 
 /// Two numbers of pixels.
 fn size(text: &str) -> Result<[usize; 2], String> {
     let side = |text: &str| text.parse().ok().filter(|n| (640..=4096).contains(n));
     let sides = text.split_once('x').and_then(|(w, h)| Some([side(w)?, side(h)?]));
-    sides.ok_or("two numbers from 640 to 4096 with an x, as 1920x1080".into())
+    sides.ok_or("two numbers from 640 to 4096 with an x, such as 1920x1080".into())
 }
 
 /// What is looked at.

@@ -51,10 +51,10 @@ use std::process::ExitCode;
 /// one frame to the next, with the time of impact in [0, 1]. No contact is missed and no time is
 /// late, and no contact is a false alarm; only with a minimum distance some may be "undecided".
 ///
-/// A contact is where features touch on their way. A first frame that already passes through
-/// itself need not have any: `check` and `sequence` look at it exactly, edges against faces, and
-/// say so. If it does not, and no step has a contact, nothing passes through anything at any time:
-/// of the pairs that --fixed, --layers and the like leave in, for the others are not looked at.
+/// A contact is where features meet during the motion. A first frame that already passes through
+/// itself need not have any, so `check` and `sequence` test it exactly, edges against faces, and
+/// say so. If it does not, and no step has a contact, nothing passes through anything at any time.
+/// Pairs that --fixed, --layers and similar options leave out are not tested.
 ///
 /// Vertices, edges, faces, bodies, boxes, queries, frames and steps are counted from 0, in what is
 /// printed and written and in errors, whatever the file's own numbers are: `f 1 2 3` of an OBJ file
@@ -129,9 +129,9 @@ const SEQUENCES: &str = "EXAMPLES:\n  ccd sequence frames --picture times.png\n 
 
 /// Help on the columns of contacts.
 const CSV: &str = "COLUMNS OF --contacts (sequence: frame first, the number of the step):
-  kind        vf (vertex a, face b) or ee (edges a < b); of points and
-              edges that belong to nothing higher also ve (vertex a,
-              edge b) and vv (vertices a < b)
+  kind        vf (vertex a, face b) or ee (edges a < b); with particles
+              (vertices of no edge) and rods (edges of no face) also ve
+              (particle a, rod b) and vv (particles a < b)
   a, b        features, all counted from 0: vertices as in the file;
               faces as triangles in the file's order, polygons cut into
               fans; edges sorted by their greater vertex, then by the
@@ -164,8 +164,8 @@ impl Precision {
 
 const MODES: method::Choices<ccd::Mode, 3> = [
     ("auto", "Exact on the CPU without --min-distance, else conservative", ccd::Mode::Auto),
-    ("conservative", "Never late, and early by the tolerance at most", ccd::Mode::Conservative),
-    ("exact", "The true ones, rounded down", ccd::Mode::Exact),
+    ("conservative", "Never late, and at most --tolerance early", ccd::Mode::Conservative),
+    ("exact", "True times, rounded down", ccd::Mode::Exact),
 ];
 
 /// Headings of options in the help.
@@ -187,7 +187,7 @@ struct StepOptions {
     min_distance: f64,
     /// How times of impact are found
     ///
-    /// Contacts are the same in all. Exact ones take no --min-distance.
+    /// All modes find the same contacts. `exact` cannot be used with --min-distance.
     #[arg(long, value_parser = method::choice(MODES), default_value = "auto")]
     #[arg(help_heading = QUESTION)]
     mode: ccd::Mode,
@@ -197,7 +197,7 @@ struct StepOptions {
     /// --min-distance it is never certain that what touches separates.
     #[arg(long, help_heading = QUESTION)]
     leave_contact: bool,
-    /// How early a certain time of impact may be, in units of the step
+    /// How early the time of a hit may be, in units of the step
     #[arg(long, value_name = "T", default_value_t = ccd::TOI_TOLERANCE)]
     #[arg(allow_negative_numbers = true, hide_short_help = true, help_heading = QUESTION)]
     tolerance: f64,
@@ -337,7 +337,9 @@ fn bytes(text: &str) -> Result<u64, String> {
     let unit = units.into_iter().find_map(|(name, bits)| Some((text.strip_suffix(name)?, bits)));
     let (number, bits) = unit.unwrap_or((text, 0));
     let number = number.parse::<u64>().ok().filter(|n| n.leading_zeros() >= bits);
-    number.map(|n| n << bits).ok_or("a whole number, and K, M or G after it or not".into())
+    number
+        .map(|n| n << bits)
+        .ok_or("expected a whole number of bytes, which K, M or G may follow (2G)".into())
 }
 
 /// Whether there was a contact.

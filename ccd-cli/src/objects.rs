@@ -159,7 +159,9 @@ fn append(all: &mut Frame, more: &Frame) {
 pub fn notice_folded(path: &Path, frame: &Frame) {
     let n = frame.folded_polygons();
     if n > 0 {
-        let what = "polygons are not convex: the triangles that they are cut into leave them";
+        let plural = if n == 1 { " is" } else { "s are" };
+        let what =
+            format!("polygon{plural} not convex: triangles that they are cut into leave them");
         output::notice!("{}: {n} {what}", path.display());
     }
 }
@@ -177,9 +179,8 @@ pub fn same_topology(a: (&Path, &Frame), b: (&Path, &Frame)) -> Result<(), Failu
             return Err(in_file(
                 path_b,
                 format_args!(
-                    "has {n_b} {what}, {} has {n_a}: the two are to be one mesh at the start and \
-                     at the end of its motion, with the same vertices and faces (`ccd check` takes \
-                     another object by --with)",
+                    "has {n_b} {what}, {} has {n_a}: all frames must have the same vertices and \
+                     faces (to add another object, use `ccd check --with`)",
                     path_a.display()
                 ),
             ));

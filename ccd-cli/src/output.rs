@@ -256,6 +256,12 @@ pub fn explain(undecided: u64, at_start: u64, min_distance: f64, first: &str) {
     }
 }
 
+/// So many things: `1 step`, `2 steps`.
+pub fn counted(n: u64, thing: &str) -> String {
+    let plural = if n == 1 { "" } else { "s" };
+    format!("{n} {thing}{plural}")
+}
+
 /// A whole number with a comma between thousands.
 pub fn thousands(n: usize) -> String {
     let digits = n.to_string();

@@ -167,8 +167,11 @@ impl Sequence {
         } else if self.options.prints_text() {
             output::say!("{}", sentence(&steps, start.as_ref()));
             let text = format!(
-                "{} steps, {} of them free; {} contacts, {} undecided",
-                summary.steps, summary.free_steps, summary.contacts, summary.undecided
+                "{}, {} of them free; {}, {} undecided",
+                output::counted(summary.steps as u64, "step"),
+                summary.free_steps,
+                output::counted(summary.contacts, "contact"),
+                summary.undecided
             );
             output::line("summary", text);
             output::explain(

@@ -69,7 +69,8 @@ impl Intersections {
             };
             return output::line("start", format_args!("{text} (exact, {ms})"));
         };
-        let text = format!("the first frame {verb}: {} pairs", self.pairs);
+        let text =
+            format!("the first frame {verb}: {}", output::counted(self.pairs as u64, "pair"));
         output::line("start", text);
         let ([a, b], [c, d, e]) = (edge, face);
         output::line("", format!("such as edge {a} {b} and face {c} {d} {e} (exact, {ms})"));

@@ -50,14 +50,14 @@ pub enum Error {
     PathsUnseen,
     /// A mesh has particles whose contacts a device alone does not find.
     #[error(
-        "contacts of vertices of no edge with each other and with edges of no face are decided on \
-         the host, which does not see the paths that an application writes on the device"
+        "contacts of particles and rods are decided on the host, which does not see the paths that \
+         an application writes on the device: call `step` with positions"
     )]
     Codimensional,
     /// A mesh has particles that could touch each other or rods, in a browser.
     #[error(
-        "pairs of particles, and of particles and rods, are waited for, which a browser does not \
-         do: use the CPU"
+        "contacts of particles with each other and with rods need a call that waits, which a \
+         browser does not allow: use the CPU"
     )]
     Particles,
     /// A step on the device alone was asked for in [`Mode::Exact`](ccd_core::model::options::Mode).
@@ -112,7 +112,7 @@ pub enum Error {
         why: String,
     },
     /// The device refused a command: a defect of this library or of the driver.
-    #[error("the device refused a command: {why}")]
+    #[error("the device refused a command, a defect of the library or the driver: {why}")]
     Refused {
         /// What the device says.
         why: String,

@@ -109,7 +109,7 @@ impl Catalogued for BroadPhaseMethod {
         Row::new(Self::Blocks, "blocks")
             .about("Blocks of neighbouring boxes, of 8 on the CPU and 32 on a GPU"),
         Row::new(Self::TREE, "tree")
-            .about("A binary tree; on a GPU faster where few boxes overlap")
+            .about("A binary tree; --builder, --traversal and --volume say which")
             .source("Karras 2012"),
     ];
 }

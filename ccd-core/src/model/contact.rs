@@ -89,13 +89,13 @@ pub enum State {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Contact {
-    /// Vertex-face or edge-edge.
+    /// Which features touch.
     pub kind: Kind,
     /// Whether it is certain.
     pub state: State,
-    /// Vertex id, or the lesser edge id.
+    /// The vertex of a vertex-face or vertex-edge pair; else the lesser edge or vertex.
     pub a: u32,
-    /// Face id, or the greater edge id.
+    /// The face or edge that the vertex `a` touches; else the greater edge or vertex.
     pub b: u32,
     /// Time of impact in `[0, 1]`; never later than the first contact of the two features.
     pub toi: f64,

@@ -80,7 +80,7 @@ impl core::fmt::Display for Error {
             }
             Error::NoBody { body } => write!(f, "no vertex belongs to body {body}"),
             Error::NoFeature { element, id, n } => {
-                write!(f, "a rule for {element} {id}; the mesh has {n}")
+                write!(f, "a rule names {element} {id}, but the mesh has only {n}, counted from 0")
             }
             Error::FixedMoves { vertex } => {
                 write!(
@@ -134,7 +134,11 @@ impl core::fmt::Display for Error {
                 )
             }
             Error::Beyond { time, vertex } => {
-                write!(f, "vertex {vertex} at t{time} is beyond the candidates: find others")
+                write!(
+                    f,
+                    "vertex {vertex} at t{time} is outside of the inflation of these candidates: find \
+                     others for this step"
+                )
             }
             Error::NoPositions => {
                 f.write_str("there are no positions yet: call `set_positions` before bodies move")
