@@ -23,7 +23,7 @@
 //! assert_eq!(contact.state, State::Hit);
 //! assert!(contact.toi <= 0.5 && contact.toi > 0.5 - 1e-6);
 //!
-//! // A step that is safe to take, found faster than all contacts.
+//! // The time that bounds a safe step, found faster than all contacts.
 //! assert_eq!(session.earliest_toi(&before, &after)?, Some(contact.toi));
 //! # Ok::<(), ccd::Error>(())
 //! ```
@@ -39,6 +39,10 @@
 //! | contact at a distance | [`Options::min_distance`] |
 //! | positions in a vertex buffer, `glam`, posed bodies | [`positions`] |
 //! | another mesh, distance or options between steps | [`Session::set_mesh`], and its like |
+//! | leave out neighbours, or pairs near at rest | [`Exclusions`], [`near_at_rest`] |
+//! | a rule of your own for pairs | [`Session::set_filter`] (on the CPU) |
+//! | end a call from another thread | [`CancelToken`]: [`Session::set_cancel_token`] |
+//! | limit memory | [`Options::max_memory`] |
 //! | one pair of features | [`vertex_face`], [`edge_edge`], [`vertex_edge`], [`vertex_vertex`] |
 //! | how far a pair is apart at one moment | [`Mesh::distance`], [`Distance`] |
 //! | its square with gradient and Hessian, for a barrier | [`squared_distance`] |
@@ -47,9 +51,11 @@
 //! | the candidate pairs of a step | [`Session::candidates`] |
 //! | candidates for many steps, of a line search | [`CandidateSet`] |
 //! | true times of impact, on a GPU too | [`Mode::Exact`]; [`exact`] for one pair |
+//! | a time of impact as `f32`, or scaled | [`toi_to_f32`], [`scaled_toi`]: never later |
 //! | boxes in, overlapping pairs out | [`BroadPhase`], by a [`method::BroadPhaseMethod`] |
 //! | on a GPU where there is one, else on the CPU | [`any`]: `any::Session`, `any::BroadPhase` |
 //! | on a GPU | `gpu` (feature `gpu`): `gpu::Device`, `gpu::Session`, `gpu::BroadPhase` |
+//! | one mesh on several GPUs | `gpu::Group` (feature `gpu`) |
 //! | where two features touch, along which normal | [`Contact::geometry`]: [`ContactGeometry`] |
 //! | compute a response | [`geometry`] |
 //! | read meshes, positions over time and query files | `io` (feature `io`) |
@@ -109,8 +115,8 @@ pub mod squared_distance {
     };
 }
 
-/// What a response to contacts computes with: vectors, a query as a patch and a vector that move,
-/// and where they are nearest.
+/// Building blocks of a contact response: vectors, a query as a vector against a moving patch, and
+/// the nearest point of that patch.
 pub mod geometry {
     pub use ccd_core::math::vec3;
     pub use ccd_core::narrow_phase::closest_point::closest;

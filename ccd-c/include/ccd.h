@@ -276,9 +276,9 @@ typedef struct CcdContact {
   CcdState state;
   /// Whether they come nearer there.
   CcdApproach approach;
-  /// Vertex, or the lesser edge.
+  /// The vertex of a vertex-face or vertex-edge pair; else the lesser edge or vertex.
   uint32_t a;
-  /// Triangle, or the greater edge.
+  /// The triangle or edge that the vertex `a` touches; else the greater edge or vertex.
   uint32_t b;
   /// The vertices: `v f0 f1 f2` of a vertex and a triangle, `ea0 ea1 eb0 eb1` of two edges,
   /// `v e0 e1 e1` and `v w w w` of particles and rods.

@@ -3,8 +3,8 @@
 //!
 //! [`Device`] opens a GPU or takes the device of an application, [`Session`] steps a mesh on it,
 //! [`BroadPhase`] finds overlapping boxes. A call blocks until the device is done, except
-//! [`Engine::record`], [`Engine::submit`] and [`Engine::poll`], and those whose names end in
-//! `_async`, which alone are for browsers: there others end with [`Error::CannotBlock`].
+//! [`Engine::record`], [`Engine::submit`], [`Engine::poll`] and those that end in `_async`. In a
+//! browser, calls that block fail with [`Error::CannotBlock`].
 //!
 //! Vulkan, Metal, DX12 and WebGPU; OpenGL is refused. No contact is missed on any of them: what
 //! `f32` cannot decide is decided in `f64` or by integers, and on the CPU what these leave.

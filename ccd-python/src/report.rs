@@ -41,9 +41,9 @@ report! {
     /// Kind of each contact, uint8: `Kind.VERTEX_FACE`, `Kind.EDGE_EDGE`, and of particles and rods
     /// `Kind.VERTEX_EDGE`, `Kind.VERTEX_VERTEX`.
     kind: Py<PyArray1<u8>>,
-    /// Vertex id, or the lesser edge id, of each contact, uint32.
+    /// The vertex of a vertex-face or vertex-edge pair, else the lesser edge or vertex, uint32.
     a: Py<PyArray1<u32>>,
-    /// Face id, or the greater edge id, of each contact, uint32.
+    /// The face or edge that the vertex `a` touches, else the greater edge or vertex, uint32.
     b: Py<PyArray1<u32>>,
     /// Time of impact of each contact in [0, 1], float64; never late.
     toi: Py<PyArray1<f64>>,

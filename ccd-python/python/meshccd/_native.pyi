@@ -369,10 +369,10 @@ class Report:
         """Kind of each contact."""
     @property
     def a(self) -> _Ids:
-        """Vertex id, or the lesser edge id."""
+        """The vertex of a vertex-face or vertex-edge pair; else the lesser edge or vertex."""
     @property
     def b(self) -> _Ids:
-        """Face id, or the greater edge id."""
+        """The face or edge that the vertex `a` touches; else the greater edge or vertex."""
     @property
     def toi(self) -> NDArray[np.float64]:
         """Time of impact in [0, 1]; never late."""

@@ -136,8 +136,8 @@ impl core::fmt::Display for Error {
             Error::Beyond { time, vertex } => {
                 write!(
                     f,
-                    "vertex {vertex} at t{time} is outside of the inflation of these candidates: find \
-                     others for this step"
+                    "vertex {vertex} at t{time} is outside of the inflation of these candidates: \
+                     find others for this step"
                 )
             }
             Error::NoPositions => {

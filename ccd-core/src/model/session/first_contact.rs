@@ -29,7 +29,7 @@ pub struct Hit {
     pub kind: Kind,
     /// Whether it is certain that they do.
     pub state: State,
-    /// Vertex and face, or the lesser and the greater edge, by their ids in the mesh.
+    /// Their ids in the mesh, as [`Contact::a`] and [`Contact::b`].
     pub features: [u32; 2],
     /// The bodies of the features, by their names; both 0 where the options have no bodies.
     pub bodies: [u32; 2],
