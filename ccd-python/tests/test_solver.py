@@ -127,7 +127,7 @@ def test_step_sizes_of_a_set_are_certified():
         )
         free, some = free + (size == 1), some + (size < 1)
     assert free > 0 and some > 1
-    with pytest.raises(ValueError, match="beyond the candidates"):
+    with pytest.raises(ValueError, match="outside of the inflation"):
         ours.earliest_toi(x0, x1 + 0.02)
     with pytest.raises(ValueError):
         session.candidate_set(x0, x1, -1.0)

@@ -86,7 +86,7 @@ pub fn without_a_gpu() {
         assert_eq!(json(&output)["backend"], "cpu");
         text(&output.stderr)
     };
-    assert_eq!(check(&[]), "ccd: no GPU (`ccd info`)\n");
+    assert_eq!(check(&[]), "ccd: no GPU found; going on with the CPU (`ccd info` says why)\n");
     assert_eq!(check(&["--quiet"]), "");
     // `info` says what there is and what to do.
     let output = without(&["info"]);
