@@ -13,6 +13,9 @@ const BACKENDS: Choices<Backend, 3> = [
     ("auto", "A GPU from 20,000 edges or boxes on, if there is one; else the CPU", Backend::Auto),
 ];
 
+// What the help says of `auto`.
+const _: () = assert!(any::FEWEST_FOR_GPU == 20_000);
+
 const SHADERS: Choices<gpu::Path, 2> = [
     ("passthrough", "SPIR-V as compiled, Vulkan only", gpu::Path::Passthrough),
     ("wgsl", "WGSL, every GPU API", gpu::Path::Wgsl),

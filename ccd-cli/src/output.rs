@@ -258,8 +258,12 @@ pub fn explain(undecided: u64, at_start: u64, min_distance: f64, first: &str) {
 
 /// So many things: `1 step`, `2 steps`.
 pub fn counted(n: u64, thing: &str) -> String {
-    let plural = if n == 1 { "" } else { "s" };
-    format!("{n} {thing}{plural}")
+    format!("{n} {thing}{}", plural(n))
+}
+
+/// What a noun ends with, of so many things.
+pub fn plural(n: u64) -> &'static str {
+    if n == 1 { "" } else { "s" }
 }
 
 /// A whole number with a comma between thousands.

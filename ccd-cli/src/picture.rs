@@ -4,7 +4,7 @@
 use super::canvas::{Canvas, Colour, Shape};
 use super::legend::{Frame, Legend, colour_of};
 use super::look::{Look, Subject};
-use super::output::thousands;
+use super::output::{plural, thousands};
 use super::pixels::{Failed, Picture};
 use super::{Failure, start, toi};
 use ccd::geometry::vec3::{dot, lerp, sub};
@@ -107,7 +107,7 @@ fn draw(scene: &Scene) -> Result<Vec<u8>, Failed> {
 
 /// How many contacts are drawn, of how many and from which part of the step.
 fn counted(n: usize, total: usize, window: [f64; 2]) -> String {
-    let plural = if total == 1 { "" } else { "s" };
+    let plural = plural(total as u64);
     let all = match total {
         0 => "no contact".into(),
         _ => format!("{} contact{plural}", thousands(total)),

@@ -21,8 +21,8 @@ struct Turn {
 const TURNS: usize = 48;
 
 /// By turn and the octants of two levels, three bits each: the turned octants, six bits, and above
-/// them the turn of what is below. Made at the first use, since it is 8 KB that a program would be
-/// larger by; as long as a number of its bits can be, so that no look is checked.
+/// them the turn of what is below. Made at the first use, so that no program is 8 KB larger; it has
+/// an entry for every index of 12 bits, so that none needs a check.
 pub type Turned = [u16; 1 << 12];
 static TURNED: LazyLock<Turned> = LazyLock::new(turned);
 

@@ -287,7 +287,7 @@ impl Prepared {
             // What stands where it stood keeps its order.
             let keep = (self.built && keeps.still, &*rigid);
             self.built = true;
-            // What is most first: buffers are long enough then.
+            // Edges, the most, first: then the sort's buffers are long enough for the others.
             edges.build(threads, method, rules, keep, |e| mesh.edges()[e as usize]);
             faces.build(threads, method, rules, keep, |f| mesh.faces()[f as usize]);
             vertices.build(threads, method, rules, keep, |v| [v]);

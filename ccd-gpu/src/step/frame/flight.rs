@@ -125,8 +125,8 @@ impl Frames {
         }
     }
 
-    /// A frame that is recorded decides twice, whatever the steps before did: what those left open
-    /// must fit where it lists such pairs. A step does not end for want of that memory.
+    /// Makes room in the list that only two decisions use for the pairs that one has left open: a
+    /// recorded frame always decides twice. A step does not fail for lack of that memory.
     fn grow_left(&mut self, device: &Device, n_open: u32) -> Result<(), Error> {
         match self.buffers.left.grow(device, n_open) {
             Ok(false) => Ok(()),
@@ -280,7 +280,8 @@ impl Rest {
     }
 }
 
-/// Pairs left, so that there are two decisions.
+/// Stands for the number of pairs left where contacts had no memory: more than any number for
+/// which one decision is enough.
 const ALWAYS: u32 = u32::MAX;
 
 /// If more than a quarter of the candidates is left after paths were cut, so many of the next calls
