@@ -6,7 +6,8 @@
 //! | `step/` | boxes and tables, candidates, the narrow phase |
 //! | `broad_phase/` | sources of pairs: blocks, the binary tree; boxes alone |
 //! | `simd/` | lanes of each instruction set |
-//! | `sort.rs`, `threads.rs`, `stop.rs` | the radix sort; where work runs; what ends it early |
+//! | `sort.rs`, `threads.rs`, `pages.rs` | the radix sort; where work runs; pages of its memory |
+//! | `stop.rs` | what ends a call early |
 #![deny(unsafe_code)]
 #![warn(clippy::missing_errors_doc, clippy::missing_panics_doc)]
 
@@ -17,6 +18,7 @@
 mod broad_phase;
 mod clock;
 mod exclusions;
+mod pages;
 mod session;
 #[allow(unsafe_code, reason = "intrinsics, after asking the processor; a write within capacity")]
 mod simd;

@@ -43,6 +43,18 @@ impl RadixSort {
         key: impl Fn(usize) -> u64 + Sync,
         order: &mut Vec<u32>,
     ) {
+        self.sort_keys(threads, n, |[i]| [key(i)], order);
+    }
+
+    /// The same by `keys([i, ..]) = [key(i), ..]`, of `K` items at once; the last one is asked for
+    /// more than once.
+    pub fn sort_keys<const K: usize>(
+        &mut self,
+        threads: &Threads,
+        n: usize,
+        keys_of: impl Fn([usize; K]) -> [u64; K] + Sync,
+        order: &mut Vec<u32>,
+    ) {
         for half in 0..2 {
             threads.resize(&mut self.keys[half], n, AtomicU64::default);
             threads.resize(&mut self.values[half], n, AtomicU32::default);
@@ -57,9 +69,13 @@ impl RadixSort {
         let (keys, values) = (&self.keys, &self.values);
 
         threads.each(workers, &|k, worker| {
-            for i in range(k) {
-                keys[0][i].store(key(i), Relaxed);
-                values[0][i].store(i as u32, Relaxed);
+            let end = range(k).end;
+            for first in range(k).step_by(K) {
+                let some = keys_of(std::array::from_fn(|j| (first + j).min(end - 1)));
+                for (i, key) in (first..end).zip(some) {
+                    keys[0][i].store(key, Relaxed);
+                    values[0][i].store(i as u32, Relaxed);
+                }
             }
             count(&keys[0][range(k)], &mut worker.counts, 0..PASSES);
         });

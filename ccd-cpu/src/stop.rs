@@ -97,11 +97,22 @@ impl Stop {
     /// To twice the capacity, or else just enough.
     #[cold]
     fn grow<T>(&self, what: &'static str, list: &mut Vec<T>, more: usize) -> bool {
-        let (capacity, least) = (list.capacity(), list.len() + more);
-        let bytes = |wanted: usize| ((wanted - capacity) * size_of::<T>()) as u64;
-        let amortized = least.max(2 * capacity);
-        let wanted = if self.take(bytes(amortized)) {
-            amortized
+        self.allocate(what, list, (list.len() + more).max(2 * list.capacity()) - list.len(), more)
+    }
+
+    /// Makes a list long enough for `wanted` more items, or, if the limit does not allow that, for
+    /// `least` more; nor that: the call ends, and nothing may be added.
+    #[must_use]
+    pub fn allocate<T>(
+        &self,
+        what: &'static str,
+        list: &mut Vec<T>,
+        wanted: usize,
+        least: usize,
+    ) -> bool {
+        let bytes = |more: usize| ((list.len() + more - list.capacity()) * size_of::<T>()) as u64;
+        let granted = if self.take(bytes(wanted)) {
+            wanted
         } else if self.take(bytes(least)) {
             least
         } else {
@@ -109,7 +120,7 @@ impl Stop {
             self.end(Error::Memory { what, bytes: bytes(least), held, limit });
             return false;
         };
-        list.reserve_exact(wanted - list.len());
+        list.reserve_exact(granted);
         true
     }
 

@@ -1,6 +1,7 @@
 //! Where work runs: in the calling thread, on rayon's current pool, or on a pool of a wanted size.
 #![allow(unsafe_code, reason = "threads write to parts of one slice")]
 
+use crate::pages;
 use crate::stop::Stop;
 use ccd_core::Error;
 use ccd_core::model::options::Options;
@@ -174,6 +175,7 @@ impl Threads {
         out.truncate(n);
         if out.len() < n {
             out.reserve_exact(n - out.len());
+            pages::large(out.spare_capacity_mut());
             self.append(out, n - out.len(), |_| new());
         }
     }

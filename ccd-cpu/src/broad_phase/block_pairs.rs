@@ -3,23 +3,20 @@
 
 use crate::broad_phase::block_bvh::BlockBvh;
 use crate::broad_phase::curve_order::CurveOrder;
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Set, Sides};
-use crate::broad_phase::marks::Marks;
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Sides};
 use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::tasks::{Search, Tasks};
-use crate::broad_phase::worlds::fill_blocks;
 use crate::simd::{Block, RowSimd, WIDTH};
 use crate::threads::Threads;
-use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::pair_descent::NodePair;
-use std::ops::Range;
 
 /// A block bvh per set.
 #[derive(Debug, Default)]
 pub struct BlockSource {
     pub trees: Vec<BlockBvh>,
-    curve: CurveOrder,
+    /// What sorts each set.
+    pub curves: Vec<CurveOrder>,
     tasks: Tasks,
 }
 
@@ -44,43 +41,6 @@ impl BlockPair {
     #[inline(always)]
     pub fn unpacked([a, b]: NodePair) -> Self {
         Self { level: a >> BITS, a: a & ((1 << BITS) - 1), b }
-    }
-}
-
-impl Order for BlockSource {
-    fn sort(
-        &mut self,
-        threads: &Threads,
-        set: Set,
-        boxes: &[Aabb<f32>],
-        marks: &Marks,
-        order: &mut Vec<u32>,
-    ) {
-        if self.trees.len() <= set.index {
-            self.trees.resize_with(set.index + 1, BlockBvh::default);
-        }
-        // What is fixed comes last, so that whole blocks are.
-        self.curve.sort(threads, boxes, marks, order);
-        if let Some(world) = marks.world {
-            fill_blocks(order, world);
-        }
-        self.trees[set.index].begin(order, marks);
-    }
-
-    fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
-        self.trees[leaves.set().index].fit(threads, leaves)
-    }
-
-    fn take_ends(
-        &mut self,
-        threads: &Threads,
-        leaves: &LeafBoxes,
-        ends: &[[Block; 2]],
-        changed: &[Range<usize>],
-        gap: f32,
-    ) -> bool {
-        let tree = &mut self.trees[leaves.set().index];
-        tree.take_ends(threads, ends, (changed, leaves.n_moving()), gap)
     }
 }
 
@@ -320,9 +280,12 @@ const UPPER: u64 = 0x0080_c0e0_f0f8_fcfe;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::broad_phase::leaf_boxes::block_of;
+    use crate::broad_phase::leaf_boxes::{Set, block_of};
+    use crate::broad_phase::marks::Marks;
     use crate::broad_phase::tests::random;
+    use ccd_core::Aabb;
     use std::collections::BTreeSet;
+    use std::ops::Range;
 
     /// Gathers pairs of ids.
     struct Gather<'a>(&'a LeafBoxes);

@@ -2,7 +2,7 @@
 //!
 //! Twin: none; on a GPU a sort of keys, as any other.
 
-use crate::broad_phase::hilbert_code::{BITS, hilbert_code, turned_octants};
+use crate::broad_phase::hilbert_code::{BITS, LANES, hilbert_codes, turned_octants};
 use crate::broad_phase::marks::Marks;
 use crate::simd::WIDTH;
 use crate::sort::RadixSort;
@@ -59,17 +59,17 @@ impl CurveOrder {
     ) -> MortonGrid {
         let grid = self.grid(threads, boxes);
         let (curve, turned) = (self.curve, turned_octants());
-        let code = |i: usize| match curve {
-            Curve::Hilbert => hilbert_code(turned, &boxes[i], &grid),
-            Curve::Morton => {
+        let codes = |of: [usize; LANES]| match curve {
+            Curve::Hilbert => hilbert_codes(turned, of.map(|i| &boxes[i]), &grid),
+            Curve::Morton => of.map(|i| {
                 let [low, high] = morton_key::morton(i, boxes, &grid);
                 (high as u64) << 32 | low as u64
-            }
+            }),
         };
         let Marks { fixed, world, world_bits: bits, kept, .. } = *marks;
         let is_fixed = |i: usize| fixed.is_some_and(|fixed| fixed(i)) as u64;
         match (world, fixed) {
-            (None, None) => self.radix.sort(threads, boxes.len(), code, order),
+            (None, None) => self.radix.sort_keys(threads, boxes.len(), codes, order),
             (None, Some(_)) if kept > 0 => {
                 // The others are all that is sorted, each once.
                 self.moving.clear();
@@ -78,17 +78,20 @@ impl CurveOrder {
                 self.still.clear();
                 self.still.extend_from_slice(&order[order.len() - kept..]);
                 let moving = &self.moving;
-                let key = |i: usize| code(moving[i] as usize);
-                self.radix.sort(threads, moving.len(), key, order);
+                let keys = |of: [usize; LANES]| codes(of.map(|i| moving[i] as usize));
+                self.radix.sort_keys(threads, moving.len(), keys, order);
                 threads.update(order, |i| moving[i as usize]);
                 order.extend_from_slice(&self.still);
             }
             _ => {
-                let key = |i: usize| {
-                    let world = world.map_or(0, |world| world(i) as u64);
-                    (world << 1 | is_fixed(i)) << (62 - bits) | code(i) >> (1 + bits)
+                let keys = |of: [usize; LANES]| {
+                    let codes = codes(of);
+                    std::array::from_fn(|k| {
+                        let world = world.map_or(0, |world| world(of[k]) as u64);
+                        (world << 1 | is_fixed(of[k])) << (62 - bits) | codes[k] >> (1 + bits)
+                    })
                 };
-                self.radix.sort(threads, boxes.len(), key, order);
+                self.radix.sort_keys(threads, boxes.len(), keys, order);
             }
         }
         self.place_posed(order, marks);

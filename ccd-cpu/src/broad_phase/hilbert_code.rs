@@ -36,36 +36,53 @@ pub fn turned_octants() -> &'static Turned {
     &TURNED
 }
 
-/// The Hilbert code of the cell of a box's centre, on a grid of [`BITS`] an axis.
+/// Codes that are looked up at once: each look waits for the one before, those of others do not.
+pub const LANES: usize = 4;
+
+/// The Hilbert codes of the cells of boxes' centres, on a grid of [`BITS`] an axis.
 #[inline]
-pub fn hilbert_code(turned: &Turned, aabb: &Aabb, grid: &MortonGrid) -> u64 {
-    let [low, high] = morton63(grid.cell(aabb));
-    hilbert63(turned, (high as u64) << 32 | low as u64)
+pub fn hilbert_codes<const K: usize>(
+    turned: &Turned,
+    boxes: [&Aabb; K],
+    grid: &MortonGrid,
+) -> [u64; K] {
+    hilbert63(
+        turned,
+        boxes.map(|aabb| {
+            let [low, high] = morton63(grid.cell(aabb));
+            (high as u64) << 32 | low as u64
+        }),
+    )
 }
 
-/// The Hilbert code of the cell with this Morton code.
+/// The Hilbert codes of the cells with these Morton codes.
 #[inline]
-fn hilbert63(turned: &Turned, morton: u64) -> u64 {
-    let (mut found, mut code) = (0, 0);
+fn hilbert63<const K: usize>(turned: &Turned, morton: [u64; K]) -> [u64; K] {
+    let (mut found, mut codes) = ([0; K], [0; K]);
     for two in (0..BITS / 2).rev() {
-        let octants = (morton >> (6 * two + 3)) as usize & 63;
-        found = turned[(found & (63 << 6)) | octants] as usize;
-        code = code << 6 | (found & 63) as u64;
+        for k in 0..K {
+            let octants = (morton[k] >> (6 * two + 3)) as usize & 63;
+            found[k] = turned[(found[k] & (63 << 6)) | octants] as usize;
+            codes[k] = codes[k] << 6 | (found[k] & 63) as u64;
+        }
     }
-    // The last level, and one below it that is not there.
-    found = turned[(found & (63 << 6)) | (morton as usize & 7) << 3] as usize;
-    code = code << 3 | (found >> 3 & 7) as u64;
-    // From the Gray code of each level to its place, and back where the levels above it turn.
-    code ^= (code & X) >> 1;
-    code ^= (code & Y) >> 1;
-    let mut above = code & Z;
-    above ^= above >> 3;
-    above ^= above >> 6;
-    above ^= above >> 12;
-    above ^= above >> 24;
-    above ^= above >> 48;
-    above >>= 3;
-    code ^ above ^ above << 1 ^ above << 2
+    for k in 0..K {
+        // The last level, and one below it that is not there.
+        let last = turned[(found[k] & (63 << 6)) | (morton[k] as usize & 7) << 3];
+        let mut code = codes[k] << 3 | (last >> 3 & 7) as u64;
+        // From the Gray code of each level to its place, and back where the levels above it turn.
+        code ^= (code & X) >> 1;
+        code ^= (code & Y) >> 1;
+        let mut above = code & Z;
+        above ^= above >> 3;
+        above ^= above >> 6;
+        above ^= above >> 12;
+        above ^= above >> 24;
+        above ^= above >> 48;
+        above >>= 3;
+        codes[k] = code ^ above ^ above << 1 ^ above << 2;
+    }
+    codes
 }
 
 impl Turn {
@@ -128,7 +145,11 @@ mod tests {
         for i in 0..20_000 {
             // Of all sizes.
             let cell = [(); 3].map(|()| (unit() * 2_097_152.0) as u32 >> (i % 21));
-            assert_eq!(hilbert63(turned, code(cell)), code(hilbert_cell(cell, BITS)), "{cell:?}");
+            assert_eq!(
+                hilbert63(turned, [code(cell)]),
+                [code(hilbert_cell(cell, BITS))],
+                "{cell:?}"
+            );
         }
     }
 

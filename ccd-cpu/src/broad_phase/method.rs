@@ -72,6 +72,18 @@ impl Method {
         Ok(Self::Listed(Listed { source, buffers: Vec::new() }))
     }
 
+    /// Has each of three sets do something with what has it in order: at once, if they have nothing
+    /// in common there.
+    pub fn each_set(&mut self, threads: &Threads, [a, b, c]: [&mut OfSet; 3]) {
+        match self {
+            Self::Blocks(source) => {
+                let [mut of_a, mut of_b, mut of_c] = source.orders();
+                threads.together(|| a(&mut of_a), || b(&mut of_b), || c(&mut of_c));
+            }
+            _ => [a, b, c].into_iter().for_each(|of_set| of_set(self.order())),
+        }
+    }
+
     /// Nodes of binary trees, or pairs of them, that the last search visited.
     pub fn visits(&self) -> u64 {
         match self {
@@ -147,6 +159,9 @@ impl PairSource for Method {
         }
     }
 }
+
+/// What one set does with what has it in order.
+pub type OfSet<'a> = dyn FnMut(&mut dyn Order) + Send + 'a;
 
 /// Whether a scheduler or a front was chosen that the method does not have by itself. Blocks have
 /// self-scheduling without a front, compiled into every sink.

@@ -15,6 +15,7 @@
 //! Sessions, the broad phase and the tests of all methods then have it.
 
 pub mod block_bvh;
+pub mod block_order;
 mod block_pairs;
 #[cfg(feature = "catalogue")]
 mod block_workers;
@@ -288,8 +289,8 @@ impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
                 simd.overlaps_surely(&self.a.blocks()[a], lane, &self.b.blocks()[b], self.slack);
             mask = mask & sure | keep(mask & !sure, |j| confirm(id, ids[j]));
         }
-        if self.stop.reserve("overlapping boxes", &mut lister.pairs, WIDTH) {
-            simd.append::<WITHIN>(&mut lister.pairs, id, ids, mask);
+        if let Some(pairs) = lister.room(self.stop, "overlapping boxes", WIDTH) {
+            simd.append::<WITHIN>(pairs, id, ids, mask);
         }
     }
 

@@ -2,6 +2,8 @@
 //!
 //! Twin: none; a GPU lists pairs in one buffer.
 
+use crate::pages;
+use crate::stop::Stop;
 use ccd_core::backend::layout::Pair;
 
 /// The pairs that a broad phase found, in canonical order: a few runs, which stay where the threads
@@ -22,11 +24,12 @@ pub struct Pairs<'a> {
     workers: &'a [Lister],
 }
 
-/// A run of pairs: of which task, found by which worker, where.
+/// A run of pairs: of which task, found by which worker, where in which of its chunks.
 #[derive(Clone, Copy, Debug)]
 pub struct Run {
     task: usize,
     worker: usize,
+    chunk: usize,
     start: usize,
     end: usize,
 }
@@ -49,7 +52,7 @@ impl<'a> Pairs<'a> {
     /// The runs, in order.
     pub fn runs(&self) -> impl Iterator<Item = &'a [Pair]> + use<'a> {
         let workers = self.workers;
-        self.runs.iter().map(|r| &workers[r.worker].pairs[r.start..r.end])
+        self.runs.iter().map(|r| &workers[r.worker].chunk(r.chunk)[r.start..r.end])
     }
 
     /// All pairs, in order.
@@ -65,21 +68,20 @@ impl<'a> Pairs<'a> {
     }
 }
 
-/// Puts the workers' segments in the order of tasks, neighbours in one worker's list joined.
+/// Puts the workers' segments in the order of tasks, neighbours in one worker's chunk joined.
 pub fn order_runs(workers: &[Lister], runs: &mut Vec<Run>) {
     runs.clear();
     for (k, worker) in workers.iter().enumerate() {
-        let ends = worker.segments.iter().skip(1).map(|s| s.1).chain([worker.pairs.len()]);
-        runs.extend(worker.segments.iter().zip(ends).map(|(&(task, start), end)| Run {
-            task,
-            worker: k,
-            start,
-            end,
-        }));
+        for (i, of) in worker.segments.iter().enumerate() {
+            let next = worker.segments.get(i + 1).filter(|next| next.chunk == of.chunk);
+            let end = next.map_or_else(|| worker.chunk(of.chunk).len(), |next| next.start);
+            let Segment { task, chunk, start } = *of;
+            runs.push(Run { task, worker: k, chunk, start, end });
+        }
     }
-    runs.sort_unstable_by_key(|run| run.task);
+    runs.sort_unstable_by_key(|run| (run.task, run.chunk));
     runs.dedup_by(|next, run| {
-        let joined = next.worker == run.worker && next.start == run.end;
+        let joined = (next.worker, next.chunk, next.start) == (run.worker, run.chunk, run.end);
         if joined {
             run.end = next.end;
         }
@@ -87,23 +89,83 @@ pub fn order_runs(workers: &[Lister], runs: &mut Vec<Run>) {
     });
 }
 
-/// What one worker found: pairs, and which task each run of them belongs to.
+/// What one worker found: pairs in chunks, none of which is moved when another one is needed, and
+/// which task each run of them belongs to.
 #[derive(Debug, Default)]
 #[repr(align(128))]
 pub struct Lister {
-    pub pairs: Vec<Pair>,
-    segments: Vec<(usize, usize)>,
+    /// The chunk that is being filled.
+    pairs: Vec<Pair>,
+    /// Those before it, and empty ones for later, the next one last.
+    full: Vec<Vec<Pair>>,
+    spare: Vec<Vec<Pair>>,
+    segments: Vec<Segment>,
 }
+
+/// Where pairs of a task begin; they end where the next one begins, or with the chunk.
+#[derive(Clone, Copy, Debug)]
+struct Segment {
+    task: usize,
+    chunk: usize,
+    start: usize,
+}
+
+/// Pairs of the first chunk. Each has twice as many as the one before, up to 8 MiB.
+const FIRST: usize = 1 << 12;
+const MOST: usize = 1 << 20;
 
 impl Lister {
     /// Forgets everything, keeps buffers.
     pub fn clear(&mut self) {
-        self.pairs.clear();
         self.segments.clear();
+        self.spare.push(std::mem::take(&mut self.pairs));
+        self.spare.extend(self.full.drain(..).rev());
+        self.spare.iter_mut().for_each(Vec::clear);
+        self.pairs = self.spare.pop().unwrap_or_default();
     }
 
     /// Pairs from here on belong to this task.
     pub fn begin(&mut self, task: usize) {
-        self.segments.push((task, self.pairs.len()));
+        self.segments.push(Segment { task, chunk: self.full.len(), start: self.pairs.len() });
+    }
+
+    /// The list to add up to so many pairs to, at most [`MOST`], which are called `what`; none if
+    /// the limit of memory does not allow them, and the call ends.
+    #[inline(always)]
+    pub fn room(&mut self, stop: &Stop, what: &'static str, n: usize) -> Option<&mut Vec<Pair>> {
+        if self.pairs.capacity() - self.pairs.len() < n && !self.next(stop, what, n) {
+            return None;
+        }
+        Some(&mut self.pairs)
+    }
+
+    #[cold]
+    fn next(&mut self, stop: &Stop, what: &'static str, n: usize) -> bool {
+        let next = match self.spare.pop() {
+            Some(next) => next,
+            None => {
+                let wanted = (2 * self.pairs.capacity()).clamp(FIRST, MOST);
+                let mut next = Vec::new();
+                if !stop.allocate(what, &mut next, wanted, n) {
+                    return false;
+                }
+                pages::large(next.spare_capacity_mut());
+                next
+            }
+        };
+        let pairs = std::mem::replace(&mut self.pairs, next);
+        if pairs.capacity() == 0 {
+            return true;
+        }
+        self.full.push(pairs);
+        if let Some(&Segment { task, .. }) = self.segments.last() {
+            self.begin(task);
+        }
+        true
+    }
+
+    /// Chunk `k`.
+    fn chunk(&self, k: usize) -> &[Pair] {
+        self.full.get(k).unwrap_or(&self.pairs)
     }
 }

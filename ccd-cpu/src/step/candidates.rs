@@ -172,19 +172,17 @@ impl Take for Lister {
         ids: &[u32; WIDTH],
         mask: u32,
     ) {
-        if !scene.stop.reserve(CANDIDATES, &mut self.pairs, WIDTH) {
-            return;
-        }
+        let Some(pairs) = self.room(scene.stop, CANDIDATES, WIDTH) else { return };
         match kind {
-            Kind::VertexFace => simd.append::<false>(&mut self.pairs, id, ids, mask),
-            _ => simd.append::<true>(&mut self.pairs, id, ids, mask),
+            Kind::VertexFace => simd.append::<false>(pairs, id, ids, mask),
+            _ => simd.append::<true>(pairs, id, ids, mask),
         }
     }
 
     #[inline(always)]
     fn take_one(&mut self, scene: &Scene, _kind: Kind, pair: Pair) {
-        if scene.stop.reserve(CANDIDATES, &mut self.pairs, 1) {
-            self.pairs.push(pair);
+        if let Some(pairs) = self.room(scene.stop, CANDIDATES, 1) {
+            pairs.push(pair);
         }
     }
 

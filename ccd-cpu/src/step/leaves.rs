@@ -1,7 +1,7 @@
 //! What belongs to the leaves of one set of features, in the order of the method that was chosen:
 //! all that the filters read of a pair of leaves.
 
-use crate::broad_phase::leaf_boxes::{Keeps, LeafBoxes, Set, add_runs};
+use crate::broad_phase::leaf_boxes::{Keeps, LeafBoxes, Order, Set, add_runs};
 use crate::broad_phase::marks::Posed;
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;
@@ -32,7 +32,7 @@ impl<const N: usize> Feature<N> {
     pub fn build(
         &mut self,
         threads: &Threads,
-        method: &mut Method,
+        order: &mut dyn Order,
         rules: Option<&Rules>,
         (keep, rigid): (bool, &RigidTrees),
         features: impl Fn(u32) -> [u32; N] + Sync,
@@ -41,9 +41,9 @@ impl<const N: usize> Feature<N> {
         let kept = if keep { leaves.boxes.n_still() } else { 0 };
         let vertex = |i: usize| features(i as u32)[0];
         let is = |i: usize| rigid.has(vertex(i));
-        let order = rigid.order(leaves.boxes.set().index);
-        let posed = rigid.is_there().then_some(Posed { is: &is, order, wait: rigid.is_on() });
-        let order = method.order();
+        let posed = rigid.order(leaves.boxes.set().index);
+        let posed = Posed { is: &is, order: posed, wait: rigid.is_on() };
+        let posed = rigid.is_there().then_some(posed);
         leaves.boxes.build_by_rules(threads, order, boxes, rules, vertex, (kept, posed));
         leaves.order(threads, rules, &features);
     }
@@ -54,8 +54,8 @@ impl<const N: usize> Feature<N> {
     }
 
     /// Has the method fit them, see [`Order::fit`](crate::broad_phase::leaf_boxes::Order::fit).
-    pub fn fit(&mut self, threads: &Threads, method: &mut Method) -> f64 {
-        method.order().fit(threads, &self.leaves.boxes)
+    pub fn fit(&mut self, threads: &Threads, order: &mut dyn Order) -> f64 {
+        order.fit(threads, &self.leaves.boxes)
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a step prepares before anything is compared: checked coordinates, boxes, trees, the table
 //! that filters read.
 
+mod triangles;
 mod vertices;
 
 use crate::broad_phase::leaf_boxes::Keeps;
@@ -274,11 +275,16 @@ impl Prepared {
                 || edges.take_boxes(threads, of_sets[1]),
                 || faces.take_boxes(threads, of_sets[2]),
             );
-            let looseness = [
-                vertices.fit(threads, method),
-                edges.fit(threads, method),
-                faces.fit(threads, method),
-            ];
+            let mut looseness = [0.0; 3];
+            let [v, e, f] = &mut looseness;
+            method.each_set(
+                threads,
+                [
+                    &mut |order| *v = vertices.fit(threads, order),
+                    &mut |order| *e = edges.fit(threads, order),
+                    &mut |order| *f = faces.fit(threads, order),
+                ],
+            );
             loose = first && looseness.into_iter().fold(0.0, f64::max) > MAX_LOOSENESS;
         }
         if loose {
@@ -287,10 +293,15 @@ impl Prepared {
             // What stands where it stood keeps its order.
             let keep = (self.built && keeps.still, &*rigid);
             self.built = true;
-            // Edges, the most, first: then the sort's buffers are long enough for the others.
-            edges.build(threads, method, rules, keep, |e| mesh.edges()[e as usize]);
-            faces.build(threads, method, rules, keep, |f| mesh.faces()[f as usize]);
-            vertices.build(threads, method, rules, keep, |v| [v]);
+            let (of_edges, of_faces) = (mesh.edges(), mesh.faces());
+            method.each_set(
+                threads,
+                [
+                    &mut |order| vertices.build(threads, order, rules, keep, |v| [v]),
+                    &mut |order| edges.build(threads, order, rules, keep, |e| of_edges[e as usize]),
+                    &mut |order| faces.build(threads, order, rules, keep, |f| of_faces[f as usize]),
+                ],
+            );
             keeps.still = false;
             still.movers.forget_order();
         }
@@ -331,39 +342,13 @@ impl Prepared {
             return self.leaves(threads, method, (mesh, options), rules, x).map(|_| ());
         }
         self.edges.take_boxes(threads, Keeps::default());
-        self.edges.fit(threads, method);
+        self.edges.fit(threads, method.order());
         self.faces.take_boxes(threads, Keeps::default());
-        self.faces.fit(threads, method);
+        self.faces.fit(threads, method.order());
         // Everything else is of an earlier step.
         self.still.forget();
         self.whole = true;
         Ok(())
-    }
-
-    /// The same for triangles.
-    fn triangle_leaves(
-        &mut self,
-        threads: &Threads,
-        method: &mut Method,
-        rules: Option<&Rules>,
-        first: bool,
-    ) -> Result<bool, Error> {
-        let Self { vertices, edges, faces, triangles, table, built, contact_reach, .. } = self;
-        let boxes =
-            FeatureBoxes { vertices: &vertices.boxes, edges: &edges.boxes, faces: &faces.boxes };
-        let Some(leaves) = triangles else { return Ok(false) };
-        leaves.sweep(threads, boxes.vertices);
-        let mut loose = !*built || !method.order().outlasts_motion();
-        if !loose {
-            loose = leaves.refit(threads, method) > MAX_LOOSENESS && first;
-        }
-        if loose {
-            leaves.build(threads, method, rules)?;
-            *built = true;
-        }
-        leaves.place(threads, boxes, table);
-        leaves.orient(threads, table, *contact_reach);
-        Ok(loose)
     }
 
     /// The gap along an axis that keeps two features apart, in the unit of the table.
