@@ -4,7 +4,7 @@
 use crate::broad_phase::block_bvh::BlockBvh;
 use crate::broad_phase::curve_order::CurveOrder;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Order, Sides};
-use crate::broad_phase::pair_source::{Overlaps, PairSink, PairSource};
+use crate::broad_phase::pair_source::{PairSink, PairSource};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::tasks::{Search, Tasks};
 use crate::simd::{Block, RowSimd, WIDTH};
@@ -150,12 +150,7 @@ impl PairTree for BlockPairs<'_> {
         if self.within && a == b {
             masks &= UPPER;
         }
-        while masks != 0 {
-            let lane = masks.trailing_zeros() as usize / 8;
-            let mask = (masks >> (8 * lane)) as u32 & 0xff;
-            masks &= !(0xff << (8 * lane));
-            sink.row(worker, simd, Overlaps { a, lane, b, mask });
-        }
+        sink.rows(worker, simd, (a, b), masks);
     }
 }
 
@@ -282,6 +277,7 @@ mod tests {
     use super::*;
     use crate::broad_phase::leaf_boxes::{Set, block_of};
     use crate::broad_phase::marks::Marks;
+    use crate::broad_phase::pair_source::Overlaps;
     use crate::broad_phase::tests::random;
     use ccd_core::Aabb;
     use std::collections::BTreeSet;

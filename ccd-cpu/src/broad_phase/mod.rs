@@ -294,6 +294,36 @@ impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
         }
     }
 
+    #[inline(always)]
+    fn rows<S: RowSimd>(
+        &self,
+        lister: &mut Lister,
+        simd: S,
+        (a, b): (usize, usize),
+        mut masks: u64,
+    ) {
+        if !S::PICKS {
+            while let Some(row) = Overlaps::next(a, b, &mut masks) {
+                self.row(lister, simd, row);
+            }
+            return;
+        }
+        while masks != 0 {
+            let ([at_a, at_b], mut mask) = simd.eight(&mut masks);
+            let ids_a = simd.pick_ids(self.a.ids(a), &at_a);
+            let ids_b = simd.pick_ids(self.b.ids(b), &at_b);
+            if let Some(confirm) = self.confirm {
+                let boxes_a = simd.picked(&self.a.blocks()[a], &at_a);
+                let boxes_b = simd.picked(&self.b.blocks()[b], &at_b);
+                let sure = simd.each_overlaps_surely(boxes_a, boxes_b, self.slack);
+                mask = mask & sure | keep(mask & !sure, |k| confirm(ids_a[k], ids_b[k]));
+            }
+            if let Some(pairs) = lister.room(self.stop, "overlapping boxes", WIDTH) {
+                simd.append_each::<WITHIN>(pairs, &ids_a, &ids_b, mask);
+            }
+        }
+    }
+
     fn begin(&self, lister: &mut Lister, task: usize) {
         lister.begin(task);
     }

@@ -9,7 +9,7 @@
 //! time, and is compiled once: for all others.
 
 use crate::broad_phase::leaf_boxes::{Order, Sides};
-use crate::simd::RowSimd;
+use crate::simd::{RowSimd, WIDTH};
 use crate::threads::Threads;
 
 /// Finds overlapping boxes, and hands rows of them to a sink.
@@ -42,6 +42,20 @@ pub struct Overlaps {
     pub mask: u32,
 }
 
+impl Overlaps {
+    /// Takes the first row from the masks of two blocks, see [`PairSink::rows`].
+    #[inline(always)]
+    pub fn next(a: usize, b: usize, masks: &mut u64) -> Option<Self> {
+        if *masks == 0 {
+            return None;
+        }
+        let lane = masks.trailing_zeros() as usize / WIDTH;
+        let mask = (*masks >> (WIDTH * lane)) as u32 & 0xff;
+        *masks &= !(0xff << (WIDTH * lane));
+        Some(Self { a, lane, b, mask })
+    }
+}
+
 /// Takes overlapping pairs of leaves, one against up to eight.
 pub trait PairSink: Sync {
     /// The state of a thread.
@@ -50,6 +64,20 @@ pub trait PairSink: Sync {
     const ORDERED: bool = false;
     /// Takes a row. Must be `#[inline(always)]`, or the instruction set is not enabled inside.
     fn row<S: RowSimd>(&self, worker: &mut Self::Worker, simd: S, row: Overlaps);
+    /// Takes what overlaps of blocks `a` and `b`: lane `i` of `a` and lane `j` of `b` where bit `j`
+    /// of byte `i` is set. As rows, one after the other, or as if they were.
+    #[inline(always)]
+    fn rows<S: RowSimd>(
+        &self,
+        worker: &mut Self::Worker,
+        simd: S,
+        (a, b): (usize, usize),
+        mut masks: u64,
+    ) {
+        while let Some(row) = Overlaps::next(a, b, &mut masks) {
+            self.row(worker, simd, row);
+        }
+    }
     /// A task begins; rows that come in no order belong to none.
     fn begin(&self, _worker: &mut Self::Worker, _task: usize) {}
     /// No further task comes.

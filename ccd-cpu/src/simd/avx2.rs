@@ -116,28 +116,91 @@ fn equals(lanes: &[u32; WIDTH], x: [u32; 2]) -> u32 {
 }
 
 #[inline]
-#[target_feature(enable = "avx2,popcnt")]
-fn append<const ORDERED: bool>(out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
-    let mask = mask & 0xff;
+#[target_feature(enable = "avx2")]
+fn store_ids(x: __m256i) -> [u32; WIDTH] {
+    let mut out = [0; WIDTH];
+    // SAFETY: eight words are writable; the store needs no alignment.
+    unsafe { _mm256_storeu_si256(out.as_mut_ptr().cast(), x) };
+    out
+}
+
+#[inline]
+#[target_feature(enable = "avx2")]
+fn places(bytes: u64) -> [[u32; WIDTH]; 2] {
+    let each = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(bytes as i64));
+    [store_ids(_mm256_srli_epi32::<3>(each)), store_ids(each)]
+}
+
+#[inline]
+#[target_feature(enable = "avx2")]
+fn pick_ids(ids: &[u32; WIDTH], at: &[u32; WIDTH]) -> [u32; WIDTH] {
+    store_ids(_mm256_permutevar8x32_epi32(load_ids(ids), load_ids(at)))
+}
+
+#[inline]
+#[target_feature(enable = "avx2")]
+fn pick(x: &[f32; WIDTH], at: &[u32; WIDTH]) -> __m256 {
+    _mm256_permutevar8x32_ps(load(x), load_ids(at))
+}
+
+#[inline]
+#[target_feature(enable = "avx2")]
+fn meets(a: &[u32; WIDTH], b: [&[u32; WIDTH]; 2]) -> u32 {
+    let a = load_ids(a);
+    let first = _mm256_cmpeq_epi32(a, load_ids(b[0]));
+    let second = _mm256_cmpeq_epi32(a, load_ids(b[1]));
+    _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_or_si256(first, second))) as u32
+}
+
+/// The permutation that moves the lanes of a mask to the front.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn front(mask: u32) -> __m256i {
+    // SAFETY: the row of the table has eight readable bytes.
+    let order = unsafe { _mm_loadl_epi64(FRONT[mask as usize & 0xff].as_ptr().cast()) };
+    _mm256_cvtepu8_epi32(order)
+}
+
+/// Appends the first `n <= 8` pairs of two lists.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn append<const ORDERED: bool>(out: &mut Vec<Pair>, a: __m256i, b: __m256i, n: usize) {
     if out.capacity() - out.len() < WIDTH {
         out.reserve(WIDTH);
     }
-    // SAFETY: the row of the table has eight readable bytes.
-    let order = unsafe { _mm_loadl_epi64(FRONT[mask as usize].as_ptr().cast()) };
-    let b = _mm256_permutevar8x32_epi32(load_ids(b), _mm256_cvtepu8_epi32(order));
-    let a = _mm256_set1_epi32(a as i32);
     let (first, second) =
         if ORDERED { (_mm256_min_epu32(a, b), _mm256_max_epu32(a, b)) } else { (a, b) };
     let (low, high) = (_mm256_unpacklo_epi32(first, second), _mm256_unpackhi_epi32(first, second));
-    let n = mask.count_ones() as usize;
-    // SAFETY: room for eight pairs was made above; the first `n` of them are written before the
-    // length grows by `n`. A `Pair` is two words without padding.
+    debug_assert!(n <= WIDTH);
+    // SAFETY: room for eight pairs was made above; they are written before the length grows by `n`,
+    // which is at most eight. A `Pair` is two words without padding.
     unsafe {
         let end: *mut __m256i = out.as_mut_ptr().add(out.len()).cast();
         _mm256_storeu_si256(end, _mm256_permute2x128_si256::<0x20>(low, high));
         _mm256_storeu_si256(end.add(1), _mm256_permute2x128_si256::<0x31>(low, high));
         out.set_len(out.len() + n);
     }
+}
+
+#[inline]
+#[target_feature(enable = "avx2,popcnt")]
+fn append_row<const ORDERED: bool>(out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
+    let b = _mm256_permutevar8x32_epi32(load_ids(b), front(mask));
+    append::<ORDERED>(out, _mm256_set1_epi32(a as i32), b, (mask & 0xff).count_ones() as usize);
+}
+
+#[inline]
+#[target_feature(enable = "avx2,popcnt")]
+fn append_each<const ORDERED: bool>(
+    out: &mut Vec<Pair>,
+    a: &[u32; WIDTH],
+    b: &[u32; WIDTH],
+    mask: u32,
+) {
+    let front = front(mask);
+    let a = _mm256_permutevar8x32_epi32(load_ids(a), front);
+    let b = _mm256_permutevar8x32_epi32(load_ids(b), front);
+    append::<ORDERED>(out, a, b, (mask & 0xff).count_ones() as usize);
 }
 
 /// The four components of four rows, in each half: `[x x x x | x' x' x' x']`, and so on.
@@ -221,6 +284,39 @@ impl RowSimd for Avx2 {
     #[inline(always)]
     fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32) {
         // SAFETY: see above.
-        unsafe { append::<ORDERED>(out, a, b, mask) }
+        unsafe { append_row::<ORDERED>(out, a, b, mask) }
+    }
+
+    const PICKS: bool = true;
+    #[inline(always)]
+    fn places(self, bytes: u64) -> [[u32; WIDTH]; 2] {
+        // SAFETY: see above.
+        unsafe { places(bytes) }
+    }
+    #[inline(always)]
+    fn pick_ids(self, ids: &[u32; WIDTH], at: &[u32; WIDTH]) -> [u32; WIDTH] {
+        // SAFETY: see above.
+        unsafe { pick_ids(ids, at) }
+    }
+    #[inline(always)]
+    fn pick(self, x: &F32x8, at: &[u32; WIDTH]) -> V8 {
+        // SAFETY: see above.
+        V8(unsafe { pick(&x.0, at) })
+    }
+    #[inline(always)]
+    fn meets(self, a: &[u32; WIDTH], b: [&[u32; WIDTH]; 2]) -> u32 {
+        // SAFETY: see above.
+        unsafe { meets(a, b) }
+    }
+    #[inline(always)]
+    fn append_each<const ORDERED: bool>(
+        self,
+        out: &mut Vec<Pair>,
+        a: &[u32; WIDTH],
+        b: &[u32; WIDTH],
+        mask: u32,
+    ) {
+        // SAFETY: see above.
+        unsafe { append_each::<ORDERED>(out, a, b, mask) }
     }
 }

@@ -23,6 +23,7 @@ mod avx512;
 #[cfg(target_arch = "aarch64")]
 mod neon;
 mod portable;
+mod row_simd;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod simd128;
 #[cfg(target_arch = "x86_64")]
@@ -37,15 +38,13 @@ pub use avx512::Avx512;
 #[cfg(target_arch = "aarch64")]
 pub use neon::Neon;
 pub use portable::{F32x8, Portable};
+pub use row_simd::RowSimd;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use simd128::Simd128;
 #[cfg(target_arch = "x86_64")]
 pub use sse2::Sse2;
 
-use ccd_core::backend::broad_phase::candidate::overlap_surely;
-use ccd_core::backend::layout::Pair;
 pub use ccd_core::math::real::Mask;
-use ccd_core::narrow_phase::separating_direction::axis_separated;
 use ccd_core::{Aabb, Num};
 
 /// Boxes side by side in a block, and lanes of a row.
@@ -76,60 +75,6 @@ pub trait Simd: Copy + Send + Sync {
     fn run<W: Work<Self>>(self, work: W) -> W::Out;
 }
 
-/// An instruction set for rows of eight boxes.
-pub trait RowSimd: Simd {
-    /// Eight numbers.
-    fn load(self, x: &F32x8) -> Self::Lanes;
-    /// The same as an array.
-    fn store(self, x: Self::Lanes) -> F32x8;
-    /// Lanes in which `x` is one of the two.
-    fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32;
-    /// Appends `(a, b[j])` for every lane `j` in `mask`, ascending; lesser id first if `ORDERED`.
-    fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32);
-
-    /// Eight boxes.
-    #[inline(always)]
-    fn boxes(self, block: &Block) -> Aabb<Self::Lanes> {
-        let (min, max) = (&block.min, &block.max);
-        Aabb {
-            min: [self.load(&min[0]), self.load(&min[1]), self.load(&min[2])],
-            max: [self.load(&max[0]), self.load(&max[1]), self.load(&max[2])],
-        }
-    }
-
-    /// Box `i` in all lanes.
-    #[inline(always)]
-    fn one(self, block: &Block, i: usize) -> Aabb<Self::Lanes> {
-        let (min, max) = (&block.min, &block.max);
-        let all = Self::Lanes::splat;
-        Aabb {
-            min: [all(min[0].0[i]), all(min[1].0[i]), all(min[2].0[i])],
-            max: [all(max[0].0[i]), all(max[1].0[i]), all(max[2].0[i])],
-        }
-    }
-
-    /// Lanes of `b` whose closed boxes overlap that of lane `i` of `a`.
-    #[inline(always)]
-    fn overlaps(self, a: &Block, i: usize, b: &Block) -> u32 {
-        !self.one(a, i).separated(&self.boxes(b)).bits() & 0xff
-    }
-
-    /// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` at all times, of
-    /// boxes at the first and at the last one: see [`axis_separated`].
-    #[inline(always)]
-    fn axis_separated(self, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
-        let (a0, a1) = (bounds(self.one(&a[0], i)), bounds(self.one(&a[1], i)));
-        let (b0, b1) = (bounds(self.boxes(&b[0])), bounds(self.boxes(&b[1])));
-        axis_separated(&a0, &a1, &b0, &b1, Self::Lanes::splat(needed)).bits() & 0xff
-    }
-
-    /// Lanes of `b` whose boxes overlap that of lane `i` of `a` by more than `slack`.
-    #[inline(always)]
-    fn overlaps_surely(self, a: &Block, i: usize, b: &Block, slack: f32) -> u32 {
-        overlap_surely(&self.one(a, i), &self.boxes(b), Self::Lanes::splat(slack)).bits()
-    }
-}
-
 /// The rows `ids` of a table, transposed, where eight numbers are two vectors: `load` reads a row,
 /// and `quads` transposes 4 x 4.
 #[cfg(any(
@@ -154,12 +99,6 @@ fn transposed<V: Copy>(
     let d = quads([r4[1], r5[1], r6[1], r7[1]]);
     let (low, high) = ([0, 1, 2, 3].map(|k| [a[k], b[k]]), [0, 1, 2, 3].map(|k| [c[k], d[k]]));
     [low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]]
-}
-
-/// `[min, max]`.
-#[inline(always)]
-fn bounds<N>(aabb: Aabb<N>) -> [[N; 3]; 2] {
-    [aabb.min, aabb.max]
 }
 
 /// Something to run with an instruction set. `call` must be `#[inline(always)]`, or the set is not

@@ -85,6 +85,22 @@ impl<S: RowSimd> Work<S> for Rows {
             out.push(simd.equals(&ids, [id, 2]));
             simd.append::<true>(&mut pairs, id, &ids, mask);
             simd.append::<false>(&mut pairs, id, &ids, mask);
+            // Eight pairs at once, of 0 to 16 bits.
+            let mut masks = (0..16).fold(0, |all, _| all | 1 << random.below(64));
+            masks &= random.below(3) as u64 * 0x5555_ffff_0f0f_ffff;
+            while masks != 0 {
+                let ([at_a, at_b], mask) = simd.eight(&mut masks);
+                out.extend((0..mask.count_ones() as usize).map(|k| 8 * at_a[k] + at_b[k] % 8));
+                let (of_a, of_b) = (simd.pick_ids(&ids, &at_a), simd.pick_ids(&ids, &at_b));
+                out.push(simd.meets(&of_a, [&of_b, &[2; WIDTH]]));
+                let ends_a = [simd.picked(&a, &at_a), simd.picked(&b, &at_a)];
+                let ends_b = [simd.picked(&c, &at_b), simd.picked(&d, &at_b)];
+                let sure = simd.each_overlaps_surely(ends_a[0], ends_b[0], 0.5);
+                out.push(sure & mask);
+                out.push(simd.each_separated(ends_a, ends_b, 0.125) & mask);
+                simd.append_each::<true>(&mut pairs, &of_a, &of_b, mask);
+                simd.append_each::<false>(&mut pairs, &of_a, &of_b, mask);
+            }
             let table = [a.min[0].0, a.min[1].0, a.max[0].0, b.min[2].0, b.max[1].0];
             for lanes in simd.gather(&table, &ids) {
                 out.extend(simd.store(lanes).0.map(f32::to_bits));

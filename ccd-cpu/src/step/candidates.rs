@@ -109,7 +109,7 @@ impl Scene<'_> {
         }
         let id = a.ids()[lane];
         if !face_first {
-            return worker.take(simd, self, kind, id, b.ids(), mask);
+            return worker.take(simd, self, kind, (id, b.ids()), mask);
         }
         while mask != 0 {
             let j = mask.trailing_zeros() as usize;
@@ -140,18 +140,53 @@ pub trait Take: Send {
     /// Counts pairs of triangles.
     #[inline(always)]
     fn count_triangles(&mut self, _counts: TriangleCounts) {}
+    /// The list that pairs of a kind are added to, with room for `n <= 8` of them; none if a limit
+    /// of memory ends the call.
+    fn list(&mut self, scene: &Scene, kind: Kind, n: usize) -> Option<&mut Vec<Pair>>;
+    /// Pairs were added to it.
+    #[inline(always)]
+    fn listed(&mut self, _scene: &Scene, _kind: Kind) {}
     /// Takes the pairs of `id` with the lanes `mask` of `ids`.
+    #[inline(always)]
     fn take<S: RowSimd>(
         &mut self,
         simd: S,
         scene: &Scene,
         kind: Kind,
-        id: u32,
-        ids: &[u32; WIDTH],
+        (id, ids): (u32, &[u32; WIDTH]),
         mask: u32,
-    );
+    ) {
+        let Some(list) = self.list(scene, kind, WIDTH) else { return };
+        match kind {
+            Kind::VertexFace => simd.append::<false>(list, id, ids, mask),
+            _ => simd.append::<true>(list, id, ids, mask),
+        }
+        self.listed(scene, kind);
+    }
+    /// Takes the pairs of two lists in the lanes of a mask.
+    #[inline(always)]
+    fn take_each<S: RowSimd>(
+        &mut self,
+        simd: S,
+        scene: &Scene,
+        kind: Kind,
+        [a, b]: [&[u32; WIDTH]; 2],
+        mask: u32,
+    ) {
+        let Some(list) = self.list(scene, kind, WIDTH) else { return };
+        match kind {
+            Kind::VertexFace => simd.append_each::<false>(list, a, b, mask),
+            _ => simd.append_each::<true>(list, a, b, mask),
+        }
+        self.listed(scene, kind);
+    }
     /// Takes one pair, of edges the lesser id first.
-    fn take_one(&mut self, scene: &Scene, kind: Kind, pair: Pair);
+    #[inline(always)]
+    fn take_one(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
+        let Some(list) = self.list(scene, kind, 1) else { return };
+        list.push(pair);
+        self.listed(scene, kind);
+    }
     /// A task begins.
     #[inline(always)]
     fn begin(&mut self, _task: usize) {}
@@ -163,27 +198,8 @@ impl Take for Lister {
     const FILTERED: bool = false;
 
     #[inline(always)]
-    fn take<S: RowSimd>(
-        &mut self,
-        simd: S,
-        scene: &Scene,
-        kind: Kind,
-        id: u32,
-        ids: &[u32; WIDTH],
-        mask: u32,
-    ) {
-        let Some(pairs) = self.room(scene.stop, CANDIDATES, WIDTH) else { return };
-        match kind {
-            Kind::VertexFace => simd.append::<false>(pairs, id, ids, mask),
-            _ => simd.append::<true>(pairs, id, ids, mask),
-        }
-    }
-
-    #[inline(always)]
-    fn take_one(&mut self, scene: &Scene, _kind: Kind, pair: Pair) {
-        if let Some(pairs) = self.room(scene.stop, CANDIDATES, 1) {
-            pairs.push(pair);
-        }
+    fn list(&mut self, scene: &Scene, _kind: Kind, n: usize) -> Option<&mut Vec<Pair>> {
+        self.room(scene.stop, CANDIDATES, n)
     }
 
     fn begin(&mut self, task: usize) {
@@ -230,6 +246,43 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
         self.scene.hand_on(worker, simd, (of_a, lane), of_b, [mask, !0, 0]);
     }
 
+    #[inline(always)]
+    fn rows<S: RowSimd>(&self, worker: &mut W, simd: S, (a, b): (usize, usize), mut masks: u64) {
+        let scene = self.scene;
+        if !S::PICKS || scene.selection.selects() {
+            while let Some(row) = Overlaps::next(a, b, &mut masks) {
+                self.row(worker, simd, row);
+            }
+            return;
+        }
+        let (of_a, of_b, kind) = ((self.a, a), (self.b, b), kind_of(N));
+        while masks != 0 {
+            let ([at_a, at_b], mut mask) = simd.eight(&mut masks);
+            mask &= !shared_each(simd, (of_a.vertices(), &at_a), (of_b.vertices(), &at_b));
+            if let Some(slack) = scene.slack {
+                let (boxes_a, boxes_b) =
+                    (simd.picked(of_a.boxes(), &at_a), simd.picked(of_b.boxes(), &at_b));
+                let sure = simd.each_overlaps_surely(boxes_a, boxes_b, slack);
+                mask = mask & sure
+                    | keep(mask & !sure, |k| {
+                        let (i, j) = (at_a[k] as usize % WIDTH, at_b[k] as usize % WIDTH);
+                        scene.boxes_overlap(of_a.vertices_of(i), of_b.vertices_of(j))
+                    });
+            }
+            worker.count(kind, mask.count_ones() as u64);
+            if W::FILTERED && mask != 0 {
+                let (a, b) = (of_a.ends(), of_b.ends());
+                let ends_a = [simd.picked(&a[0], &at_a), simd.picked(&a[1], &at_a)];
+                let ends_b = [simd.picked(&b[0], &at_b), simd.picked(&b[1], &at_b)];
+                mask &= !simd.each_separated(ends_a, ends_b, scene.needed_gap);
+            }
+            if mask != 0 {
+                let ids = [simd.pick_ids(of_a.ids(), &at_a), simd.pick_ids(of_b.ids(), &at_b)];
+                worker.take_each(simd, scene, kind, [&ids[0], &ids[1]], mask);
+            }
+        }
+    }
+
     fn begin(&self, worker: &mut W, task: usize) {
         worker.begin(task);
     }
@@ -251,6 +304,26 @@ pub fn shared<S: RowSimd, const N: usize, const M: usize>(
         out |= simd.equals(ids, [a[0], a[N - 1]]);
         if N == 3 {
             out |= simd.equals(ids, [a[1]; 2]);
+        }
+    }
+    out
+}
+
+/// Lanes in which feature `at_a` of `a` and feature `at_b` of `b` have a common vertex.
+#[inline(always)]
+fn shared_each<S: RowSimd, const N: usize, const M: usize>(
+    simd: S,
+    (a, at_a): ([&[u32; WIDTH]; N], &[u32; WIDTH]),
+    (b, at_b): ([&[u32; WIDTH]; M], &[u32; WIDTH]),
+) -> u32 {
+    let [first, last] = [simd.pick_ids(b[0], at_b), simd.pick_ids(b[M - 1], at_b)];
+    let mut out = 0;
+    for ids in a {
+        let of_a = simd.pick_ids(ids, at_a);
+        out |= simd.meets(&of_a, [&first, &last]);
+        if M == 3 {
+            let second = simd.pick_ids(b[1], at_b);
+            out |= simd.meets(&of_a, [&second, &second]);
         }
     }
     out

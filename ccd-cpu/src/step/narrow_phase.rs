@@ -5,7 +5,7 @@
 //! leaves.
 
 use crate::clock::Instant;
-use crate::simd::{MAX_WIDTH, Mask, RowSimd, Simd, WIDTH, Work};
+use crate::simd::{MAX_WIDTH, Mask, Simd, WIDTH, Work};
 use crate::step::candidates::{Scene, Take};
 use crate::threads::Threads;
 use ccd_core::Num;
@@ -165,30 +165,13 @@ impl Take for Worker {
     }
 
     #[inline(always)]
-    fn take<S: RowSimd>(
-        &mut self,
-        simd: S,
-        scene: &Scene,
-        kind: Kind,
-        id: u32,
-        ids: &[u32; WIDTH],
-        mask: u32,
-    ) {
-        let queue = &mut self.queues[kind as usize];
-        match kind {
-            Kind::VertexFace => simd.append::<false>(queue, id, ids, mask),
-            _ => simd.append::<true>(queue, id, ids, mask),
-        }
-        if queue.len() >= QUEUE {
-            self.flush(scene, kind);
-        }
+    fn list(&mut self, _scene: &Scene, kind: Kind, _n: usize) -> Option<&mut Vec<Pair>> {
+        Some(&mut self.queues[kind as usize])
     }
 
     #[inline(always)]
-    fn take_one(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
-        let queue = &mut self.queues[kind as usize];
-        queue.push(pair);
-        if queue.len() >= QUEUE {
+    fn listed(&mut self, scene: &Scene, kind: Kind) {
+        if self.queues[kind as usize].len() >= QUEUE {
             self.flush(scene, kind);
         }
     }

@@ -56,6 +56,12 @@ impl Selection {
         of_lanes(rules, rules.word(v), w, mask, of_b)
     }
 
+    /// Whether not all pairs are wanted.
+    #[inline(always)]
+    pub fn selects(&self) -> bool {
+        self.filter.is_some() || self.rules.is_some()
+    }
+
     /// Whether pairs of features are selected one by one.
     #[inline(always)]
     pub fn is_of_features(&self) -> bool {

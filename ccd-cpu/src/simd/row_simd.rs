@@ -1,0 +1,148 @@
+//! What the search for pairs does with blocks of eight boxes: rows, one box against eight, and eight
+//! pairs at once, of whichever rows.
+
+use super::{Block, F32x8, Simd, WIDTH};
+use ccd_core::backend::broad_phase::candidate::overlap_surely;
+use ccd_core::backend::layout::Pair;
+use ccd_core::math::real::Mask;
+use ccd_core::narrow_phase::separating_direction::axis_separated;
+use ccd_core::{Aabb, Num};
+
+/// An instruction set for rows of eight boxes.
+pub trait RowSimd: Simd {
+    /// Eight numbers.
+    fn load(self, x: &F32x8) -> Self::Lanes;
+    /// The same as an array.
+    fn store(self, x: Self::Lanes) -> F32x8;
+    /// Lanes in which `x` is one of the two.
+    fn equals(self, lanes: &[u32; WIDTH], x: [u32; 2]) -> u32;
+    /// Appends `(a, b[j])` for every lane `j` in `mask`, ascending; lesser id first if `ORDERED`.
+    fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32);
+
+    /// Whether the functions that follow take a few instructions; else they are not used.
+    const PICKS: bool = false;
+    /// Bytes as eight numbers each: the lanes that their upper bits name, and those of the lowest
+    /// three, or numbers that are the same but for multiples of eight.
+    #[inline(always)]
+    fn places(self, bytes: u64) -> [[u32; WIDTH]; 2] {
+        let byte = |k: usize| bytes.to_le_bytes()[k] as u32;
+        [std::array::from_fn(|k| byte(k) / WIDTH as u32), std::array::from_fn(byte)]
+    }
+    /// Lane `at[k]` of `ids` in lane `k`; lanes from eight on begin again.
+    #[inline(always)]
+    fn pick_ids(self, ids: &[u32; WIDTH], at: &[u32; WIDTH]) -> [u32; WIDTH] {
+        at.map(|lane| ids[lane as usize % WIDTH])
+    }
+    /// The same of numbers.
+    #[inline(always)]
+    fn pick(self, x: &F32x8, at: &[u32; WIDTH]) -> Self::Lanes {
+        self.load(&F32x8(at.map(|lane| x.0[lane as usize % WIDTH])))
+    }
+    /// Lanes in which `a` is one of the two.
+    #[inline(always)]
+    fn meets(self, a: &[u32; WIDTH], b: [&[u32; WIDTH]; 2]) -> u32 {
+        (0..WIDTH).fold(0, |mask, k| mask | ((a[k] == b[0][k] || a[k] == b[1][k]) as u32) << k)
+    }
+    /// As [`RowSimd::append`], of `(a[j], b[j])`.
+    #[inline(always)]
+    fn append_each<const ORDERED: bool>(
+        self,
+        out: &mut Vec<Pair>,
+        a: &[u32; WIDTH],
+        b: &[u32; WIDTH],
+        mask: u32,
+    ) {
+        for j in (0..WIDTH).filter(|j| mask >> j & 1 == 1) {
+            out.push(if ORDERED { Pair::ordered(a[j], b[j]) } else { Pair { a: a[j], b: b[j] } });
+        }
+    }
+
+    /// Takes up to eight bits from the masks of two blocks: the lanes of both that they stand for,
+    /// and the mask of those that are there.
+    #[inline(always)]
+    fn eight(self, masks: &mut u64) -> ([[u32; WIDTH]; 2], u32) {
+        let n = masks.count_ones().min(WIDTH as u32);
+        let mut bytes = 0;
+        for k in 0..WIDTH {
+            bytes |= (masks.trailing_zeros() as u64) << (8 * k);
+            *masks &= masks.wrapping_sub(1);
+        }
+        (self.places(bytes), (1 << n) - 1)
+    }
+
+    /// Boxes `at[k]` of a block in lane `k`.
+    #[inline(always)]
+    fn picked(self, block: &Block, at: &[u32; WIDTH]) -> Aabb<Self::Lanes> {
+        let (min, max) = (&block.min, &block.max);
+        Aabb {
+            min: [self.pick(&min[0], at), self.pick(&min[1], at), self.pick(&min[2], at)],
+            max: [self.pick(&max[0], at), self.pick(&max[1], at), self.pick(&max[2], at)],
+        }
+    }
+
+    /// Lanes in which an axis keeps a box further than `needed` from another at all times, of
+    /// `[at the first time, at the last]`.
+    #[inline(always)]
+    fn each_separated(
+        self,
+        [a0, a1]: [Aabb<Self::Lanes>; 2],
+        [b0, b1]: [Aabb<Self::Lanes>; 2],
+        needed: f32,
+    ) -> u32 {
+        let (a0, a1, b0, b1) = (bounds(a0), bounds(a1), bounds(b0), bounds(b1));
+        axis_separated(&a0, &a1, &b0, &b1, Self::Lanes::splat(needed)).bits() & 0xff
+    }
+
+    /// Eight boxes.
+    #[inline(always)]
+    fn boxes(self, block: &Block) -> Aabb<Self::Lanes> {
+        let (min, max) = (&block.min, &block.max);
+        Aabb {
+            min: [self.load(&min[0]), self.load(&min[1]), self.load(&min[2])],
+            max: [self.load(&max[0]), self.load(&max[1]), self.load(&max[2])],
+        }
+    }
+
+    /// Box `i` in all lanes.
+    #[inline(always)]
+    fn one(self, block: &Block, i: usize) -> Aabb<Self::Lanes> {
+        let (min, max) = (&block.min, &block.max);
+        let all = Self::Lanes::splat;
+        Aabb {
+            min: [all(min[0].0[i]), all(min[1].0[i]), all(min[2].0[i])],
+            max: [all(max[0].0[i]), all(max[1].0[i]), all(max[2].0[i])],
+        }
+    }
+
+    /// Lanes of `b` whose closed boxes overlap that of lane `i` of `a`.
+    #[inline(always)]
+    fn overlaps(self, a: &Block, i: usize, b: &Block) -> u32 {
+        !self.one(a, i).separated(&self.boxes(b)).bits() & 0xff
+    }
+
+    /// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` at all times, of
+    /// boxes at the first and at the last one: see [`axis_separated`].
+    #[inline(always)]
+    fn axis_separated(self, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
+        let a = [self.one(&a[0], i), self.one(&a[1], i)];
+        self.each_separated(a, [self.boxes(&b[0]), self.boxes(&b[1])], needed)
+    }
+
+    /// Lanes of `b` whose boxes overlap that of lane `i` of `a` by more than `slack`.
+    #[inline(always)]
+    fn overlaps_surely(self, a: &Block, i: usize, b: &Block, slack: f32) -> u32 {
+        self.each_overlaps_surely(self.one(a, i), self.boxes(b), slack)
+    }
+
+    /// Lanes in which a box overlaps another by more than `slack`.
+    #[inline(always)]
+    fn each_overlaps_surely(self, a: Aabb<Self::Lanes>, b: Aabb<Self::Lanes>, slack: f32) -> u32 {
+        overlap_surely(&a, &b, Self::Lanes::splat(slack)).bits()
+    }
+}
+
+/// `[min, max]`.
+#[inline(always)]
+fn bounds<N>(aabb: Aabb<N>) -> [[N; 3]; 2] {
+    [aabb.min, aabb.max]
+}
