@@ -3,7 +3,7 @@
 #![deny(unsafe_code)]
 
 use ccd::method::{BroadPhaseMethod, Builder, Front, Pipeline, Scheduling, Traversal, TreeOptions};
-use ccd::{Bodies, BodyMotion, CancelToken, Error, Options, Posed, Session, Strided};
+use ccd::{Bodies, BodyMotion, CancelToken, Error, Mesh, Options, Posed, Session, Strided};
 use ccd_testkit::generate::crumpled_sheet;
 use ccd_testkit::methods::is_near_default;
 use libtest_mimic::{Arguments, Trial};
@@ -170,9 +170,10 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
         return;
     }
     // One, and for blocks also many worlds, of which each begins with a block of its own.
-    let n_sheets = if method == BroadPhaseMethod::Blocks { 3 } else { 2 };
-    for (side, copies, threads) in [(90, 1, 1), (90, 1, 2), (4, 500, 1)].into_iter().take(n_sheets)
-    {
+    // And particles, and rods among them, without faces.
+    let n_scenes = if method == BroadPhaseMethod::Blocks { 5 } else { 4 };
+    let scenes = [(90, 1, 1, 1), (90, 1, 2, 1), (90, 1, 1, 0), (90, 1, 1, 2), (4, 500, 1, 1)];
+    for (side, copies, threads, form) in scenes.into_iter().take(n_scenes) {
         let mut sheet = crumpled_sheet(side, 1);
         // A bowl, of which nothing touches anything.
         let at = |v: usize| {
@@ -180,6 +181,15 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
             [i + 0.01 * j, 0.01 * (i * i + j * j), j]
         };
         sheet.x0 = (0..sheet.x0.len()).map(at).collect();
+        let n = sheet.x0.len();
+        match form {
+            0 => sheet.mesh = Mesh::with_edges(n, &[], &[]).unwrap(),
+            2 => {
+                let rods: Vec<[u32; 2]> = (2..n as u32).step_by(2).map(|v| [v - 2, v]).collect();
+                sheet.mesh = Mesh::with_edges(n, &[], &rods).unwrap();
+            }
+            _ => {}
+        }
         let (ccd::scenes::Step { mesh, x0: bowl, .. }, bodies) =
             ccd::scenes::copies(&sheet, copies);
         let mesh = std::sync::Arc::new(mesh);
@@ -200,7 +210,7 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
             assert!(session.step(&gathered, &bowl).unwrap().contacts.is_empty());
         }
         let held = (LIVE.load(Ordering::Relaxed) - before) as u64;
-        let what = format!("{method}, {pipeline:?}, {scheduling}, {copies} of {side}");
+        let what = format!("{method}, {pipeline:?}, {scheduling}, {copies} of {side}, form {form}");
         assert!(held <= bytes && 4 * held > bytes, "{held} bytes, not {bytes}: {what}");
     }
 }

@@ -162,14 +162,14 @@ impl session::Engine for Engine {
         self.state.report.clear();
     }
 
-    fn find(&mut self, given: Given, moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
+    fn find(&mut self, given: Given, mut moved: Option<Moved>, ask: Ask) -> Result<(), Error> {
         self.clear();
-        self.threads.stop.begin()?;
-        self.run(Positions { moved, ..Positions::new(given, ask.window()) }, ask)
+        let x = Positions::new(given, ask.window());
+        self.within_limit(|engine| engine.run(Positions { moved: moved.take(), ..x }, ask))
     }
 
     fn candidates(&mut self, given: Given) -> Result<Candidates<'_>, Error> {
-        if let Err(why) = self.threads.stop.begin().and_then(|()| self.list(given, None)) {
+        if let Err(why) = self.within_limit(|engine| engine.list(given, None)) {
             self.clear();
             return Err(why);
         }

@@ -94,14 +94,14 @@ impl Stop {
         self.limit.is_none() || more <= list.capacity() - list.len() || self.grow(what, list, more)
     }
 
-    /// To twice the capacity, or else just enough.
+    /// To twice the capacity, or less, if that is enough.
     #[cold]
     fn grow<T>(&self, what: &'static str, list: &mut Vec<T>, more: usize) -> bool {
         self.allocate(what, list, (list.len() + more).max(2 * list.capacity()) - list.len(), more)
     }
 
-    /// Makes a list long enough for `wanted` more items, or, if the limit does not allow that, for
-    /// `least` more; nor that: the call ends, and nothing may be added.
+    /// Makes a list long enough for `wanted` more items, or for fewer, down to `least`, as the limit
+    /// allows. If it allows not even these, the call ends, and nothing may be added.
     #[must_use]
     pub fn allocate<T>(
         &self,
@@ -111,15 +111,15 @@ impl Stop {
         least: usize,
     ) -> bool {
         let bytes = |more: usize| ((list.len() + more - list.capacity()) * size_of::<T>()) as u64;
-        let granted = if self.take(bytes(wanted)) {
-            wanted
-        } else if self.take(bytes(least)) {
-            least
-        } else {
-            let (held, limit) = (self.held.load(Relaxed), self.limit.unwrap_or(u64::MAX));
-            self.end(Error::Memory { what, bytes: bytes(least), held, limit });
-            return false;
-        };
+        let mut granted = wanted.max(least);
+        while !self.take(bytes(granted)) {
+            if granted == least {
+                let (held, limit) = (self.held.load(Relaxed), self.limit.unwrap_or(u64::MAX));
+                self.end(Error::Memory { what, bytes: bytes(least), held, limit });
+                return false;
+            }
+            granted = (granted / 2).max(least);
+        }
         list.reserve_exact(granted);
         true
     }

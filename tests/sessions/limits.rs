@@ -139,6 +139,32 @@ fn a_limit_holds_for_as_many_steps_as_there_are() {
     assert!(matches!(session.step(&x0, &x1), Err(Error::Memory { .. })));
 }
 
+/// Which thread finds what is another one every time; what they keep of it is no reason to refuse a
+/// step that a new session makes.
+#[test]
+fn a_limit_does_not_wear_out_on_many_threads() {
+    let (mesh, [_, b, c]) = collapse(150);
+    let options = Options::default().with_threads(4);
+    let mut fresh = Session::new(&mesh, options.clone()).unwrap();
+    let total = |found: &Candidates| found.vf.len() + found.ee.len();
+    let want = total(&fresh.candidates(&b, &c).unwrap());
+    let n_contacts = fresh.step(&b, &c).unwrap().contacts.len();
+    assert!(want > 50_000 && n_contacts > 1000, "{want} candidates, {n_contacts} contacts");
+    // Threads have lists that are not full; contacts are joined in another one.
+    let lists = [18 * want, 4 * size_of::<Contact>() * n_contacts].map(|bytes| bytes as u64);
+    for (k, bytes) in lists.into_iter().enumerate() {
+        let limit = of_mesh(&mesh, &options) + bytes;
+        let mut session = Session::new(&mesh, options.clone().with_max_memory(limit)).unwrap();
+        for call in 0..40 {
+            let found = match k {
+                0 => session.candidates(&b, &c).map(|found| total(&found) == want),
+                _ => session.step(&b, &c).map(|report| report.contacts.len() == n_contacts),
+            };
+            assert_eq!(found, Ok(true), "call {call} of {k}");
+        }
+    }
+}
+
 #[test]
 fn another_thread_cancels() {
     let cloth = cloth_on_ball(80);

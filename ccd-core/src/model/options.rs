@@ -133,7 +133,7 @@ pub struct Options {
     /// GPU, the session's buffers there. Not counted are the mesh and the bodies themselves, stacks
     /// of threads, the old part of a list while it is copied to a longer one, compiled kernels,
     /// what positions and results of a GPU take on the host, tables of the runs that lists are
-    /// joined from (32 bytes for some 1024 rows), a few pairs of nodes that threads take from each
+    /// joined from (64 bytes for some 1024 rows), a few pairs of nodes that threads take from each
     /// other at one moment, and of [`Pipeline::Triangles`] on a CPU the orphans: pairs of features
     /// that are listed once a mesh.
     pub max_memory: Option<u64>,

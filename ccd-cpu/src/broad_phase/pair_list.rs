@@ -110,9 +110,11 @@ struct Segment {
     start: usize,
 }
 
-/// Pairs of the first chunk. Each has twice as many as the one before, up to 8 MiB.
+/// Pairs of the first chunk. Each has twice as many as the one before, up to 8 MiB, or fewer if the
+/// limit of memory is near.
 const FIRST: usize = 1 << 12;
 const MOST: usize = 1 << 20;
+const LEAST: usize = 1 << 6;
 
 impl Lister {
     /// Forgets everything, keeps buffers.
@@ -129,24 +131,24 @@ impl Lister {
         self.segments.push(Segment { task, chunk: self.full.len(), start: self.pairs.len() });
     }
 
-    /// The list to add up to so many pairs to, at most [`MOST`], which are called `what`; none if
+    /// The list to add up to so many pairs to, at most [`LEAST`], which are called `what`; none if
     /// the limit of memory does not allow them, and the call ends.
     #[inline(always)]
     pub fn room(&mut self, stop: &Stop, what: &'static str, n: usize) -> Option<&mut Vec<Pair>> {
-        if self.pairs.capacity() - self.pairs.len() < n && !self.next(stop, what, n) {
+        if self.pairs.capacity() - self.pairs.len() < n && !self.next(stop, what) {
             return None;
         }
         Some(&mut self.pairs)
     }
 
     #[cold]
-    fn next(&mut self, stop: &Stop, what: &'static str, n: usize) -> bool {
+    fn next(&mut self, stop: &Stop, what: &'static str) -> bool {
         let next = match self.spare.pop() {
             Some(next) => next,
             None => {
                 let wanted = (2 * self.pairs.capacity()).clamp(FIRST, MOST);
                 let mut next = Vec::new();
-                if !stop.allocate(what, &mut next, wanted, n) {
+                if !stop.allocate(what, &mut next, wanted, LEAST) {
                     return false;
                 }
                 pages::large(next.spare_capacity_mut());

@@ -123,8 +123,7 @@ impl Engine {
         options.min_distance = distance_for(min_distance, reach);
         check_min_distance(options.min_distance)
             .map_err(|_| Error::MinDistance { value: inflation })?;
-        self.threads.stop.begin()?;
-        if let Err(why) = self.list(given, Some(&options)) {
+        if let Err(why) = self.within_limit(|engine| engine.list(given, Some(&options))) {
             self.clear();
             return Err(why);
         }

@@ -84,6 +84,24 @@ impl Engine {
         Ok(())
     }
 
+    /// Makes a call; if the limit of memory ends it, once more without what earlier ones have left.
+    /// Each thread keeps the longest lists that it ever had, and which of them finds what is
+    /// another one every time, so that together they would come to hold more and more.
+    pub(super) fn within_limit(
+        &mut self,
+        mut call: impl FnMut(&mut Self) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        self.threads.stop.begin()?;
+        let has_lists = self.threads.stop.held() > self.of_mesh;
+        let done = call(self);
+        if !has_lists || !matches!(done, Err(Error::Memory { .. })) {
+            return done;
+        }
+        self.set_mesh(self.state.mesh.clone(), self.state.options.clone())?;
+        self.threads.stop.begin()?;
+        call(self)
+    }
+
     /// Drops all whose length depends on the steps, but for what the method and particles have.
     fn drop_lists(&mut self) {
         (self.workers, self.order) = Default::default();

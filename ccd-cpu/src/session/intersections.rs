@@ -98,7 +98,11 @@ impl Engine {
     ) -> Result<Vec<Intersection>, Error> {
         if !matches!(self.method, Method::Blocks(_)) || self.prepared.triangles.is_some() {
             let Stepped { mesh, options, .. } = &self.state;
-            let mut plain = session(mesh, options)?;
+            let mut options = options.clone();
+            // What this session holds stays.
+            let held = self.threads.stop.held();
+            options.max_memory = options.max_memory.map(|limit| limit.saturating_sub(held));
+            let mut plain = session(mesh, &options)?;
             plain.set_cancel_token(self.threads.stop.token().cloned());
             return plain.find_intersections(given, first);
         }

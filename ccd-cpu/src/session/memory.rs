@@ -4,6 +4,7 @@
 use crate::stop::Stop;
 use ccd_core::Error;
 use ccd_core::model::cancel::CancelToken;
+use ccd_core::model::codimensional::edges_of_no_face;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::{BroadPhaseMethod, Traversal, Volume};
 use ccd_core::model::options::Options;
@@ -17,7 +18,10 @@ const ELEMENT: u64 = 192;
 /// The same for the nodes of a binary tree, and for oriented boxes of nodes and triangles.
 const TREE: u64 = 256;
 const ORIENTED: u64 = 192;
-/// Of a face, for all that pairs of triangles are expanded by.
+/// Of a vertex without edges, and of an edge of no face if there is such a vertex, besides all that
+/// the method has of them once more: their boxes in `f64`.
+const PARTICLE: u64 = 56;
+/// Of a face, an edge and a vertex without edges, for all that pairs of triangles are expanded by.
 const TRIANGLE: u64 = 512;
 /// Of a worker: its stacks, deques and queues, and tables of a sort.
 const WORKER: u64 = 1 << 20;
@@ -25,17 +29,23 @@ const WORKER: u64 = 1 << 20;
 /// Bytes for steps of this mesh by so many threads.
 pub fn for_mesh(mesh: &Mesh, options: &Options, n_threads: usize) -> u64 {
     let [v, e, f] = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()].map(|n| n as u64);
-    let (mut element, mut rest) = (ELEMENT, 0);
+    let (mut element, mut of_tree, mut rest) = (ELEMENT, 0, 0);
     if let BroadPhaseMethod::Tree(tree) = options.broad_phase {
-        element += TREE + if tree.volume == Volume::Aabb { 0 } else { ORIENTED };
+        of_tree = TREE + if tree.volume == Volume::Aabb { 0 } else { ORIENTED };
+        element += of_tree;
         // What a query found, and the pairs of a cut.
         rest += 8 * v.max(e).max(f) * n_threads as u64;
         if let Traversal::Cut { nodes, .. } = tree.traversal {
             rest += 16 * (nodes as u64).pow(2);
         }
     }
+    let particles = mesh.isolated_vertices().len() as u64;
+    if particles > 0 {
+        // Vertices are sought among themselves and in edges: two sets.
+        rest += (particles + edges_of_no_face(mesh).len() as u64) * (element + of_tree + PARTICLE);
+    }
     let of_triangles = if options.pipeline == Pipeline::Features { 0 } else { TRIANGLE };
-    element * (v + e + f) + of_triangles * (f + e) + rest + WORKER * n_threads as u64
+    element * (v + e + f) + of_triangles * (f + e + particles) + rest + WORKER * n_threads as u64
 }
 
 /// What ends calls of a session that holds these bytes for its mesh, and no list yet.
