@@ -144,7 +144,7 @@ enum CcdBackend
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
   /// A GPU if there is one and the mesh has at least 20,000 edges, and for as long as it does not
-  /// fail; else the CPU.
+  /// fail; else the CPU. With an `adapter` that one, however small the mesh is.
   CCD_BACKEND_AUTO = 0,
   /// Threads of this machine.
   CCD_BACKEND_CPU = 1,
@@ -238,8 +238,8 @@ typedef struct CcdOptions {
   double tolerance;
   /// Bytes that the session may hold; 0: no limit.
   uint64_t max_memory;
-  /// A part of the name of a GPU, or its PCI id, for CCD_BACKEND_AUTO and CCD_BACKEND_GPU; NULL:
-  /// the one that the system prefers. UTF-8.
+  /// A part of the name of a GPU, its PCI id or its number, for CCD_BACKEND_AUTO and
+  /// CCD_BACKEND_GPU; NULL or empty: the one that the system prefers. UTF-8.
   const char *adapter;
   /// A CcdBackend; CCD_BACKEND_AUTO by default.
   uint32_t backend;
@@ -472,8 +472,8 @@ CcdStatus ccd_options_default(struct CcdOptions *options, size_t size);
 /// Makes a session for a mesh. `bodies`: NULL if all pairs of features are looked at. `options`:
 /// NULL for the defaults.
 ///
-/// Fails with CCD_STATUS_NO_GPU for CCD_BACKEND_GPU where there is none, and with
-/// CCD_STATUS_INVALID_INPUT for options and bodies that do not fit.
+/// Fails with CCD_STATUS_NO_GPU for CCD_BACKEND_GPU where there is none, and for an `adapter` that
+/// is not there; with CCD_STATUS_INVALID_INPUT for options and bodies that do not fit.
 CcdStatus ccd_session_create(const struct CcdMesh *mesh,
                              const struct CcdBodies *bodies,
                              const struct CcdOptions *options,
@@ -544,7 +544,8 @@ CcdStatus ccd_session_candidates(struct CcdSession *session,
                                  const struct CcdCandidates **candidates);
 
 /// Edges (a) and triangles (b) that have a point in common at positions `x`, but no vertex: where
-/// the mesh goes through itself. Exact, on the CPU. `pairs` belong to the session, until its next
+/// the mesh goes through itself. Exact, on the CPU, where coordinates are zero or from 2^-200 to
+/// 2^200; beyond, all that are not certainly apart. `pairs` belong to the session, until its next
 /// call.
 CcdStatus ccd_session_intersections(struct CcdSession *session,
                                     struct CcdPositions x,

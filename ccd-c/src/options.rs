@@ -13,7 +13,7 @@ use std::mem::offset_of;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CcdBackend {
     /// A GPU if there is one and the mesh has at least 20,000 edges, and for as long as it does not
-    /// fail; else the CPU.
+    /// fail; else the CPU. With an `adapter` that one, however small the mesh is.
     Auto = 0,
     /// Threads of this machine.
     Cpu = 1,
@@ -47,8 +47,8 @@ pub struct CcdOptions {
     pub tolerance: f64,
     /// Bytes that the session may hold; 0: no limit.
     pub max_memory: u64,
-    /// A part of the name of a GPU, or its PCI id, for CCD_BACKEND_AUTO and CCD_BACKEND_GPU; NULL:
-    /// the one that the system prefers. UTF-8.
+    /// A part of the name of a GPU, its PCI id or its number, for CCD_BACKEND_AUTO and
+    /// CCD_BACKEND_GPU; NULL or empty: the one that the system prefers. UTF-8.
     pub adapter: *const c_char,
     /// A CcdBackend; CCD_BACKEND_AUTO by default.
     pub backend: u32,
@@ -152,7 +152,7 @@ pub(crate) unsafe fn read(
 
 #[cfg(feature = "gpu")]
 fn choose(backend: Backend, size: usize, adapter: Option<&str>) -> Result<Choice, any::Error> {
-    let adapter = adapter.map(str::to_owned);
+    let adapter = adapter.filter(|name| !name.is_empty()).map(str::to_owned);
     backend.choose_with(size, &ccd::gpu::DeviceOptions { adapter, ..Default::default() })
 }
 

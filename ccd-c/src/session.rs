@@ -35,8 +35,8 @@ const _: fn() = || {
 /// Makes a session for a mesh. `bodies`: NULL if all pairs of features are looked at. `options`:
 /// NULL for the defaults.
 ///
-/// Fails with CCD_STATUS_NO_GPU for CCD_BACKEND_GPU where there is none, and with
-/// CCD_STATUS_INVALID_INPUT for options and bodies that do not fit.
+/// Fails with CCD_STATUS_NO_GPU for CCD_BACKEND_GPU where there is none, and for an `adapter` that
+/// is not there; with CCD_STATUS_INVALID_INPUT for options and bodies that do not fit.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ccd_session_create(
     mesh: *const CcdMesh,
@@ -227,7 +227,8 @@ pub unsafe extern "C" fn ccd_session_candidates(
 }
 
 /// Edges (a) and triangles (b) that have a point in common at positions `x`, but no vertex: where
-/// the mesh goes through itself. Exact, on the CPU. `pairs` belong to the session, until its next
+/// the mesh goes through itself. Exact, on the CPU, where coordinates are zero or from 2^-200 to
+/// 2^200; beyond, all that are not certainly apart. `pairs` belong to the session, until its next
 /// call.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ccd_session_intersections(

@@ -228,7 +228,8 @@ impl Session {
     }
 
     /// Edges and faces without a common vertex that have a point in common at the positions `x`:
-    /// an array of shape (n, 2), uint32, sorted; where the mesh goes through itself.
+    /// an array of shape (n, 2), uint32, sorted; where the mesh goes through itself. Exact where
+    /// coordinates are zero or from 2^-200 to 2^200; beyond, all that are not certainly apart.
     fn intersections<'py>(
         &self,
         py: Python<'py>,
@@ -296,7 +297,7 @@ impl Session {
     }
 
     /// From now on these options, or those of before; each that is given by its name is changed
-    /// besides.
+    /// besides, unless it is None: `Options` without a limit of memory takes it away.
     #[pyo3(signature = (options=None, **given))]
     #[pyo3(text_signature = "($self, options=None, *, min_distance=None, threads=None, \
         bodies=None, fixed=None, self_contact=None, max_memory=None, tolerance=None, mode=None, \

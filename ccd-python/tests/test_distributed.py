@@ -3,6 +3,7 @@
 import errno
 import multiprocessing
 import os
+import pickle
 import signal
 import socket
 import sys
@@ -137,6 +138,8 @@ def test_a_worker_that_dies_costs_its_shard_alone(tmp_path, monkeypatch):
         with pytest.raises(RunError, match="the worker died before it was written") as why:
             map_frames(frames, mesh, tmp_path, progress=said.append, **how)
     assert [of[:2] for of in why.value.failures] == [(2, 4), (4, 6)]
+    copy = pickle.loads(pickle.dumps(why.value))
+    assert (copy.failures, str(copy)) == (why.value.failures, str(why.value))
     assert [of.n_done for of in said] == [1, 2, 3, 4, 5] and said[-1].n_failed == 2
     found = map_frames(frames, mesh, tmp_path, progress=said.append, **how)
     check(found, Session(mesh, OPTIONS).step_many(frames))

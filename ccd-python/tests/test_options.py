@@ -75,7 +75,8 @@ def test_bodies_say_their_rules():
     assert bodies.of_vertex.tolist() == [0, 0, 1, 2]
     assert bodies.is_fixed(1) and not bodies.is_fixed(2) and bodies.world(3) == 1
     assert bodies.wants(0, 2) and not bodies.wants(0, 3) and not bodies.wants(0, 1)
-    assert bodies.excludes(Kind.EDGE_EDGE, 3, 4) and not bodies.excludes(Kind.VERTEX_FACE, 3, 4)
+    assert bodies.excludes(Kind.EDGE_EDGE, 3, 4) and bodies.excludes(Kind.EDGE_EDGE, 4, 3)
+    assert not bodies.excludes(Kind.VERTEX_FACE, 3, 4)
     assert bodies == Bodies.from_json(bodies.to_json()) and bodies != Bodies([0, 0, 1, 2])
     with pytest.raises(ValueError, match="vertex 4 of 4"):
         bodies.is_fixed(4)

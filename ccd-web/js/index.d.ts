@@ -20,7 +20,8 @@ export type Ids = Uint32Array | readonly number[] | readonly (readonly number[])
 /** `vf`: vertex and face; `ee`: two edges; `ve`: particle and rod; `vv`: two particles. */
 export type Kind = "vf" | "ee" | "ve" | "vv";
 
-/** `undecided`: with a minimum distance, rounding leaves it open; to be treated as a contact. */
+/** `undecided`: rounding leaves it open, with a minimum distance, and of intersections beyond 2^200
+ * and below 2^-200; to be treated as a contact. */
 export type State = "hit" | "undecided";
 
 /** A number for each kind. */

@@ -60,10 +60,13 @@ const SETTERS = {
   leaveContact: (raw, value) => raw.set_leave_contact(Boolean(value)),
   maxMemory: (raw, value) => raw.set_max_memory(bytes(value, "maxMemory")),
   mode: (raw, value) => raw.set_mode(String(value)),
-  bodies: (raw, { ofVertex, fixed, noSelfContact, excluded }) => raw.set_bodies(
-    ids(ofVertex, "bodies.ofVertex"), ids(fixed, "bodies.fixed"),
-    ids(noSelfContact, "bodies.noSelfContact"), ids(excluded, "bodies.excluded", 2),
-  ),
+  bodies: (raw, { ofVertex, fixed, noSelfContact, excluded, ...others }) => {
+    for (const name in others) throw new Error(`there is no rule bodies.${name}`);
+    raw.set_bodies(
+      ids(ofVertex, "bodies.ofVertex"), ids(fixed, "bodies.fixed"),
+      ids(noSelfContact, "bodies.noSelfContact"), ids(excluded, "bodies.excluded", 2),
+    );
+  },
 };
 
 /** Options for a module, as its class `Type` of them. */

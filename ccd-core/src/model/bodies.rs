@@ -164,11 +164,7 @@ impl Bodies {
     /// any order, by their ids in the mesh.
     #[must_use]
     pub fn with_excluded_features(mut self, kind: Kind, pairs: &[[u32; 2]]) -> Self {
-        let ordered = |&[a, b]: &[u32; 2]| match kind {
-            Kind::EdgeEdge | Kind::VertexVertex => [a.min(b), a.max(b)],
-            _ => [a, b],
-        };
-        self.excluded_features.extend(pairs.iter().map(|pair| (kind, ordered(pair))));
+        self.excluded_features.extend(pairs.iter().map(|&pair| (kind, ordered(kind, pair))));
         self.excluded_features.sort_unstable();
         self.excluded_features.dedup();
         self
@@ -250,9 +246,9 @@ impl Bodies {
         a.world == b.world && a.groups.meet(b.groups) && !excluded
     }
 
-    /// Whether a pair of features is excluded by itself; of edges the lesser first.
+    /// Whether a pair of features is excluded by itself.
     pub fn excludes(&self, kind: Kind, a: u32, b: u32) -> bool {
-        self.excluded_features.binary_search(&(kind, [a, b])).is_ok()
+        self.excluded_features.binary_search(&(kind, ordered(kind, [a, b]))).is_ok()
     }
 
     /// Checks that there is a body for every vertex, that no element joins two, and that rules name
@@ -379,5 +375,14 @@ impl Bodies {
 
 mod part;
 mod ready;
+
+/// A pair of features as lists have it: of one set, the lesser first.
+fn ordered(kind: Kind, [a, b]: [u32; 2]) -> [u32; 2] {
+    match kind {
+        Kind::EdgeEdge | Kind::VertexVertex => [a.min(b), a.max(b)],
+        _ => [a, b],
+    }
+}
+
 #[cfg(test)]
 mod tests;

@@ -20,7 +20,8 @@ of impact is late, rounding included.
 - `meshccd.distributed`, `meshccd.mpi`, `meshccd.partition`: many frames, many hosts.
 - `Kind`, `State`, `Approach`, `VertexFaceType`, `EdgeEdgeType`: what numbers in arrays mean.
 
-What is refused is a ValueError that says what, where and the value.
+What is refused is a ValueError that says what, where and the value; a negative number where there
+is none, an OverflowError.
 """
 
 import enum
@@ -112,7 +113,7 @@ class State(enum.IntEnum):
     MISS = 0
     """Certainly no contact."""
     HIT = 1
-    """Certainly a contact; its time of impact is at most 1e-6 of the step early."""
+    """Certainly a contact; its time of impact is at most `tolerance` of the step early."""
     UNDECIDED = 2
     """Neither is certain: to be treated as a contact. There is none before its time of impact."""
 

@@ -67,11 +67,15 @@ class RunError(RuntimeError):
 
     def __init__(self, failures: Sequence[tuple[int, int, str]], n_shards: int) -> None:
         self.failures: list[tuple[int, int, str]] = list(failures)
+        self._n_shards = n_shards
         lines = [f"steps {begin} to {end}: {why}" for begin, end, why in self.failures[:5]]
         if len(self.failures) > 5:
             lines.append("..")
         n = len(self.failures)
         super().__init__("\n  ".join([f"{n} of {n_shards} shards are not written:", *lines]))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.failures, self._n_shards)
 
 
 class Reports(Sequence[Report]):
