@@ -100,8 +100,8 @@ impl Stop {
         self.allocate(what, list, (list.len() + more).max(2 * list.capacity()) - list.len(), more)
     }
 
-    /// Makes a list long enough for `wanted` more items, or for fewer, down to `least`, as the limit
-    /// allows. If it allows not even these, the call ends, and nothing may be added.
+    /// Makes a list long enough for `wanted` more items, or for fewer, down to `least`, as the
+    /// limit allows. If it allows not even these, the call ends, and nothing may be added.
     #[must_use]
     pub fn allocate<T>(
         &self,

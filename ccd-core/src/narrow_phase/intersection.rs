@@ -289,8 +289,8 @@ mod tests {
         assert!(met > 200 && apart > 200 && flat > 50, "{met} {apart} {flat}");
     }
 
-    /// Beyond what is exact, rounded numbers tell nearly always: points scaled by a power of two, or
-    /// with a coordinate that is tiny instead of zero.
+    /// Beyond what is exact, rounded numbers tell nearly always: points scaled by a power of two,
+    /// or with a coordinate that is tiny instead of zero.
     #[test]
     fn numbers_beyond_the_exact_ones_are_told_by_rounded_ones() {
         let mut random = Random::new(13);

@@ -37,7 +37,7 @@ pub use avx2::Avx2;
 pub use avx512::Avx512;
 #[cfg(target_arch = "aarch64")]
 pub use neon::Neon;
-pub use portable::{F32x8, Portable};
+pub use portable::Portable;
 pub use row_simd::RowSimd;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use simd128::Simd128;
@@ -51,6 +51,11 @@ use ccd_core::{Aabb, Num};
 pub const WIDTH: usize = 8;
 /// Lanes of the widest vectors that filters use.
 pub const MAX_WIDTH: usize = 16;
+
+/// Eight numbers, aligned for vectors.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C, align(32))]
+pub struct F32x8(pub [f32; WIDTH]);
 
 /// Eight boxes side by side; a lane without a box holds the empty one.
 pub type Block = Aabb<F32x8>;

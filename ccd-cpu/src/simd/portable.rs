@@ -1,15 +1,10 @@
 //! Eight `f32` side by side as plain arrays: on any processor, and what the others are compared
 //! with.
 
-use super::{Mask, RowSimd, Simd, WIDTH, Work};
+use super::{F32x8, Mask, RowSimd, Simd, WIDTH, Work};
 use ccd_core::Num;
 use ccd_core::backend::layout::Pair;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
-
-/// Eight numbers, aligned for vectors.
-#[derive(Clone, Copy, Debug, Default)]
-#[repr(C, align(32))]
-pub struct F32x8(pub [f32; WIDTH]);
 
 /// Eight answers: all bits of a lane, or none.
 #[derive(Clone, Copy, Debug)]

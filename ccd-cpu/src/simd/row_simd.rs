@@ -1,5 +1,5 @@
-//! What the search for pairs does with blocks of eight boxes: rows, one box against eight, and eight
-//! pairs at once, of whichever rows.
+//! What the search for pairs does with blocks of eight boxes: rows, one box against eight, and
+//! eight pairs at once, of whichever rows.
 
 use super::{Block, F32x8, Simd, WIDTH};
 use ccd_core::backend::broad_phase::candidate::overlap_surely;
