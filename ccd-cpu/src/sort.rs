@@ -31,6 +31,12 @@ struct Worker {
     ties: Vec<(u64, u32)>,
 }
 
+/// Items whose keys are made at once.
+pub const LANES: usize = 4;
+
+/// What makes them.
+pub type Keys<'a> = dyn Fn([usize; LANES]) -> [u64; LANES] + Sync + 'a;
+
 /// Items per worker under which more threads cost more than they give.
 const MIN_PART: usize = 8192;
 
@@ -43,18 +49,13 @@ impl RadixSort {
         key: impl Fn(usize) -> u64 + Sync,
         order: &mut Vec<u32>,
     ) {
-        self.sort_keys(threads, n, |[i]| [key(i)], order);
+        self.sort_keys(threads, n, &|of| of.map(&key), order);
     }
 
-    /// The same by `keys([i, ..]) = [key(i), ..]`, of `K` items at once; the last one is asked for
-    /// more than once.
-    pub fn sort_keys<const K: usize>(
-        &mut self,
-        threads: &Threads,
-        n: usize,
-        keys_of: impl Fn([usize; K]) -> [u64; K] + Sync,
-        order: &mut Vec<u32>,
-    ) {
+    /// The same by the keys of [`LANES`] items at once; the last one may be asked for more than
+    /// once. Compiled once for all keys.
+    #[inline(never)]
+    pub fn sort_keys(&mut self, threads: &Threads, n: usize, keys_of: &Keys, order: &mut Vec<u32>) {
         for half in 0..2 {
             threads.resize(&mut self.keys[half], n, AtomicU64::default);
             threads.resize(&mut self.values[half], n, AtomicU32::default);
@@ -70,7 +71,7 @@ impl RadixSort {
 
         threads.each(workers, &|k, worker| {
             let end = range(k).end;
-            for first in range(k).step_by(K) {
+            for first in range(k).step_by(LANES) {
                 let some = keys_of(std::array::from_fn(|j| (first + j).min(end - 1)));
                 for (i, key) in (first..end).zip(some) {
                     keys[0][i].store(key, Relaxed);

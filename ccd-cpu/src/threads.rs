@@ -66,6 +66,12 @@ impl Threads {
         self.count
     }
 
+    /// Whether there is one; where there can be no more, rayon is not compiled.
+    #[inline(always)]
+    fn is_alone(&self) -> bool {
+        ALONE || self.count == 1
+    }
+
     /// Runs `f` in one of these threads, so that the parallel calls inside of it use them.
     ///
     /// A parallel call from a thread that is none of them would hand its work over and sleep until
@@ -79,6 +85,7 @@ impl Threads {
 
     fn inside(&self, f: &mut (dyn FnMut() + Send)) {
         match &self.pool {
+            _ if ALONE => f(),
             Some(pool) => pool.install(f),
             None if self.count == 1 || rayon::current_thread_index().is_some() => f(),
             None => rayon::scope(|_| f()),
@@ -89,7 +96,7 @@ impl Threads {
     ///
     /// Here and in what calls it `f` does much, so that rayon is compiled once, not into each use.
     fn calls(&self, n: usize, most: usize, f: &(dyn Fn(usize) + Sync)) {
-        if self.count == 1 {
+        if self.is_alone() {
             (0..n).for_each(f);
         } else {
             (0..n).into_par_iter().with_max_len(most).for_each(f);
@@ -103,7 +110,7 @@ impl Threads {
         b: impl FnOnce() + Send,
         c: impl FnOnce() + Send,
     ) {
-        if self.count == 1 {
+        if self.is_alone() {
             a();
             b();
             c();
@@ -251,7 +258,7 @@ impl Threads {
 
     /// Sorts in place by a key that no two items share.
     pub fn sort<T: Send, K: Ord>(&self, items: &mut [T], key: impl Fn(&T) -> K + Sync) {
-        if self.count == 1 {
+        if self.is_alone() {
             items.sort_unstable_by_key(key)
         } else {
             items.par_sort_unstable_by_key(key)

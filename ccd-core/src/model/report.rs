@@ -226,7 +226,8 @@ impl Report {
     }
 
     /// The least time of impact in each world of these bodies, those of the step; `None`: no
-    /// contact in it. By its number, as many as the greatest one says.
+    /// contact in it. By its number, as many as the greatest one says. Of contacts that are listed:
+    /// there are none after [`Session::earliest_toi`](super::session::Session::earliest_toi).
     ///
     /// ```
     /// use ccd::{Bodies, Report};

@@ -116,7 +116,7 @@ enum Place {
 /// As `containment.rs`: two-dimensional determinants along the axis in which the normal is
 /// greatest. A component at `from` is off by `3 u`, and changes in the interval by at most the
 /// `travel` of its vector; a determinant of two vectors of components up to 1/4, with products off
-/// by `5 u` each, by half of both travels and less than `16 u`.
+/// by `5 u` each, by half of both travels and `17 u`.
 #[inline(always)]
 fn place(vectors: &Vectors, patch: Patch, from: u32, depth: u32) -> Place {
     let at = |[x0, x1]: Ends| {

@@ -90,6 +90,7 @@ pub fn segment_meets_triangle(segment: [Point; 2], triangle: [Point; 3]) -> Opti
 /// [`orientation`] where rounded numbers tell. Where products vanish, the cross product is off by
 /// components up to 2^-1073 besides what [`certain_sign`] covers, and the determinant by that times
 /// its first row, far less than it has to be here.
+#[inline(never)]
 fn rounded_orientation(a: Point, b: Point, c: Point, d: Point) -> Option<Ordering> {
     let (u, v, w) = (sub(a, d), sub(b, d), sub(c, d));
     let value = dot(u, cross(v, w));
@@ -176,11 +177,10 @@ fn lies_in([a, b, c]: [Point; 3], p: Point) -> bool {
 
 /// On which side of the plane through `a b c` the point `d` is: the sign of a determinant.
 fn orientation(a: Point, b: Point, c: Point, d: Point) -> Ordering {
-    let (u, v, w) = (sub(a, d), sub(b, d), sub(c, d));
-    let size = max_abs(u) * max_abs(v) * max_abs(w);
-    if let Some(sign) = certain_sign(dot(u, cross(v, w)), size) {
+    if let Some(sign) = rounded_orientation(a, b, c, d) {
         return sign;
     }
+    let (u, v, w) = (sub(a, d), sub(b, d), sub(c, d));
     // Of points that are the same, or have a coordinate in common. A difference is zero if and only
     // if it is.
     let is_zero = |k: usize| u[k] == 0.0 && v[k] == 0.0 && w[k] == 0.0;

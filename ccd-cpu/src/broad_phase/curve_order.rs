@@ -2,10 +2,10 @@
 //!
 //! Twin: none; on a GPU a sort of keys, as any other.
 
-use crate::broad_phase::hilbert_code::{BITS, LANES, hilbert_codes, turned_octants};
+use crate::broad_phase::hilbert_code::{BITS, hilbert_codes, turned_octants};
 use crate::broad_phase::marks::Marks;
 use crate::simd::WIDTH;
-use crate::sort::RadixSort;
+use crate::sort::{LANES, RadixSort};
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::morton_key::{self, Curve};
@@ -69,7 +69,7 @@ impl CurveOrder {
         let Marks { fixed, world, world_bits: bits, kept, .. } = *marks;
         let is_fixed = |i: usize| fixed.is_some_and(|fixed| fixed(i)) as u64;
         match (world, fixed) {
-            (None, None) => self.radix.sort_keys(threads, boxes.len(), codes, order),
+            (None, None) => self.radix.sort_keys(threads, boxes.len(), &codes, order),
             (None, Some(_)) if kept > 0 => {
                 // The others are all that is sorted, each once.
                 self.moving.clear();
@@ -79,7 +79,7 @@ impl CurveOrder {
                 self.still.extend_from_slice(&order[order.len() - kept..]);
                 let moving = &self.moving;
                 let keys = |of: [usize; LANES]| codes(of.map(|i| moving[i] as usize));
-                self.radix.sort_keys(threads, moving.len(), keys, order);
+                self.radix.sort_keys(threads, moving.len(), &keys, order);
                 threads.update(order, |i| moving[i as usize]);
                 order.extend_from_slice(&self.still);
             }
@@ -91,7 +91,7 @@ impl CurveOrder {
                         (world << 1 | is_fixed(of[k])) << (62 - bits) | codes[k] >> (1 + bits)
                     })
                 };
-                self.radix.sort_keys(threads, boxes.len(), keys, order);
+                self.radix.sort_keys(threads, boxes.len(), &keys, order);
             }
         }
         self.place_posed(order, marks);

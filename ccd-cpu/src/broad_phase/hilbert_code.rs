@@ -36,11 +36,9 @@ pub fn turned_octants() -> &'static Turned {
     &TURNED
 }
 
-/// Codes that are looked up at once: each look waits for the one before, those of others do not.
-pub const LANES: usize = 4;
-
-/// The Hilbert codes of the cells of boxes' centres, on a grid of [`BITS`] an axis.
-#[inline]
+/// The Hilbert codes of the cells of boxes' centres, on a grid of [`BITS`] an axis. Each look into
+/// the table waits for the one before, not for those of other boxes.
+#[inline(never)]
 pub fn hilbert_codes<const K: usize>(
     turned: &Turned,
     boxes: [&Aabb; K],
@@ -56,7 +54,6 @@ pub fn hilbert_codes<const K: usize>(
 }
 
 /// The Hilbert codes of the cells with these Morton codes.
-#[inline]
 fn hilbert63<const K: usize>(turned: &Turned, morton: [u64; K]) -> [u64; K] {
     let (mut found, mut codes) = ([0; K], [0; K]);
     for two in (0..BITS / 2).rev() {

@@ -19,16 +19,16 @@ pub trait RowSimd: Simd {
     /// Appends `(a, b[j])` for every lane `j` in `mask`, ascending; lesser id first if `ORDERED`.
     fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mask: u32);
 
-    /// Whether the functions that follow take a few instructions; else they are not used.
+    /// Whether the functions that pick lanes take a few instructions; else they are not used.
     const PICKS: bool = false;
-    /// Bytes as eight numbers each: the lanes that their upper bits name, and those of the lowest
-    /// three, or numbers that are the same but for multiples of eight.
+    /// Eight bytes, each the place `8 i + j` of a bit: all `i`; all `j`, perhaps with multiples of
+    /// eight.
     #[inline(always)]
     fn places(self, bytes: u64) -> [[u32; WIDTH]; 2] {
         let byte = |k: usize| bytes.to_le_bytes()[k] as u32;
         [std::array::from_fn(|k| byte(k) / WIDTH as u32), std::array::from_fn(byte)]
     }
-    /// Lane `at[k]` of `ids` in lane `k`; lanes from eight on begin again.
+    /// Lane `at[k] % 8` of `ids` in lane `k`.
     #[inline(always)]
     fn pick_ids(self, ids: &[u32; WIDTH], at: &[u32; WIDTH]) -> [u32; WIDTH] {
         at.map(|lane| ids[lane as usize % WIDTH])
@@ -57,8 +57,9 @@ pub trait RowSimd: Simd {
         }
     }
 
-    /// Takes up to eight bits from the masks of two blocks: the lanes of both that they stand for,
-    /// and the mask of those that are there.
+    /// Takes the first eight bits from the masks of two blocks, see
+    /// [`PairSink::rows`](crate::broad_phase::pair_source::PairSink::rows): the lanes in both, and
+    /// a mask of those that are there, if there are fewer.
     #[inline(always)]
     fn eight(self, masks: &mut u64) -> ([[u32; WIDTH]; 2], u32) {
         let n = masks.count_ones().min(WIDTH as u32);

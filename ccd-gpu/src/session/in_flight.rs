@@ -105,7 +105,8 @@ impl Drop for Unfinished<'_> {
 impl Engine {
     /// Begins a step, of which [`Engine::poll`] gets the report: what
     /// [`Session::step`](session::Session::step) finds. Copies the positions, sends them and
-    /// submits the work. A step that is still in flight is forgotten.
+    /// submits the work. A step that is still in flight is forgotten. Until the report is there,
+    /// that of the session is empty.
     ///
     /// ```no_run
     /// use ccd::gpu::{Error, Session};

@@ -352,7 +352,7 @@ fn no_guess_is_trusted() {
 }
 
 /// What stands still has components that are exact here, so of a determinant all of the error is
-/// that of its bound: `16 u` for products and factors, and `4 u` for what travels may be off by.
+/// that of its bound: `17 u` for products and factors, and `4 u` for what travels may be off by.
 #[test]
 fn a_determinant_is_uncertain_within_its_bound() {
     let still = |x: [f64; 3]| [x.map(|c| of(c, -2)); 2];
