@@ -170,7 +170,7 @@ fn check_estimate(method: BroadPhaseMethod, pipeline: Pipeline, scheduling: Sche
         return;
     }
     // One, and for blocks also many worlds, of which each begins with a block of its own.
-    // And particles, and rods among them, without faces.
+    // Forms: 0, particles; 1, a sheet; 2, rods among particles.
     let n_scenes = if method == BroadPhaseMethod::Blocks { 5 } else { 4 };
     let scenes = [(90, 1, 1, 1), (90, 1, 2, 1), (90, 1, 1, 0), (90, 1, 1, 2), (4, 500, 1, 1)];
     for (side, copies, threads, form) in scenes.into_iter().take(n_scenes) {

@@ -14,7 +14,7 @@ use crate::threads::Threads;
 use ccd_core::Aabb;
 use std::ops::Range;
 
-/// What has the boxes of a set in order, and the tree.
+/// The order of one set: what sorts its boxes, and its tree.
 #[derive(Debug)]
 pub struct BlockOrder<'a> {
     pub curve: &'a mut CurveOrder,
@@ -55,13 +55,13 @@ impl Order for BlockOrder<'_> {
 }
 
 impl BlockSource {
-    /// What has one set in order.
+    /// The order of one set.
     fn of(&mut self, set: usize) -> BlockOrder<'_> {
         self.make(set + 1);
         BlockOrder { curve: &mut self.curves[set], tree: &mut self.trees[set] }
     }
 
-    /// The same of three sets.
+    /// Those of three sets.
     pub fn orders(&mut self) -> [BlockOrder<'_>; 3] {
         self.make(3);
         let [a, b, c] = &mut self.trees[..] else { unreachable!("three sets") };

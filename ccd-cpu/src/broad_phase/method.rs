@@ -72,8 +72,8 @@ impl Method {
         Ok(Self::Listed(Listed { source, buffers: Vec::new() }))
     }
 
-    /// Has each of three sets do something with what has it in order: at once, if they have nothing
-    /// in common there.
+    /// Calls three functions, each with the order of its set: at once where sets share nothing, as
+    /// by blocks, else one after the other.
     pub fn each_set(&mut self, threads: &Threads, [a, b, c]: [&mut OfSet; 3]) {
         match self {
             Self::Blocks(source) => {
@@ -160,7 +160,7 @@ impl PairSource for Method {
     }
 }
 
-/// What one set does with what has it in order.
+/// What is done with the order of one set.
 pub type OfSet<'a> = dyn FnMut(&mut dyn Order) + Send + 'a;
 
 /// Whether a scheduler or a front was chosen that the method does not have by itself. Blocks have

@@ -303,10 +303,7 @@ impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
         mut masks: u64,
     ) {
         if !S::PICKS {
-            while let Some(row) = Overlaps::next(a, b, &mut masks) {
-                self.row(lister, simd, row);
-            }
-            return;
+            return self.row_by_row(lister, simd, (a, b), masks);
         }
         while masks != 0 {
             let ([at_a, at_b], mut mask) = simd.eight(&mut masks);
@@ -315,7 +312,7 @@ impl<const WITHIN: bool> PairSink for Listing<'_, WITHIN> {
             if let Some(confirm) = self.confirm {
                 let boxes_a = simd.picked(&self.a.blocks()[a], &at_a);
                 let boxes_b = simd.picked(&self.b.blocks()[b], &at_b);
-                let sure = simd.each_overlaps_surely(boxes_a, boxes_b, self.slack);
+                let sure = simd.overlaps_surely_each(boxes_a, boxes_b, self.slack);
                 mask = mask & sure | keep(mask & !sure, |k| confirm(ids_a[k], ids_b[k]));
             }
             if let Some(pairs) = lister.room(self.stop, "overlapping boxes", WIDTH) {

@@ -42,20 +42,6 @@ pub struct Overlaps {
     pub mask: u32,
 }
 
-impl Overlaps {
-    /// Takes the first row from the masks of two blocks, see [`PairSink::rows`].
-    #[inline(always)]
-    pub fn next(a: usize, b: usize, masks: &mut u64) -> Option<Self> {
-        if *masks == 0 {
-            return None;
-        }
-        let lane = masks.trailing_zeros() as usize / WIDTH;
-        let mask = (*masks >> (WIDTH * lane)) as u32 & 0xff;
-        *masks &= !(0xff << (WIDTH * lane));
-        Some(Self { a, lane, b, mask })
-    }
-}
-
 /// Takes overlapping pairs of leaves, one against up to eight.
 pub trait PairSink: Sync {
     /// The state of a thread.
@@ -65,17 +51,31 @@ pub trait PairSink: Sync {
     /// Takes a row. Must be `#[inline(always)]`, or the instruction set is not enabled inside.
     fn row<S: RowSimd>(&self, worker: &mut Self::Worker, simd: S, row: Overlaps);
     /// Takes what overlaps of blocks `a` and `b`: lane `i` of `a` and lane `j` of `b` where bit `j`
-    /// of byte `i` is set. As rows, one after the other, or as if they were.
+    /// of byte `i` of `masks` is set. As rows, one after the other, or as if they were.
     #[inline(always)]
     fn rows<S: RowSimd>(
+        &self,
+        worker: &mut Self::Worker,
+        simd: S,
+        blocks: (usize, usize),
+        masks: u64,
+    ) {
+        self.row_by_row(worker, simd, blocks, masks);
+    }
+    /// The same, always as rows.
+    #[inline(always)]
+    fn row_by_row<S: RowSimd>(
         &self,
         worker: &mut Self::Worker,
         simd: S,
         (a, b): (usize, usize),
         mut masks: u64,
     ) {
-        while let Some(row) = Overlaps::next(a, b, &mut masks) {
-            self.row(worker, simd, row);
+        while masks != 0 {
+            let lane = masks.trailing_zeros() as usize / WIDTH;
+            let mask = (masks >> (WIDTH * lane)) as u32 & 0xff;
+            masks &= !(0xff << (WIDTH * lane));
+            self.row(worker, simd, Overlaps { a, lane, b, mask });
         }
     }
     /// A task begins; rows that come in no order belong to none.

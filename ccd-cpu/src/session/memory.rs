@@ -18,10 +18,10 @@ const ELEMENT: u64 = 192;
 /// The same for the nodes of a binary tree, and for oriented boxes of nodes and triangles.
 const TREE: u64 = 256;
 const ORIENTED: u64 = 192;
-/// Of a vertex without edges, and of an edge of no face if there is such a vertex, besides all that
-/// the method has of them once more: their boxes in `f64`.
+/// Of an isolated vertex, and of an edge of no face where there are such vertices: its box in `f64`
+/// and its id. They have a broad phase of their own, which holds as much of them as the session's.
 const PARTICLE: u64 = 56;
-/// Of a face, an edge and a vertex without edges, for all that pairs of triangles are expanded by.
+/// Of a face, an edge and an isolated vertex, for all that pairs of triangles are expanded by.
 const TRIANGLE: u64 = 512;
 /// Of a worker: its stacks, deques and queues, and tables of a sort.
 const WORKER: u64 = 1 << 20;

@@ -145,7 +145,7 @@ fn pick(x: &[f32; WIDTH], at: &[u32; WIDTH]) -> __m256 {
 
 #[inline]
 #[target_feature(enable = "avx2")]
-fn meets(a: &[u32; WIDTH], b: [&[u32; WIDTH]; 2]) -> u32 {
+fn equals_each(a: &[u32; WIDTH], b: [&[u32; WIDTH]; 2]) -> u32 {
     let a = load_ids(a);
     let first = _mm256_cmpeq_epi32(a, load_ids(b[0]));
     let second = _mm256_cmpeq_epi32(a, load_ids(b[1]));
@@ -304,9 +304,9 @@ impl RowSimd for Avx2 {
         V8(unsafe { pick(&x.0, at) })
     }
     #[inline(always)]
-    fn meets(self, a: &[u32; WIDTH], b: [&[u32; WIDTH]; 2]) -> u32 {
+    fn equals_each(self, a: &[u32; WIDTH], b: [&[u32; WIDTH]; 2]) -> u32 {
         // SAFETY: see above.
-        unsafe { meets(a, b) }
+        unsafe { equals_each(a, b) }
     }
     #[inline(always)]
     fn append_each<const ORDERED: bool>(

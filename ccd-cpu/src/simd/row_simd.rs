@@ -40,7 +40,7 @@ pub trait RowSimd: Simd {
     }
     /// Lanes in which `a` is one of the two.
     #[inline(always)]
-    fn meets(self, a: &[u32; WIDTH], b: [&[u32; WIDTH]; 2]) -> u32 {
+    fn equals_each(self, a: &[u32; WIDTH], b: [&[u32; WIDTH]; 2]) -> u32 {
         (0..WIDTH).fold(0, |mask, k| mask | ((a[k] == b[0][k] || a[k] == b[1][k]) as u32) << k)
     }
     /// As [`RowSimd::append`], of `(a[j], b[j])`.
@@ -84,7 +84,7 @@ pub trait RowSimd: Simd {
     /// Lanes in which an axis keeps a box further than `needed` from another at all times, of
     /// `[at the first time, at the last]`.
     #[inline(always)]
-    fn each_separated(
+    fn separated_each(
         self,
         [a0, a1]: [Aabb<Self::Lanes>; 2],
         [b0, b1]: [Aabb<Self::Lanes>; 2],
@@ -126,18 +126,18 @@ pub trait RowSimd: Simd {
     #[inline(always)]
     fn axis_separated(self, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
         let a = [self.one(&a[0], i), self.one(&a[1], i)];
-        self.each_separated(a, [self.boxes(&b[0]), self.boxes(&b[1])], needed)
+        self.separated_each(a, [self.boxes(&b[0]), self.boxes(&b[1])], needed)
     }
 
     /// Lanes of `b` whose boxes overlap that of lane `i` of `a` by more than `slack`.
     #[inline(always)]
     fn overlaps_surely(self, a: &Block, i: usize, b: &Block, slack: f32) -> u32 {
-        self.each_overlaps_surely(self.one(a, i), self.boxes(b), slack)
+        self.overlaps_surely_each(self.one(a, i), self.boxes(b), slack)
     }
 
     /// Lanes in which a box overlaps another by more than `slack`.
     #[inline(always)]
-    fn each_overlaps_surely(self, a: Aabb<Self::Lanes>, b: Aabb<Self::Lanes>, slack: f32) -> u32 {
+    fn overlaps_surely_each(self, a: Aabb<Self::Lanes>, b: Aabb<Self::Lanes>, slack: f32) -> u32 {
         overlap_surely(&a, &b, Self::Lanes::splat(slack)).bits()
     }
 }

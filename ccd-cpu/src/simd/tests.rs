@@ -92,12 +92,12 @@ impl<S: RowSimd> Work<S> for Rows {
                 let ([at_a, at_b], mask) = simd.eight(&mut masks);
                 out.extend((0..mask.count_ones() as usize).map(|k| 8 * at_a[k] + at_b[k] % 8));
                 let (of_a, of_b) = (simd.pick_ids(&ids, &at_a), simd.pick_ids(&ids, &at_b));
-                out.push(simd.meets(&of_a, [&of_b, &[2; WIDTH]]));
+                out.push(simd.equals_each(&of_a, [&of_b, &[2; WIDTH]]));
                 let ends_a = [simd.picked(&a, &at_a), simd.picked(&b, &at_a)];
                 let ends_b = [simd.picked(&c, &at_b), simd.picked(&d, &at_b)];
-                let sure = simd.each_overlaps_surely(ends_a[0], ends_b[0], 0.5);
+                let sure = simd.overlaps_surely_each(ends_a[0], ends_b[0], 0.5);
                 out.push(sure & mask);
-                out.push(simd.each_separated(ends_a, ends_b, 0.125) & mask);
+                out.push(simd.separated_each(ends_a, ends_b, 0.125) & mask);
                 simd.append_each::<true>(&mut pairs, &of_a, &of_b, mask);
                 simd.append_each::<false>(&mut pairs, &of_a, &of_b, mask);
             }

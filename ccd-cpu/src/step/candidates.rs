@@ -248,12 +248,10 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
 
     #[inline(always)]
     fn rows<S: RowSimd>(&self, worker: &mut W, simd: S, (a, b): (usize, usize), mut masks: u64) {
+        const { assert!(N != 3, "a face would come before its vertex") };
         let scene = self.scene;
         if !S::PICKS || scene.selection.selects() {
-            while let Some(row) = Overlaps::next(a, b, &mut masks) {
-                self.row(worker, simd, row);
-            }
-            return;
+            return self.row_by_row(worker, simd, (a, b), masks);
         }
         let (of_a, of_b, kind) = ((self.a, a), (self.b, b), kind_of(N));
         while masks != 0 {
@@ -262,7 +260,7 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
             if let Some(slack) = scene.slack {
                 let (boxes_a, boxes_b) =
                     (simd.picked(of_a.boxes(), &at_a), simd.picked(of_b.boxes(), &at_b));
-                let sure = simd.each_overlaps_surely(boxes_a, boxes_b, slack);
+                let sure = simd.overlaps_surely_each(boxes_a, boxes_b, slack);
                 mask = mask & sure
                     | keep(mask & !sure, |k| {
                         let (i, j) = (at_a[k] as usize % WIDTH, at_b[k] as usize % WIDTH);
@@ -274,7 +272,7 @@ impl<W: Take, const N: usize, const M: usize> PairSink for FeaturePairs<'_, W, N
                 let (a, b) = (of_a.ends(), of_b.ends());
                 let ends_a = [simd.picked(&a[0], &at_a), simd.picked(&a[1], &at_a)];
                 let ends_b = [simd.picked(&b[0], &at_b), simd.picked(&b[1], &at_b)];
-                mask &= !simd.each_separated(ends_a, ends_b, scene.needed_gap);
+                mask &= !simd.separated_each(ends_a, ends_b, scene.needed_gap);
             }
             if mask != 0 {
                 let ids = [simd.pick_ids(of_a.ids(), &at_a), simd.pick_ids(of_b.ids(), &at_b)];
@@ -320,10 +318,10 @@ fn shared_each<S: RowSimd, const N: usize, const M: usize>(
     let mut out = 0;
     for ids in a {
         let of_a = simd.pick_ids(ids, at_a);
-        out |= simd.meets(&of_a, [&first, &last]);
+        out |= simd.equals_each(&of_a, [&first, &last]);
         if M == 3 {
             let second = simd.pick_ids(b[1], at_b);
-            out |= simd.meets(&of_a, [&second, &second]);
+            out |= simd.equals_each(&of_a, [&second, &second]);
         }
     }
     out
