@@ -86,10 +86,24 @@ impl<N: Num> Coplanarity<N> {
     /// `> 0`.
     #[inline(always)]
     pub fn clearance(&self, min_distance: N) -> N {
+        self.beyond() - self.needed(min_distance)
+    }
+
+    /// How far three times the control values are beyond 0, all on one side; below 0 if they are
+    /// not.
+    #[inline(always)]
+    fn beyond(&self) -> N {
         let [c0, c1, c2, c3] = self.control();
         let low = c0.min(c3).min(c1.min(c2));
         let high = c0.max(c3).max(c1.max(c2));
-        low.max(-high) - self.needed(min_distance)
+        low.max(-high)
+    }
+
+    /// Whether the cubic certainly vanishes nowhere in `[0, 1]`: [`Coplanarity::clearance`] without
+    /// a distance, hence without the normal.
+    #[inline(always)]
+    pub fn is_nonzero(&self) -> N::Mask {
+        self.beyond().gt(self.bound)
     }
 
     /// The first and the last time at which the features may be as near as `min_distance >= 0`: one

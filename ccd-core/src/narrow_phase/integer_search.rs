@@ -11,8 +11,9 @@
 //! Where features rest on each other, no sign is certain at the begin of an interval, nor would it
 //! be after any halving. So the patch is looked at there first: what is not apart is open at once.
 //!
-//! The unit and the guess come of `f32`, so a device that rounds in another way may leave other
-//! pairs open and find other times within the tolerance; what it certifies is true all the same.
+//! The unit, the guess and the axis along which the patch is looked at come of `f32`, so a device
+//! that rounds in another way may leave other pairs open and find other times within the tolerance;
+//! what it certifies is true all the same.
 //!
 //! What is not certain is open: double zeros, edges that are parallel, contacts within some 2^-31
 //! of the boundary of the patch, resting contact.
@@ -20,13 +21,13 @@
 mod cubic;
 
 use crate::math::q62::Q62;
+use crate::math::vec3;
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 #[cfg(any(feature = "alloc", test))]
 use crate::narrow_phase::search::Search;
 pub use cubic::Ends;
 use cubic::{
-    DEPTH, Part, Vectors, around_zero, coplanarity, cross, guess, has_no_zero, has_one_zero, minus,
-    over, sign, value,
+    DEPTH, Part, Signs, Vectors, around_zero, coplanarity, det, guess, minus, over, sign, value,
 };
 
 /// What is looked for. Times are in 2^-31 of the step.
@@ -114,55 +115,41 @@ enum Place {
 /// Where `a` is in the patch of `b` and `c` all over `[from, from + 2^-depth]`.
 ///
 /// As `containment.rs`: two-dimensional determinants along the axis in which the normal is
-/// greatest. A component at `from` is off by `3 u`, and changes in the interval by at most the
-/// `travel` of its vector; a determinant of two vectors of components up to 1/4, with products off
-/// by `5 u` each, by half of both travels and `17 u`.
+/// greatest, about. A component at `from` is off by `3 u`, and changes in the interval by at most
+/// the `travel` of its vector; a determinant of two vectors of components up to 1/4, with products
+/// off by `5 u` each, by half of both travels and `17 u`.
 #[inline(always)]
 fn place(vectors: &Vectors, patch: Patch, from: u32, depth: u32) -> Place {
-    let at = |[x0, x1]: Ends| {
-        [x0[0].towards(x1[0], from), x0[1].towards(x1[1], from), x0[2].towards(x1[2], from)]
+    let along = axis_of_normal(vectors, from);
+    // No index that is computed: arrays of a shader would be in memory then.
+    let pick = |v: [Q62; 3]| {
+        if along == 0 {
+            [v[1], v[2]]
+        } else if along == 1 {
+            [v[2], v[0]]
+        } else {
+            [v[0], v[1]]
+        }
     };
+    let at = |[x0, x1]: [[Q62; 2]; 2]| [x0[0].towards(x1[0], from), x0[1].towards(x1[1], from)];
     // The difference is off by 4 u, a component by 3 u; and the shift rounds down.
-    let travel = |[x0, x1]: Ends| {
-        let way = minus(x1, x0);
-        let greatest = way[0].abs().max(way[1].abs()).max(way[2].abs());
+    let travel = |[x0, x1]: [[Q62; 2]; 2]| {
+        let greatest = x1[0].minus(x0[0]).abs().max(x1[1].minus(x0[1]).abs());
         greatest.plus(Q62::of_units(4)).shifted_down(depth).plus(Q62::of_units(4))
     };
     let [a, b, c] = *vectors;
-    let travel = [travel(a), travel(b), travel(c)];
+    let (a, b, c) = ([pick(a[0]), pick(a[1])], [pick(b[0]), pick(b[1])], [pick(c[0]), pick(c[1])]);
+    let [of_a, of_b, of_c] = [travel(a), travel(b), travel(c)];
     let (a, b, c) = (at(a), at(b), at(c));
-    let n = cross(b, c);
-    let (x, y, z) = (n[0].abs(), n[1].abs(), n[2].abs());
-    // No index that is computed: arrays of a shader would be in memory then.
-    let along = if x.is_above(y) && x.is_above(z) {
-        0
-    } else if y.is_above(z) {
-        1
-    } else {
-        2
-    };
-    let pick = |v: [Q62; 3]| match along {
-        0 => [v[1], v[2]],
-        1 => [v[2], v[0]],
-        _ => [v[0], v[1]],
-    };
-    let det = |p: [Q62; 2], q: [Q62; 2]| p[0].times(q[1]).minus(p[1].times(q[0]));
-    let (a, b, c) = (pick(a), pick(b), pick(c));
-    let d = match along {
-        0 => n[0],
-        1 => n[1],
-        _ => n[2],
-    };
-    let error =
-        |i: usize, j: usize| travel[i].plus(travel[j]).shifted_down(1).plus(Q62::of_units(17));
-    let (d_error, s_error, r_error) = (error(1, 2), error(0, 2), error(0, 1));
+    let error = |p: Q62, q: Q62| p.plus(q).shifted_down(1).plus(Q62::of_units(17));
+    let (d_error, s_error, r_error) = (error(of_b, of_c), error(of_a, of_c), error(of_a, of_b));
+    let d = det(b, c);
     if !d.abs().is_above(d_error) {
         return Place::Unknown;
     }
     let negative = d.is_negative();
     let d = d.negated_if(negative);
-    let s = det(a, c).negated_if(negative);
-    let r = det(b, a).negated_if(negative);
+    let (s, r) = (det(a, c).negated_if(negative), det(b, a).negated_if(negative));
     let (third, third_error, fourth, fourth_error) = match patch {
         Patch::Triangle => {
             let rest = d.minus(s).minus(r);
@@ -173,22 +160,43 @@ fn place(vectors: &Vectors, patch: Patch, from: u32, depth: u32) -> Place {
             (d.minus(s), d_error.plus(s_error), d.minus(r), d_error.plus(r_error))
         }
     };
-    let is_inside = |x: Q62, error: Q62| x.is_above(error);
-    let is_outside = |x: Q62, error: Q62| x.negated().is_above(error);
-    if is_outside(s, s_error)
-        || is_outside(r, r_error)
-        || is_outside(third, third_error)
-        || is_outside(fourth, fourth_error)
-    {
+    let is_outside = s.negated().is_above(s_error)
+        || r.negated().is_above(r_error)
+        || third.negated().is_above(third_error)
+        || fourth.negated().is_above(fourth_error);
+    let is_inside = s.is_above(s_error)
+        && r.is_above(r_error)
+        && third.is_above(third_error)
+        && fourth.is_above(fourth_error);
+    if is_outside {
         Place::Outside
-    } else if is_inside(s, s_error)
-        && is_inside(r, r_error)
-        && is_inside(third, third_error)
-        && is_inside(fourth, fourth_error)
-    {
+    } else if is_inside {
         Place::Inside
     } else {
         Place::Unknown
+    }
+}
+
+/// The axis along which the normal of `b` and `c` is greatest at `from`, by `f32`: another one does
+/// as well, if its determinant is certain.
+#[inline(always)]
+fn axis_of_normal([_, b, c]: &Vectors, from: u32) -> u32 {
+    let t = from as f32 / (1u32 << DEPTH) as f32;
+    let at = |[x0, x1]: &Ends| {
+        let at = |x: Q62, y: Q62| {
+            let (x, y) = (x.approximate(), y.approximate());
+            x + (y - x) * t
+        };
+        [at(x0[0], x1[0]), at(x0[1], x1[1]), at(x0[2], x1[2])]
+    };
+    let [x, y, z] = vec3::cross(at(b), at(c));
+    let (x, y, z) = (x.abs(), y.abs(), z.abs());
+    if x > y && x > z {
+        0
+    } else if y > z {
+        1
+    } else {
+        2
     }
 }
 
@@ -202,6 +210,7 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
     let finest = window.tolerance.leading_zeros().max(NEAR);
     // The interval [k, k + 1] 2^-depth, its ends, and the control values over it.
     let (mut k, mut depth, mut c) = (0, 0, whole);
+    let mut signs = Signs::of(c);
     let (mut from, mut until) = (0, 0);
     // Whether the patch was looked at over it, and at its begin, if no sign is certain there;
     // whether a zero was guessed in it, or in an interval that it is a half of.
@@ -216,10 +225,10 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
             rounds += 1;
             let unit = DEPTH - depth;
             (from, until) = (k << unit, (k + 1) << unit);
-            is_over = from > window.until || until < window.from || has_no_zero(c);
-            once = has_one_zero(c);
+            is_over = from > window.until || until < window.from || signs.have_no_zero();
+            once = signs.have_one_zero();
             // Its first halves begin as it does, and are no surer.
-            let is_unsure = sign(c[0]) == 0 && from >= window.from;
+            let is_unsure = signs.first() == 0 && from >= window.from;
             let is_early = depth == EARLY[0] || depth == EARLY[1] || depth == EARLY[2];
             begins = is_unsure && !begun;
             let may_look = depth == DEPTH || is_early || is_unsure || once && !guessed;
@@ -230,23 +239,23 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
                 let (s, t) = (p.mean(q), q.mean(r));
                 let middle = s.mean(t);
                 (k, depth, looked) = (2 * k, depth + 1, false);
-                let first = [c[0], p, s, middle];
-                if has_no_zero(first) {
+                let last = c[3];
+                c = [c[0], p, s, middle];
+                signs = Signs::of(c);
+                if signs.have_no_zero() {
                     (k, begun) = (k + 1, false);
-                    c = [middle, t, r, c[3]];
-                } else {
-                    c = first;
+                    c = [middle, t, r, last];
+                    signs = Signs::of(c);
                 }
             }
         }
         if looks && !is_over {
             // The first interval that may have a zero begins where there certainly is none.
-            let is_flat = sign(c[0]) | sign(c[1]) | sign(c[2]) | sign(c[3]) == 0;
-            let is_last = located || depth == DEPTH || is_flat;
+            let is_last = located || depth == DEPTH || signs.are_unknown();
             let mut part = Part { begin: from, end: until, depth };
-            let mut crosses = sign(c[0]) | sign(c[3]) == 3;
+            let mut crosses = signs.first() | signs.last() == 3;
             let guesses = !begins && (located || once && depth < finest);
-            let reaches = !begins && !guesses && depth == DEPTH && !crosses && sign(c[0]) != 0;
+            let reaches = !begins && !guesses && depth == DEPTH && !crosses && signs.first() != 0;
             (looked, begun) = (!begins, true);
             if begins {
                 part = Part { begin: from, end: from + 1, depth: DEPTH };
@@ -260,16 +269,16 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
                 part.end = from + (1 << (DEPTH - part.depth));
             }
             if guesses || reaches && part.end <= 1 << DEPTH {
-                let (mut t, end, mut signs) = if guesses {
+                let (mut t, end, mut both) = if guesses {
                     (zero.begin, zero.end, 0)
                 } else {
-                    (part.end, part.end, sign(c[0]))
+                    (part.end, part.end, signs.first())
                 };
                 for _ in 0..2 {
-                    signs |= sign(value(whole, t));
+                    both |= sign(value(whole, t));
                     t = end;
                 }
-                crosses = signs == 3;
+                crosses = both == 3;
             }
             if guesses {
                 located = crosses;
@@ -311,6 +320,7 @@ pub fn search(patch: Patch, points: &[Ends; 4], window: &Window) -> Found {
         }
         if is_over || located {
             c = over(whole, first, last);
+            signs = Signs::of(c);
         }
     }
     Found::Open

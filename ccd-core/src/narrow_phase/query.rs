@@ -6,7 +6,7 @@
 
 pub use crate::narrow_phase::search::{LEAST_TOLERANCE, TOI_TOLERANCE, Verdict};
 
-use crate::math::real::Real;
+use crate::math::real::{Mask, Real};
 use crate::narrow_phase::approach::{Approach, Departure};
 use crate::narrow_phase::conservative_advancement::{Advance, SHORTLY, advance, within};
 use crate::narrow_phase::containment::{Inside, inside};
@@ -116,10 +116,18 @@ pub fn solve<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R
 /// be a miss.
 pub fn search<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {
     if search.min_distance > R::splat(0.0) {
-        near(m, patch, search)
-    } else {
-        contact(m, patch, search)
+        return near(m, patch, search);
     }
+    // In its own unit a query is looked at where it is, and most callers of single queries have
+    // mostly those that the plane rejects.
+    let plane = Coplanarity::new(m);
+    if plane.is_nonzero().all() {
+        return Answer::from(Verdict::Miss);
+    }
+    if has_fine_unit(greatest(m)) {
+        return answer(touching::<true, R>(m, &plane, patch, search), search);
+    }
+    contact(m, patch, search)
 }
 
 /// [`search`] without a minimum distance, whatever the search says.
@@ -138,7 +146,11 @@ pub(super) fn by_zeros<const ADVANCES: bool, R: Real>(
     search: &Search<R>,
 ) -> Answer<R> {
     let (m, _) = in_unit(m, R::splat(0.0));
-    let verdict = touching::<ADVANCES, R>(&m, patch, search);
+    answer(touching::<ADVANCES, R>(&m, &Coplanarity::new(&m), patch, search), search)
+}
+
+#[inline(always)]
+fn answer<R: Real>(verdict: Verdict<R>, search: &Search<R>) -> Answer<R> {
     // It certainly is apart until the time of impact, and certainly touches after it.
     let nears = matches!(verdict, Verdict::Hit { toi } if toi > search.from);
     let approach = if nears { Approach::Approaching } else { Approach::Unknown };
@@ -156,6 +168,19 @@ pub(super) fn near<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> 
 /// powers and their inverses stay inside `f32`.
 const UNIT_RANGE: f32 = 65_536.0;
 
+/// Whether vectors with this greatest component need no other unit.
+#[inline(always)]
+fn has_fine_unit<R: Real>(size: R) -> bool {
+    size <= R::splat(UNIT_RANGE) && size >= R::splat(1.0 / UNIT_RANGE)
+}
+
+/// A bound of all components of the vectors of a query.
+#[inline(always)]
+fn greatest<R: Real>(m: &Motion<R>) -> R {
+    let [a, b, c] = m.magnitudes();
+    a.max(b).max(c)
+}
+
 /// The query in a unit of length in which its vectors are neither huge nor tiny: times do not
 /// depend on the unit, products do.
 ///
@@ -166,10 +191,8 @@ const UNIT_RANGE: f32 = 65_536.0;
 /// certain contact.
 #[inline(always)]
 pub(super) fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
-    let [a, b, c] = m.magnitudes();
-    let size = a.max(b).max(c);
-    let fine = size <= R::splat(UNIT_RANGE) && size >= R::splat(1.0 / UNIT_RANGE);
-    if fine || !(size >= R::MIN_NORMAL) || !size.is_finite_number() {
+    let size = greatest(m);
+    if has_fine_unit(size) || !(size >= R::MIN_NORMAL) || !size.is_finite_number() {
         return (*m, min_distance);
     }
     let unit = size.to_unit();
@@ -181,12 +204,12 @@ pub(super) fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R)
 /// Contact as coplanarity and containment: `min_distance = 0`. `ADVANCES`: see [`by_zeros`].
 fn touching<const ADVANCES: bool, R: Real>(
     m: &Motion<R>,
+    plane: &Coplanarity<R>,
     patch: Patch,
     search: &Search<R>,
 ) -> Verdict<R> {
     let zero = R::splat(0.0);
-    let plane = Coplanarity::new(m);
-    if plane.clearance(zero) > zero {
+    if plane.is_nonzero().all() {
         return Verdict::Miss;
     }
     // The bound is of 3 f; 0.34 is a third, rounded up.

@@ -34,23 +34,22 @@ pub fn minus(p: [Q62; 3], q: [Q62; 3]) -> [Q62; 3] {
     [p[0].minus(q[0]), p[1].minus(q[1]), p[2].minus(q[2])]
 }
 
+/// The determinant of two vectors of a plane.
+#[inline(always)]
+pub fn det(p: [Q62; 2], q: [Q62; 2]) -> Q62 {
+    p[0].times(q[1]).minus(p[1].times(q[0]))
+}
+
 /// The first component of `p x q`.
 #[inline(always)]
 fn cross_x(p: [Q62; 3], q: [Q62; 3]) -> Q62 {
-    p[1].times(q[2]).minus(p[2].times(q[1]))
+    det([p[1], p[2]], [q[1], q[2]])
 }
 
 /// The vector with its second component first.
 #[inline(always)]
 fn turned([x, y, z]: [Q62; 3]) -> [Q62; 3] {
     [y, z, x]
-}
-
-/// `p x q`
-#[inline(always)]
-pub fn cross(p: [Q62; 3], q: [Q62; 3]) -> [Q62; 3] {
-    let (r, s) = (turned(p), turned(q));
-    [cross_x(p, q), cross_x(r, s), cross_x(turned(r), turned(s))]
 }
 
 /// Three times the Bernstein control values of the cubic of coplanarity. An axis after the other,
@@ -88,10 +87,49 @@ pub fn sign(x: Q62) -> u32 {
     }
 }
 
-/// Whether all control values certainly have one sign.
-#[inline(always)]
-pub fn has_no_zero(c: [Q62; 4]) -> bool {
-    sign(c[0]) & sign(c[1]) & sign(c[2]) & sign(c[3]) != 0
+/// The signs of four control values, of which the first has the lowest bits.
+#[derive(Clone, Copy)]
+pub struct Signs(u32);
+
+impl Signs {
+    /// The [`sign`] of each.
+    #[inline(always)]
+    pub fn of(c: [Q62; 4]) -> Self {
+        Self(sign(c[0]) | sign(c[1]) << 2 | sign(c[2]) << 4 | sign(c[3]) << 6)
+    }
+
+    /// That of the first value.
+    #[inline(always)]
+    pub fn first(self) -> u32 {
+        self.0 & 3
+    }
+
+    /// That of the last value.
+    #[inline(always)]
+    pub fn last(self) -> u32 {
+        self.0 >> 6
+    }
+
+    /// Whether none is certain.
+    #[inline(always)]
+    pub fn are_unknown(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Whether all control values certainly have one sign.
+    #[inline(always)]
+    pub fn have_no_zero(self) -> bool {
+        self.0 == 0x55 || self.0 == 0xaa
+    }
+
+    /// Whether a cubic certainly has one zero between the ends: the signs of its control values are
+    /// certain and change once, those at the ends being two different ones.
+    #[inline(always)]
+    pub fn have_one_zero(self) -> bool {
+        // As if the first were above 0; an uncertain one becomes 3.
+        let turned = if self.first() == 1 { self.0 } else { self.0 ^ 0xff };
+        turned == 0x95 || turned == 0xa5 || turned == 0xa9
+    }
 }
 
 /// The control values of a cubic over `[from, until]`, of those over the step: value `i` is the
@@ -117,14 +155,6 @@ fn blossom(c: [Q62; 4], [r, s, t]: [u32; 3]) -> Q62 {
 #[inline(always)]
 pub fn value(c: [Q62; 4], t: u32) -> Q62 {
     blossom(c, [t; 3])
-}
-
-/// Whether a cubic certainly has one zero between the ends: the signs of its control values are
-/// certain and change once, those at the ends being two different ones.
-#[inline(always)]
-pub fn has_one_zero(c: [Q62; 4]) -> bool {
-    let (p, q, r, s) = (sign(c[0]), sign(c[1]), sign(c[2]), sign(c[3]));
-    p | s == 3 && (q == p && r != 0 || r == s && q != 0)
 }
 
 /// A part of the step.

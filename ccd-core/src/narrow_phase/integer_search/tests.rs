@@ -326,7 +326,7 @@ fn no_guess_is_trusted() {
         let begin = (random.below(1 << depth)) << (DEPTH - depth);
         let end = begin + (1 << (DEPTH - depth));
         let c = over(whole, begin, end);
-        if !has_one_zero(c) {
+        if !Signs::of(c).have_one_zero() {
             continue;
         }
         let time = |k: u32| rational(k as f64 / (1u64 << DEPTH) as f64);
