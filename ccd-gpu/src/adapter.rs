@@ -41,6 +41,10 @@ pub struct DeviceOptions {
     /// Leave `f64` unused even where the device has it: integers decide then, and the CPU what they
     /// leave open.
     pub narrow: bool,
+    /// Have integers decide contacts, and `f64` what these leave open. `None`: where `f64` is slow,
+    /// that is on every GPU but those that have an eighth or more of the units of `f32` for it, by
+    /// their names. Both are as certain; times of impact differ within the tolerance.
+    pub integers: Option<bool>,
     /// A folder in which compiled kernels are kept for the next process, of this user alone;
     /// `None`: they are compiled on first use. Vulkan alone has something to keep, and lavapipe has
     /// nothing; a folder that cannot be read or written is no error.
@@ -76,6 +80,8 @@ pub struct Info {
     pub why: &'static str,
     /// Whether `f64` is used on the device.
     pub wide: bool,
+    /// Whether integers decide before `f64` does, or the CPU where there is none.
+    pub integers: bool,
     /// Whether there are timestamps, so that stages can be timed.
     pub timestamps: bool,
 }
@@ -93,7 +99,11 @@ impl fmt::Display for Info {
         writeln!(
             f,
             "f64         {}",
-            if self.wide { "on the device" } else { "on the CPU, for what integers cannot decide" }
+            match (self.wide, self.integers) {
+                (true, false) => "on the device",
+                (true, true) => "on the device, for what integers cannot decide",
+                (false, _) => "on the CPU, for what integers cannot decide",
+            }
         )?;
         writeln!(f, "timestamps  {}", if self.timestamps { "yes" } else { "no" })?;
         let l = &self.limits;
@@ -113,6 +123,38 @@ impl fmt::Display for Info {
             l.max_compute_workgroups_per_dimension
         )
     }
+}
+
+/// GPUs with at least an eighth as many units for `f64` as for `f32`; most have a thirty-second or a
+/// sixty-fourth, and integers are faster then. Vulkan does not say, so that is by words of names.
+const FAST_F64: [&str; 19] = [
+    "A30",
+    "A100",
+    "A800",
+    "B200",
+    "GB200",
+    "GH200",
+    "GP100",
+    "GV100",
+    "H100",
+    "H200",
+    "H800",
+    "P100",
+    "V100",
+    "V100S",
+    "TITAN V",
+    "INSTINCT",
+    "RADEON VII",
+    "RADEON PRO VII",
+    "DATA CENTER GPU MAX",
+];
+
+/// Whether a device that has `f64` has it fast: CPUs, and those of [`FAST_F64`].
+pub fn has_fast_f64(adapter: &wgpu::AdapterInfo) -> bool {
+    let words: Vec<&str> = adapter.name.split(|c: char| !c.is_alphanumeric()).collect();
+    let name = format!(" {} ", words.join(" ").to_uppercase());
+    adapter.device_type == wgpu::DeviceType::Cpu
+        || FAST_F64.iter().any(|words| name.contains(&format!(" {words} ")))
 }
 
 /// Features that are used where they are there.
@@ -242,6 +284,41 @@ fn pci_id(text: &str) -> Option<[u32; 4]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn few_gpus_have_fast_f64() {
+        let has = |name: &str, kind| {
+            let mut a = wgpu::AdapterInfo::new(kind, wgpu::Backend::Vulkan);
+            a.name = name.into();
+            has_fast_f64(&a)
+        };
+        let gpu = wgpu::DeviceType::DiscreteGpu;
+        for name in [
+            "NVIDIA H200",
+            "NVIDIA A100-SXM4-80GB",
+            "Tesla V100-SXM2-16GB",
+            "NVIDIA TITAN V",
+            "AMD Instinct MI300X (RADV GFX942)",
+            "AMD Radeon VII (RADV VEGA20)",
+            "Intel(R) Data Center GPU Max 1550",
+        ] {
+            assert!(has(name, gpu), "{name}");
+        }
+        for name in [
+            "NVIDIA GeForce RTX 4090",
+            "NVIDIA TITAN RTX",
+            "NVIDIA A10",
+            "NVIDIA L40S",
+            "NVIDIA RTX A6000",
+            "AMD Radeon RX 7900 XTX (RADV NAVI31)",
+            "AMD Radeon Graphics (RADV VEGA10)",
+            "Intel(R) Arc(tm) A770 Graphics (DG2)",
+            "Apple M1 Max",
+        ] {
+            assert!(!has(name, gpu), "{name}");
+        }
+        assert!(has("llvmpipe (LLVM 15.0.6, 256 bits)", wgpu::DeviceType::Cpu));
+    }
 
     #[test]
     fn adapters_of_one_name_are_told_apart() {

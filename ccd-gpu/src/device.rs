@@ -203,10 +203,13 @@ impl Device {
         let limits = device.limits();
         adapter::check_limits(&adapter, &limits)?;
         let wide_features = wgpu::Features::SHADER_F64 | wgpu::Features::SHADER_INT64;
+        let wide = !options.narrow && features.contains(wide_features);
+        let integers = options.integers.unwrap_or_else(|| !adapter::has_fast_f64(&adapter));
         let info = Info {
             path,
             why,
-            wide: !options.narrow && features.contains(wide_features),
+            wide,
+            integers: integers || !wide,
             timestamps: features.contains(wgpu::Features::TIMESTAMP_QUERY),
             adapter,
             limits,

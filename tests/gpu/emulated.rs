@@ -9,9 +9,11 @@ use ccd_testkit::methods::{differences, is_near_default};
 /// Set to 1, this variable has nothing left out.
 const WHOLE: &str = "CCD_WHOLE";
 
-/// Of the four devices two are run by all tests: the most native, with `f64`, and the most
-/// portable, WGSL without. The two between them are run by these tests, of boxes and of arithmetic,
-/// and by all published queries.
+/// Of the five devices two are run by all tests: the most native, with `f64`, and the most
+/// portable, WGSL without. Two between them are run by these tests, of boxes and of arithmetic, and
+/// by all published queries; the other, whose `f64` counts as slow, by those of decisions.
+const OF_DECISIONS: [&str; 6] =
+    ["degenerate", "leaving", "one_time_whoever_decides", "tolerances", "who_decides", "windows"];
 const OF_KERNELS: [crate::Tests; 2] = [crate::kernels::TESTS, crate::scalars::TESTS];
 
 /// The most portable is not run by tests of methods that are not the default's, by those over many
@@ -84,7 +86,8 @@ pub fn left_out(name: &str, device: &Device) -> Option<String> {
     let long = "long on an emulated GPU";
     let why = match (info.path, info.wide) {
         _ if name == LONGEST => long,
-        (Path::Passthrough, true) => return None,
+        (Path::Passthrough, true) if !info.integers || OF_DECISIONS.contains(&name) => return None,
+        (Path::Passthrough, true) => "as on a device with fast `f64` or with none",
         (Path::Wgsl, false) if LONG.contains(&name) => long,
         (Path::Wgsl, false) => return None,
         _ if name == "queries" || of_kernels().any(|(test, _)| *test == name) => return None,
@@ -95,7 +98,7 @@ pub fn left_out(name: &str, device: &Device) -> Option<String> {
 
 /// That no name above is of a test that is gone.
 pub fn check_names(tests: &[crate::Tests]) {
-    for name in LONG {
+    for name in LONG.into_iter().chain(OF_DECISIONS) {
         let is_there = tests.iter().flat_map(|tests| tests.iter()).any(|(test, _)| *test == name);
         assert!(is_there, "{name} is no test");
     }

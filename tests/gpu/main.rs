@@ -63,8 +63,17 @@ type Devices = Result<Vec<(String, Device)>, String>;
 fn open() -> Devices {
     let mut out = Vec::new();
     for (name, path) in [("passthrough", Path::Passthrough), ("wgsl", Path::Wgsl)] {
-        for narrow in [false, true] {
-            let options = DeviceOptions { path: Some(path), narrow, ..DeviceOptions::default() };
+        for (bits, integers) in [("f64", false), ("slow_f64", true), ("f32", true)] {
+            let narrow = bits == "f32";
+            if (bits, path) == ("slow_f64", Path::Wgsl) {
+                continue;
+            }
+            let options = DeviceOptions {
+                path: Some(path),
+                narrow,
+                integers: Some(integers),
+                ..DeviceOptions::default()
+            };
             let folder = std::env::var_os("CCD_CHECKED_SHADERS");
             let device = match folder.filter(|_| path == Path::Passthrough) {
                 // SAFETY: whoever sets the variable has run `cargo xtask shaders --checked`.
@@ -76,7 +85,7 @@ fn open() -> Devices {
             if !narrow && !device.info().wide {
                 continue;
             }
-            out.push((format!("{name}_f{}", if narrow { 32 } else { 64 }), device));
+            out.push((format!("{name}_{bits}"), device));
         }
     }
     Ok(out)

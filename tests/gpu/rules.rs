@@ -36,7 +36,7 @@ fn check_moving_bodies(device: &Device) {
     let session = || Session::new(device, &mesh, options.clone()).expect("a session");
     moving_bodies::check("f32", 0.0, (&mut session(), &mut session()), &narrow);
     moving_bodies::check("f64", 0.0, (&mut session(), &mut session()), &far);
-    if device.info().wide && device.info().path == Path::Passthrough {
+    if !device.info().integers && device.info().path == Path::Passthrough {
         // Else conservative times differ from those of a CPU by up to the tolerance.
         let choice = Choice::of_device(device, false);
         let mut told =

@@ -12,8 +12,11 @@ pub type Test = Box<dyn FnOnce(&Device) + Send>;
 pub type Runnable = Result<Test, String>;
 
 /// Tests of generated scenes.
-pub const TESTS: crate::Tests =
-    &[("degenerate", check_degenerate), ("many_contacts", check_many_contacts)];
+pub const TESTS: crate::Tests = &[
+    ("degenerate", check_degenerate),
+    ("many_contacts", check_many_contacts),
+    ("who_decides", check_who_decides),
+];
 
 /// Certified answers of two backends never contradict each other; times differ by rounding alone.
 pub fn check_reports(cpu: &Report, gpu: &Report, same_arithmetic: bool) {
@@ -122,6 +125,19 @@ fn check_degenerate(device: &Device) {
     }
 }
 
+/// Times that integers find are multiples of 2^-31, and those of `f64` are none.
+fn check_who_decides(device: &Device) {
+    let step = generate::crumpled_sheet(40, 1);
+    let mut session = Session::new(device, step.mesh, Options::default()).unwrap();
+    let contacts = &session.step(&step.x0, &step.x1).unwrap().contacts;
+    let hits = contacts.iter().filter(|contact| contact.state == State::Hit);
+    let are_units = hits.map(|contact| (contact.toi * (1u64 << 31) as f64).fract() == 0.0);
+    let (units, others): (Vec<bool>, Vec<bool>) = are_units.partition(|&is| is);
+    let [units, others] = [units.len(), others.len()];
+    let (more, fewer) = if device.info().integers { (units, others) } else { (others, units) };
+    assert!(more > 100 && more > 20 * fewer, "{units} of integers, {others} others");
+}
+
 /// Contacts that are so many that they are sorted on the device from the second frame on; then
 /// fewer, then more than were expected.
 fn check_many_contacts(device: &Device) {
@@ -130,7 +146,8 @@ fn check_many_contacts(device: &Device) {
     let options = session.options().clone();
     let cpu = ccd::step(&many.mesh, &many.x0, &many.x1, &options).unwrap();
     assert!(cpu.contacts.len() > 5000, "{} contacts", cpu.contacts.len());
-    let same = device.info().path == ShaderPath::Passthrough && device.info().wide;
+    let info = device.info();
+    let same = info.path == ShaderPath::Passthrough && !info.integers;
     let x0 = &many.x0;
     // Half of the sheet stands still.
     let half: Vec<[f64; 3]> =

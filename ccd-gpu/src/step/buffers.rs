@@ -41,6 +41,8 @@ pub struct Buffers {
     pub left: List,
     /// Whether the next frame looks at those.
     pub decides_twice: bool,
+    /// Whether integers decide first, if they can.
+    pub integers: bool,
     /// Contacts, undecided ones among them; alone where only an earliest time is wanted.
     pub contacts: List,
     /// Candidates, by kind: of a part of a step, or all that were asked for.
@@ -104,6 +106,7 @@ impl Buffers {
             survivors: list(|old| &old.survivors, "filtered pairs", 2, pairs)?,
             left: list(|old| &old.left, "pairs left by the first decision", 2, pairs)?,
             decides_twice: true,
+            integers: device.info().integers,
             contacts: list(|old| &old.contacts, "contacts", TOUCH_WORDS, features / 2)?,
             candidates: [
                 list(|old| &old.candidates[0], "vertex-face candidates", 2, of_part(8, count[2]))?,

@@ -159,7 +159,7 @@ impl Buffers {
                 .map(|dispatch| (dispatch, self.groups.min(dispatch.n.div_ceil(threads))))
         };
         let mut decided = &self.survivors;
-        let integers = if wide { None } else { self.integer_window(&frame) };
+        let integers = if self.integers { self.integer_window(&frame) } else { None };
         if integers.is_some() || wide && !is_near {
             let input = decided.buffer();
             let args = Decision { capacity_left: if twice { self.left.capacity() } else { 0 } };

@@ -38,7 +38,7 @@ pub struct Positions {
     pub boxes: Boxes,
     /// Whether paths are exact.
     pub exact: bool,
-    /// Whether integers may read `wide`, because paths are not exact and the device has no `f64`.
+    /// Whether integers may read `wide`, because paths are not exact.
     pub given: bool,
     /// Origin, unit and error of paths.
     table: Table,
@@ -209,11 +209,11 @@ impl Positions {
             (true, true) => Boxes::OfPositions,
             (true, false) => Boxes::Sent,
         };
-        // Integers read positions as they were given.
-        self.given = self.boxes == Boxes::Sent && !self.exact && min_distance == 0.0;
         let mut replaced = are_new;
-        let sends_given = self.given || self.boxes == Boxes::OfPositions;
-        if sends_given {
+        // Integers read positions as they were given, and so do boxes that the device makes of them.
+        let for_integers = self.boxes == Boxes::Sent && !self.exact && min_distance == 0.0;
+        self.given = for_integers || self.boxes == Boxes::OfPositions;
+        if self.given {
             let bytes = (2 * n * size_of::<[f64; 3]>()) as u64;
             replaced |= reserve(device, "positions in f64", &mut self.wide, bytes)?;
         }
@@ -242,7 +242,7 @@ impl Positions {
         let mut write = |what, to, numbers: Range<usize>, items| {
             writes.push(Write { what, to, numbers, items });
         };
-        if sends_given {
+        if self.given {
             write("positions in f64", (&self.wide, 0), 0..2 * n, &given);
         }
         if self.boxes != Boxes::OfPositions {

@@ -81,9 +81,9 @@ impl Frames {
         let Self { buffers, bench, readback, left, .. } = self;
         let wide = device.info().wide;
         buffers.keeps_order = kept;
-        // By a minimum distance there is one decision.
-        let left = left[goal as usize];
-        buffers.decides_twice = options.min_distance == 0.0 && (!wide || left > FEW_LEFT);
+        // By a minimum distance there is one decision. Zeros in `f64` leave few to a second one.
+        let is_second = device.info().integers || left[goal as usize] > FEW_LEFT;
+        buffers.decides_twice = options.min_distance == 0.0 && is_second;
         let frame = buffers.describe(options, window);
         let mut plan = Plan::default();
         let asked = |is: bool, bytes: u64| if is { bytes } else { 0 };
