@@ -245,7 +245,7 @@ fn function_3(param_6: array<f64, 3>, param_7: array<f64, 3>) -> array<f64, 3> {
 }
 
 fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f64, 3>, param_11: u32) -> array<f64, 3> {
-    var phi_7478_: array<array<f64, 3>, 4>;
+    var phi_7701_: array<array<f64, 3>, 4>;
 
     let _e9 = (param_8[0] - param_9[0]);
     let _e12 = (param_8[1] - param_9[1]);
@@ -262,7 +262,7 @@ fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f6
         let _e275 = (param_8[2] - param_10[2]);
         let _e295 = ((((_e269 * param_9[0]) + (_e272 * param_9[1])) + (_e275 * param_9[2])) / (((param_9[0] * param_9[0]) + (param_9[1] * param_9[1])) + (param_9[2] * param_9[2])));
         let _e303 = select(f64(0f), select(f64(1f), _e295, (_e295 < f64(1f))), (_e295 > f64(0f)));
-        phi_7478_ = array<array<f64, 3>, 4>(array<f64, 3>((param_8[0] - (param_9[0] * _e171)), (param_8[1] - (param_9[1] * _e171)), (param_8[2] - (param_9[2] * _e171))), array<f64, 3>((param_8[0] - (param_10[0] * _e215)), (param_8[1] - (param_10[1] * _e215)), (param_8[2] - (param_10[2] * _e215))), array<f64, 3>((_e9 - (param_10[0] * _e256)), (_e12 - (param_10[1] * _e256)), (_e15 - (param_10[2] * _e256))), array<f64, 3>((_e269 - (param_9[0] * _e303)), (_e272 - (param_9[1] * _e303)), (_e275 - (param_9[2] * _e303))));
+        phi_7701_ = array<array<f64, 3>, 4>(array<f64, 3>((param_8[0] - (param_9[0] * _e171)), (param_8[1] - (param_9[1] * _e171)), (param_8[2] - (param_9[2] * _e171))), array<f64, 3>((param_8[0] - (param_10[0] * _e215)), (param_8[1] - (param_10[1] * _e215)), (param_8[2] - (param_10[2] * _e215))), array<f64, 3>((_e9 - (param_10[0] * _e256)), (_e12 - (param_10[1] * _e256)), (_e15 - (param_10[2] * _e256))), array<f64, 3>((_e269 - (param_9[0] * _e303)), (_e272 - (param_9[1] * _e303)), (_e275 - (param_9[2] * _e303))));
     } else {
         let _e19 = (param_10[0] - param_9[0]);
         let _e22 = (param_10[1] - param_9[1]);
@@ -274,9 +274,9 @@ fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f6
         let _e82 = select(f64(0f), select(f64(1f), _e74, (_e74 < f64(1f))), (_e74 > f64(0f)));
         let _e118 = ((((param_8[0] * param_10[0]) + (param_8[1] * param_10[1])) + (param_8[2] * param_10[2])) / (((param_10[0] * param_10[0]) + (param_10[1] * param_10[1])) + (param_10[2] * param_10[2])));
         let _e126 = select(f64(0f), select(f64(1f), _e118, (_e118 < f64(1f))), (_e118 > f64(0f)));
-        phi_7478_ = array<array<f64, 3>, 4>(array<f64, 3>((param_8[0] - (param_9[0] * _e82)), (param_8[1] - (param_9[1] * _e82)), (param_8[2] - (param_9[2] * _e82))), array<f64, 3>((param_8[0] - (param_10[0] * _e126)), (param_8[1] - (param_10[1] * _e126)), (param_8[2] - (param_10[2] * _e126))), _e51, _e51);
+        phi_7701_ = array<array<f64, 3>, 4>(array<f64, 3>((param_8[0] - (param_9[0] * _e82)), (param_8[1] - (param_9[1] * _e82)), (param_8[2] - (param_9[2] * _e82))), array<f64, 3>((param_8[0] - (param_10[0] * _e126)), (param_8[1] - (param_10[1] * _e126)), (param_8[2] - (param_10[2] * _e126))), _e51, _e51);
     }
-    let _e316 = phi_7478_;
+    let _e316 = phi_7701_;
     let _e319 = function_3(_e316[0], _e316[1]);
     let _e321 = function_3(_e319, _e316[2]);
     let _e323 = function_3(_e321, _e316[3]);
@@ -284,12 +284,12 @@ fn function_4(param_8: array<f64, 3>, param_9: array<f64, 3>, param_10: array<f6
 }
 
 fn function_5(param_12: array<f64, 3>, param_13: array<f64, 3>, param_14: array<f64, 3>, param_15: u32) -> array<f64, 3> {
-    var phi_7077_: bool;
-    var phi_7111_: array<f64, 3>;
-    var phi_7112_: bool;
-    var phi_7113_: array<f64, 3>;
-    var phi_7114_: bool;
-    var phi_7119_: array<f64, 3>;
+    var phi_7300_: bool;
+    var phi_7334_: array<f64, 3>;
+    var phi_7335_: bool;
+    var phi_7336_: array<f64, 3>;
+    var phi_7337_: bool;
+    var phi_7342_: array<f64, 3>;
 
     let _e23 = (((param_13[0] * param_13[0]) + (param_13[1] * param_13[1])) + (param_13[2] * param_13[2]));
     let _e34 = (((param_13[0] * param_14[0]) + (param_13[1] * param_14[1])) + (param_13[2] * param_14[2]));
@@ -305,38 +305,38 @@ fn function_5(param_12: array<f64, 3>, param_13: array<f64, 3>, param_14: array<
         let _e91 = (_e76 >= _e71);
         let _e92 = (_e80 >= _e71);
         let _e93 = (_e76 <= _e72);
-        phi_7077_ = select(select(bool(), select(bool(), select(bool(), (_e80 <= _e72), _e93), _e92), _e91), false, select(true, select(true, select(true, false, _e93), _e92), _e91));
+        phi_7300_ = select(select(bool(), select(bool(), select(bool(), (_e80 <= _e72), _e93), _e92), _e91), false, select(true, select(true, select(true, false, _e93), _e92), _e91));
     } else {
         let _e82 = (_e76 >= _e71);
         let _e83 = (_e80 >= _e71);
-        phi_7077_ = select(select(bool(), select(bool(), ((_e76 + _e80) <= _e72), _e83), _e82), false, select(true, select(true, false, _e83), _e82));
+        phi_7300_ = select(select(bool(), select(bool(), ((_e76 + _e80) <= _e72), _e83), _e82), false, select(true, select(true, false, _e83), _e82));
     }
-    let _e103 = phi_7077_;
+    let _e103 = phi_7300_;
     if (_e70 > ((_e23 * _e45) * (1.1102230246251565e-16lf * f64(64f)))) {
         if _e103 {
-            phi_7111_ = array<f64, 3>((param_12[0] - ((param_13[0] * _e76) + (param_14[0] * _e80))), (param_12[1] - ((param_13[1] * _e76) + (param_14[1] * _e80))), (param_12[2] - ((param_13[2] * _e76) + (param_14[2] * _e80))));
-            phi_7112_ = false;
+            phi_7334_ = array<f64, 3>((param_12[0] - ((param_13[0] * _e76) + (param_14[0] * _e80))), (param_12[1] - ((param_13[1] * _e76) + (param_14[1] * _e80))), (param_12[2] - ((param_13[2] * _e76) + (param_14[2] * _e80))));
+            phi_7335_ = false;
         } else {
-            phi_7111_ = array<f64, 3>();
-            phi_7112_ = true;
+            phi_7334_ = array<f64, 3>();
+            phi_7335_ = true;
         }
-        let _e132 = phi_7111_;
-        let _e134 = phi_7112_;
-        phi_7113_ = _e132;
-        phi_7114_ = _e134;
+        let _e132 = phi_7334_;
+        let _e134 = phi_7335_;
+        phi_7336_ = _e132;
+        phi_7337_ = _e134;
     } else {
-        phi_7113_ = array<f64, 3>();
-        phi_7114_ = true;
+        phi_7336_ = array<f64, 3>();
+        phi_7337_ = true;
     }
-    let _e136 = phi_7113_;
-    let _e138 = phi_7114_;
+    let _e136 = phi_7336_;
+    let _e138 = phi_7337_;
     if _e138 {
         let _e139 = function_4(param_12, param_13, param_14, param_15);
-        phi_7119_ = _e139;
+        phi_7342_ = _e139;
     } else {
-        phi_7119_ = _e136;
+        phi_7342_ = _e136;
     }
-    let _e141 = phi_7119_;
+    let _e141 = phi_7342_;
     return _e141;
 }
 
@@ -356,265 +356,265 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_726_: type_23;
     var phi_922_: type_31;
     var phi_1083_: type_33;
-    var phi_1356_: bool;
-    var phi_1452_: type_41;
-    var phi_1453_: bool;
-    var phi_1454_: type_41;
-    var phi_1455_: bool;
-    var phi_1456_: type_41;
-    var phi_1457_: bool;
-    var phi_1462_: type_41;
-    var phi_2164_: bool;
-    var phi_2179_: f64;
-    var phi_2255_: type_16;
-    var phi_2258_: f64;
-    var phi_2256_: type_16;
-    var phi_2299_: type_17;
-    var phi_2259_: f64;
+    var phi_1579_: bool;
+    var phi_1675_: type_41;
+    var phi_1676_: bool;
+    var phi_1677_: type_41;
+    var phi_1678_: bool;
+    var phi_1679_: type_41;
+    var phi_1680_: bool;
+    var phi_1685_: type_41;
+    var phi_2387_: bool;
+    var phi_2402_: f64;
+    var phi_2478_: type_16;
+    var phi_2481_: f64;
+    var phi_2479_: type_16;
+    var phi_2522_: type_17;
+    var phi_2482_: f64;
     var local_9: f64;
-    var phi_2312_: f64;
-    var phi_2343_: type_9;
-    var phi_2346_: u32;
-    var phi_2413_: u32;
-    var phi_2414_: u32;
-    var phi_2347_: u32;
-    var phi_2415_: u32;
-    var phi_2473_: type_9;
-    var phi_2633_: type_43;
-    var phi_2634_: bool;
-    var phi_2635_: type_43;
-    var phi_2636_: bool;
-    var phi_2671_: type_9;
-    var phi_2674_: f64;
-    var phi_2676_: f64;
-    var phi_2678_: f64;
-    var phi_2792_: bool;
-    var phi_2799_: f64;
-    var phi_2800_: bool;
-    var phi_2675_: f64;
-    var phi_2677_: f64;
-    var phi_2679_: f64;
-    var phi_2801_: f64;
-    var phi_2802_: bool;
-    var phi_2803_: bool;
+    var phi_2535_: f64;
+    var phi_2566_: type_9;
+    var phi_2569_: u32;
+    var phi_2636_: u32;
+    var phi_2637_: u32;
+    var phi_2570_: u32;
+    var phi_2638_: u32;
+    var phi_2696_: type_9;
+    var phi_2856_: type_43;
+    var phi_2857_: bool;
+    var phi_2858_: type_43;
+    var phi_2859_: bool;
+    var phi_2894_: type_9;
+    var phi_2897_: f64;
+    var phi_2899_: f64;
+    var phi_2901_: f64;
+    var phi_3015_: bool;
+    var phi_3022_: f64;
+    var phi_3023_: bool;
+    var phi_2898_: f64;
+    var phi_2900_: f64;
+    var phi_2902_: f64;
+    var phi_3024_: f64;
+    var phi_3025_: bool;
+    var phi_3026_: bool;
     var local_10: bool;
     var local_11: f64;
     var local_12: f64;
-    var phi_2808_: f64;
-    var phi_2826_: type_9;
-    var phi_2829_: f64;
-    var phi_2895_: f64;
-    var phi_2896_: bool;
-    var phi_2897_: bool;
-    var phi_2898_: bool;
-    var phi_2899_: f64;
-    var phi_2830_: f64;
-    var phi_2900_: bool;
-    var phi_2901_: bool;
-    var phi_2902_: bool;
-    var phi_2903_: bool;
+    var phi_3031_: f64;
+    var phi_3049_: type_9;
+    var phi_3052_: f64;
+    var phi_3118_: f64;
+    var phi_3119_: bool;
+    var phi_3120_: bool;
+    var phi_3121_: bool;
+    var phi_3122_: f64;
+    var phi_3053_: f64;
+    var phi_3123_: bool;
+    var phi_3124_: bool;
+    var phi_3125_: bool;
+    var phi_3126_: bool;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
     var local_17: f64;
-    var phi_2917_: f64;
-    var phi_2919_: type_43;
-    var phi_3780_: array<type_36, 4>;
-    var phi_3800_: type_9;
-    var phi_3803_: bool;
-    var phi_3804_: bool;
-    var phi_3855_: bool;
-    var phi_3856_: bool;
+    var phi_3140_: f64;
+    var phi_3142_: type_43;
+    var phi_4003_: array<type_36, 4>;
+    var phi_4023_: type_9;
+    var phi_4026_: bool;
+    var phi_4027_: bool;
+    var phi_4078_: bool;
+    var phi_4079_: bool;
     var local_18: bool;
     var local_19: bool;
-    var phi_3870_: u32;
-    var phi_3871_: u32;
-    var phi_3872_: bool;
-    var phi_3903_: bool;
-    var phi_3904_: bool;
-    var phi_3905_: bool;
-    var phi_3906_: bool;
-    var phi_3907_: bool;
-    var phi_3908_: bool;
-    var phi_3909_: bool;
-    var phi_3910_: bool;
-    var phi_3911_: bool;
-    var phi_3912_: bool;
-    var phi_3913_: bool;
-    var phi_3914_: bool;
-    var phi_3915_: type_43;
-    var phi_3916_: bool;
-    var phi_3917_: type_43;
-    var phi_3918_: bool;
-    var phi_3919_: bool;
-    var phi_3920_: bool;
-    var phi_3921_: bool;
-    var phi_3922_: type_43;
-    var phi_3923_: bool;
-    var phi_3924_: type_43;
-    var phi_3925_: bool;
-    var phi_3926_: bool;
-    var phi_3927_: bool;
-    var phi_3928_: bool;
-    var phi_3929_: bool;
-    var phi_3937_: type_43;
-    var phi_3938_: bool;
-    var phi_3939_: type_43;
-    var phi_3940_: bool;
-    var phi_3941_: bool;
-    var phi_3942_: bool;
-    var phi_3943_: bool;
-    var phi_3944_: bool;
-    var phi_4373_: type_9;
-    var phi_4376_: f64;
-    var phi_4378_: f64;
-    var phi_4380_: f64;
-    var phi_4382_: f64;
-    var phi_4384_: bool;
-    var phi_4386_: u32;
-    var phi_4538_: array<f64, 3>;
-    var phi_4606_: type_16;
-    var phi_4609_: f64;
-    var phi_4607_: type_16;
-    var phi_4650_: type_17;
-    var phi_4610_: f64;
+    var phi_4093_: u32;
+    var phi_4094_: u32;
+    var phi_4095_: bool;
+    var phi_4126_: bool;
+    var phi_4127_: bool;
+    var phi_4128_: bool;
+    var phi_4129_: bool;
+    var phi_4130_: bool;
+    var phi_4131_: bool;
+    var phi_4132_: bool;
+    var phi_4133_: bool;
+    var phi_4134_: bool;
+    var phi_4135_: bool;
+    var phi_4136_: bool;
+    var phi_4137_: bool;
+    var phi_4138_: type_43;
+    var phi_4139_: bool;
+    var phi_4140_: type_43;
+    var phi_4141_: bool;
+    var phi_4142_: bool;
+    var phi_4143_: bool;
+    var phi_4144_: bool;
+    var phi_4145_: type_43;
+    var phi_4146_: bool;
+    var phi_4147_: type_43;
+    var phi_4148_: bool;
+    var phi_4149_: bool;
+    var phi_4150_: bool;
+    var phi_4151_: bool;
+    var phi_4152_: bool;
+    var phi_4160_: type_43;
+    var phi_4161_: bool;
+    var phi_4162_: type_43;
+    var phi_4163_: bool;
+    var phi_4164_: bool;
+    var phi_4165_: bool;
+    var phi_4166_: bool;
+    var phi_4167_: bool;
+    var phi_4596_: type_9;
+    var phi_4599_: f64;
+    var phi_4601_: f64;
+    var phi_4603_: f64;
+    var phi_4605_: f64;
+    var phi_4607_: bool;
+    var phi_4609_: u32;
+    var phi_4761_: array<f64, 3>;
+    var phi_4829_: type_16;
+    var phi_4832_: f64;
+    var phi_4830_: type_16;
+    var phi_4873_: type_17;
+    var phi_4833_: f64;
     var local_20: f64;
-    var phi_4663_: f64;
-    var phi_4789_: type_44;
-    var phi_4790_: bool;
-    var phi_4791_: type_44;
-    var phi_4792_: bool;
-    var phi_4802_: type_44;
-    var phi_4974_: bool;
-    var phi_4975_: bool;
-    var phi_4976_: bool;
-    var phi_4977_: bool;
-    var phi_4978_: bool;
-    var phi_4979_: bool;
-    var phi_5281_: bool;
-    var phi_5282_: bool;
-    var phi_5283_: bool;
-    var phi_5284_: bool;
-    var phi_5285_: bool;
-    var phi_5286_: bool;
-    var phi_5294_: bool;
-    var phi_5404_: f64;
-    var phi_5405_: bool;
-    var phi_5406_: f64;
-    var phi_5407_: bool;
-    var phi_5408_: f64;
-    var phi_5409_: bool;
-    var phi_5410_: bool;
-    var phi_5476_: f64;
-    var phi_5477_: bool;
-    var phi_5478_: f64;
-    var phi_5479_: bool;
-    var phi_5480_: f64;
-    var phi_5481_: bool;
-    var phi_5482_: bool;
-    var phi_5553_: f64;
-    var phi_5554_: bool;
-    var phi_5555_: f64;
-    var phi_5556_: bool;
-    var phi_5557_: f64;
-    var phi_5558_: bool;
-    var phi_5559_: bool;
-    var phi_5625_: f64;
-    var phi_5626_: bool;
+    var phi_4886_: f64;
+    var phi_5012_: type_44;
+    var phi_5013_: bool;
+    var phi_5014_: type_44;
+    var phi_5015_: bool;
+    var phi_5025_: type_44;
+    var phi_5197_: bool;
+    var phi_5198_: bool;
+    var phi_5199_: bool;
+    var phi_5200_: bool;
+    var phi_5201_: bool;
+    var phi_5202_: bool;
+    var phi_5504_: bool;
+    var phi_5505_: bool;
+    var phi_5506_: bool;
+    var phi_5507_: bool;
+    var phi_5508_: bool;
+    var phi_5509_: bool;
+    var phi_5517_: bool;
     var phi_5627_: f64;
     var phi_5628_: bool;
     var phi_5629_: f64;
     var phi_5630_: bool;
-    var phi_5631_: bool;
-    var phi_5808_: type_16;
-    var phi_5811_: f64;
-    var phi_5809_: type_16;
-    var phi_5852_: type_17;
-    var phi_5812_: f64;
+    var phi_5631_: f64;
+    var phi_5632_: bool;
+    var phi_5633_: bool;
+    var phi_5699_: f64;
+    var phi_5700_: bool;
+    var phi_5701_: f64;
+    var phi_5702_: bool;
+    var phi_5703_: f64;
+    var phi_5704_: bool;
+    var phi_5705_: bool;
+    var phi_5776_: f64;
+    var phi_5777_: bool;
+    var phi_5778_: f64;
+    var phi_5779_: bool;
+    var phi_5780_: f64;
+    var phi_5781_: bool;
+    var phi_5782_: bool;
+    var phi_5848_: f64;
+    var phi_5849_: bool;
+    var phi_5850_: f64;
+    var phi_5851_: bool;
+    var phi_5852_: f64;
+    var phi_5853_: bool;
+    var phi_5854_: bool;
+    var phi_6031_: type_16;
+    var phi_6034_: f64;
+    var phi_6032_: type_16;
+    var phi_6075_: type_17;
+    var phi_6035_: f64;
     var local_21: f64;
-    var phi_5865_: f64;
-    var phi_6142_: bool;
-    var phi_6143_: bool;
-    var phi_6170_: f64;
-    var phi_6171_: f64;
-    var phi_6172_: bool;
-    var phi_6173_: f64;
-    var phi_6174_: f64;
-    var phi_6175_: bool;
-    var phi_6176_: bool;
-    var phi_6177_: f64;
-    var phi_6178_: f64;
-    var phi_6179_: f64;
-    var phi_6180_: f64;
-    var phi_6181_: bool;
-    var phi_6182_: bool;
-    var phi_6183_: bool;
-    var phi_6184_: bool;
-    var phi_6185_: f64;
-    var phi_6186_: f64;
-    var phi_6187_: f64;
-    var phi_6188_: f64;
-    var phi_6189_: bool;
-    var phi_6190_: bool;
-    var phi_6191_: bool;
-    var phi_6192_: bool;
-    var phi_6193_: bool;
-    var phi_6194_: f64;
-    var phi_6195_: f64;
-    var phi_6196_: f64;
-    var phi_6197_: f64;
-    var phi_6198_: bool;
-    var phi_6199_: bool;
-    var phi_6200_: bool;
-    var phi_6201_: bool;
-    var phi_6202_: bool;
-    var phi_6540_: f64;
-    var phi_6542_: u32;
-    var phi_6543_: f64;
-    var phi_6544_: bool;
-    var phi_6545_: bool;
-    var phi_6546_: bool;
-    var phi_6547_: u32;
-    var phi_6548_: f64;
-    var phi_6549_: f64;
-    var phi_6550_: f64;
-    var phi_6551_: f64;
-    var phi_6552_: bool;
-    var phi_6553_: u32;
-    var phi_6554_: bool;
-    var phi_6555_: bool;
-    var phi_6556_: bool;
-    var phi_6557_: bool;
-    var phi_6558_: bool;
-    var phi_6559_: bool;
-    var phi_6587_: f64;
-    var phi_6588_: f64;
-    var phi_6589_: f64;
-    var phi_6590_: f64;
-    var phi_6591_: bool;
-    var phi_6592_: u32;
-    var phi_6593_: bool;
-    var phi_6594_: bool;
-    var phi_6595_: bool;
-    var phi_6596_: bool;
-    var phi_6597_: bool;
-    var phi_6598_: bool;
-    var phi_4377_: f64;
-    var phi_4379_: f64;
-    var phi_4381_: f64;
-    var phi_4383_: f64;
-    var phi_4385_: bool;
-    var phi_4387_: u32;
-    var phi_6599_: f64;
-    var phi_6600_: f64;
-    var phi_6601_: bool;
-    var phi_6602_: bool;
-    var phi_6603_: bool;
-    var phi_6604_: bool;
-    var phi_6605_: bool;
-    var phi_6606_: bool;
-    var phi_6607_: bool;
+    var phi_6088_: f64;
+    var phi_6365_: bool;
+    var phi_6366_: bool;
+    var phi_6393_: f64;
+    var phi_6394_: f64;
+    var phi_6395_: bool;
+    var phi_6396_: f64;
+    var phi_6397_: f64;
+    var phi_6398_: bool;
+    var phi_6399_: bool;
+    var phi_6400_: f64;
+    var phi_6401_: f64;
+    var phi_6402_: f64;
+    var phi_6403_: f64;
+    var phi_6404_: bool;
+    var phi_6405_: bool;
+    var phi_6406_: bool;
+    var phi_6407_: bool;
+    var phi_6408_: f64;
+    var phi_6409_: f64;
+    var phi_6410_: f64;
+    var phi_6411_: f64;
+    var phi_6412_: bool;
+    var phi_6413_: bool;
+    var phi_6414_: bool;
+    var phi_6415_: bool;
+    var phi_6416_: bool;
+    var phi_6417_: f64;
+    var phi_6418_: f64;
+    var phi_6419_: f64;
+    var phi_6420_: f64;
+    var phi_6421_: bool;
+    var phi_6422_: bool;
+    var phi_6423_: bool;
+    var phi_6424_: bool;
+    var phi_6425_: bool;
+    var phi_6763_: f64;
+    var phi_6765_: u32;
+    var phi_6766_: f64;
+    var phi_6767_: bool;
+    var phi_6768_: bool;
+    var phi_6769_: bool;
+    var phi_6770_: u32;
+    var phi_6771_: f64;
+    var phi_6772_: f64;
+    var phi_6773_: f64;
+    var phi_6774_: f64;
+    var phi_6775_: bool;
+    var phi_6776_: u32;
+    var phi_6777_: bool;
+    var phi_6778_: bool;
+    var phi_6779_: bool;
+    var phi_6780_: bool;
+    var phi_6781_: bool;
+    var phi_6782_: bool;
+    var phi_6810_: f64;
+    var phi_6811_: f64;
+    var phi_6812_: f64;
+    var phi_6813_: f64;
+    var phi_6814_: bool;
+    var phi_6815_: u32;
+    var phi_6816_: bool;
+    var phi_6817_: bool;
+    var phi_6818_: bool;
+    var phi_6819_: bool;
+    var phi_6820_: bool;
+    var phi_6821_: bool;
+    var phi_4600_: f64;
+    var phi_4602_: f64;
+    var phi_4604_: f64;
+    var phi_4606_: f64;
+    var phi_4608_: bool;
+    var phi_4610_: u32;
+    var phi_6822_: f64;
+    var phi_6823_: f64;
+    var phi_6824_: bool;
+    var phi_6825_: bool;
+    var phi_6826_: bool;
+    var phi_6827_: bool;
+    var phi_6828_: bool;
+    var phi_6829_: bool;
+    var phi_6830_: bool;
     var local_22: bool;
     var local_23: bool;
     var local_24: bool;
@@ -630,45 +630,45 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_34: f64;
     var local_35: f64;
     var local_36: f64;
-    var phi_6675_: f64;
-    var phi_6676_: bool;
-    var phi_6677_: bool;
-    var phi_6678_: bool;
-    var phi_6679_: bool;
-    var phi_6680_: bool;
-    var phi_6681_: type_43;
-    var phi_6682_: bool;
-    var phi_6683_: f64;
-    var phi_6684_: type_43;
-    var phi_6685_: bool;
-    var phi_6686_: bool;
-    var phi_6687_: bool;
-    var phi_6688_: bool;
-    var phi_6689_: bool;
-    var phi_6690_: bool;
+    var phi_6898_: f64;
+    var phi_6899_: bool;
+    var phi_6900_: bool;
+    var phi_6901_: bool;
+    var phi_6902_: bool;
+    var phi_6903_: bool;
+    var phi_6904_: type_43;
+    var phi_6905_: bool;
+    var phi_6906_: f64;
+    var phi_6907_: type_43;
+    var phi_6908_: bool;
+    var phi_6909_: bool;
+    var phi_6910_: bool;
+    var phi_6911_: bool;
+    var phi_6912_: bool;
+    var phi_6913_: bool;
     var local_37: bool;
     var local_38: bool;
     var local_39: type_43;
     var local_40: f64;
     var local_41: f64;
-    var phi_6706_: type_42;
-    var phi_6707_: bool;
+    var phi_6929_: type_42;
+    var phi_6930_: bool;
     var local_42: f64;
-    var phi_6713_: type_42;
-    var phi_6714_: bool;
-    var phi_6715_: bool;
-    var phi_6716_: bool;
-    var phi_6717_: bool;
+    var phi_6936_: type_42;
+    var phi_6937_: bool;
+    var phi_6938_: bool;
+    var phi_6939_: bool;
+    var phi_6940_: bool;
     var local_43: bool;
     var local_44: type_43;
-    var phi_6759_: type_42;
-    var phi_6760_: type_42;
-    var phi_6761_: bool;
-    var phi_6805_: type_35;
-    var phi_6814_: type_9;
-    var phi_6843_: bool;
-    var phi_6844_: bool;
-    var phi_6887_: u32;
+    var phi_6982_: type_42;
+    var phi_6983_: type_42;
+    var phi_6984_: bool;
+    var phi_7028_: type_35;
+    var phi_7037_: type_9;
+    var phi_7066_: bool;
+    var phi_7067_: bool;
+    var phi_7110_: u32;
     var local_45: u32;
     var local_46: bool;
     var local_47: bool;
@@ -827,1928 +827,1963 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e672 = (select(_e668, _e650, (_e650 > _e668)) + _e515.member_3);
                 let _e674 = select(_e632, _e592, (_e592 > _e632));
                 let _e676 = select(_e672, _e674, (_e674 > _e672));
-                if (_e676 <= f64(65536f)) {
-                    phi_1356_ = (_e676 >= f64((1f / 65536f)));
+                let _e682 = select(_e515.member[0][0], -(_e515.member[0][0]), (_e515.member[0][0] < 0.0lf));
+                let _e686 = select(_e515.member[0][1], -(_e515.member[0][1]), (_e515.member[0][1] < 0.0lf));
+                let _e688 = select(_e686, _e682, (_e682 > _e686));
+                let _e692 = select(_e515.member[0][2], -(_e515.member[0][2]), (_e515.member[0][2] < 0.0lf));
+                let _e694 = select(_e692, _e688, (_e688 > _e692));
+                let _e700 = select(_e515.member[1][0], -(_e515.member[1][0]), (_e515.member[1][0] < 0.0lf));
+                let _e704 = select(_e515.member[1][1], -(_e515.member[1][1]), (_e515.member[1][1] < 0.0lf));
+                let _e706 = select(_e704, _e700, (_e700 > _e704));
+                let _e710 = select(_e515.member[1][2], -(_e515.member[1][2]), (_e515.member[1][2] < 0.0lf));
+                let _e712 = select(_e710, _e706, (_e706 > _e710));
+                let _e716 = (select(_e712, _e694, (_e694 > _e712)) + _e515.member_3);
+                let _e722 = select(_e515.member_1[0][0], -(_e515.member_1[0][0]), (_e515.member_1[0][0] < 0.0lf));
+                let _e726 = select(_e515.member_1[0][1], -(_e515.member_1[0][1]), (_e515.member_1[0][1] < 0.0lf));
+                let _e728 = select(_e726, _e722, (_e722 > _e726));
+                let _e732 = select(_e515.member_1[0][2], -(_e515.member_1[0][2]), (_e515.member_1[0][2] < 0.0lf));
+                let _e734 = select(_e732, _e728, (_e728 > _e732));
+                let _e740 = select(_e515.member_1[1][0], -(_e515.member_1[1][0]), (_e515.member_1[1][0] < 0.0lf));
+                let _e744 = select(_e515.member_1[1][1], -(_e515.member_1[1][1]), (_e515.member_1[1][1] < 0.0lf));
+                let _e746 = select(_e744, _e740, (_e740 > _e744));
+                let _e750 = select(_e515.member_1[1][2], -(_e515.member_1[1][2]), (_e515.member_1[1][2] < 0.0lf));
+                let _e752 = select(_e750, _e746, (_e746 > _e750));
+                let _e756 = (select(_e752, _e734, (_e734 > _e752)) + _e515.member_3);
+                let _e762 = select(_e515.member_2[0][0], -(_e515.member_2[0][0]), (_e515.member_2[0][0] < 0.0lf));
+                let _e766 = select(_e515.member_2[0][1], -(_e515.member_2[0][1]), (_e515.member_2[0][1] < 0.0lf));
+                let _e768 = select(_e766, _e762, (_e762 > _e766));
+                let _e772 = select(_e515.member_2[0][2], -(_e515.member_2[0][2]), (_e515.member_2[0][2] < 0.0lf));
+                let _e774 = select(_e772, _e768, (_e768 > _e772));
+                let _e780 = select(_e515.member_2[1][0], -(_e515.member_2[1][0]), (_e515.member_2[1][0] < 0.0lf));
+                let _e784 = select(_e515.member_2[1][1], -(_e515.member_2[1][1]), (_e515.member_2[1][1] < 0.0lf));
+                let _e786 = select(_e784, _e780, (_e780 > _e784));
+                let _e790 = select(_e515.member_2[1][2], -(_e515.member_2[1][2]), (_e515.member_2[1][2] < 0.0lf));
+                let _e792 = select(_e790, _e786, (_e786 > _e790));
+                let _e796 = (select(_e792, _e774, (_e774 > _e792)) + _e515.member_3);
+                let _e798 = select(_e756, _e716, (_e716 > _e756));
+                let _e800 = select(_e796, _e798, (_e798 > _e796));
+                if (_e800 <= f64(65536f)) {
+                    phi_1579_ = (_e800 >= f64((1f / 65536f)));
                 } else {
-                    phi_1356_ = false;
+                    phi_1579_ = false;
                 }
-                let _e683 = phi_1356_;
-                if _e683 {
-                    phi_1456_ = type_41();
-                    phi_1457_ = true;
+                let _e807 = phi_1579_;
+                if _e807 {
+                    phi_1679_ = type_41();
+                    phi_1680_ = true;
                 } else {
                     if (_e676 >= 2.2250738585072014e-308lf) {
                         if ((bitcast<u64>(_e676) & 9218868437227405312lu) != 9218868437227405312lu) {
-                            let _e690 = (9214364837600034816lu - (bitcast<u64>(_e676) & 9218868437227405312lu));
-                            let _e693 = bitcast<f64>(select(4503599627370496lu, _e690, (_e690 > 4503599627370496lu)));
-                            let _e694 = (_e552 * _e693);
-                            phi_1452_ = type_41(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e515.member[0][0] * _e693), (_e515.member[0][1] * _e693), (_e515.member[0][2] * _e693)), array<f64, 3>((_e515.member[1][0] * _e693), (_e515.member[1][1] * _e693), (_e515.member[1][2] * _e693))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_1[0][0] * _e693), (_e515.member_1[0][1] * _e693), (_e515.member_1[0][2] * _e693)), array<f64, 3>((_e515.member_1[1][0] * _e693), (_e515.member_1[1][1] * _e693), (_e515.member_1[1][2] * _e693))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_2[0][0] * _e693), (_e515.member_2[0][1] * _e693), (_e515.member_2[0][2] * _e693)), array<f64, 3>((_e515.member_2[1][0] * _e693), (_e515.member_2[1][1] * _e693), (_e515.member_2[1][2] * _e693))), ((_e515.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e693)), select(_e694, select(2.2250738585072014e-308lf, _e694, (_e694 > 2.2250738585072014e-308lf)), (_e552 > f64(0f))));
-                            phi_1453_ = false;
+                            let _e814 = (9214364837600034816lu - (bitcast<u64>(_e676) & 9218868437227405312lu));
+                            let _e817 = bitcast<f64>(select(4503599627370496lu, _e814, (_e814 > 4503599627370496lu)));
+                            let _e818 = (_e552 * _e817);
+                            phi_1675_ = type_41(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e515.member[0][0] * _e817), (_e515.member[0][1] * _e817), (_e515.member[0][2] * _e817)), array<f64, 3>((_e515.member[1][0] * _e817), (_e515.member[1][1] * _e817), (_e515.member[1][2] * _e817))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_1[0][0] * _e817), (_e515.member_1[0][1] * _e817), (_e515.member_1[0][2] * _e817)), array<f64, 3>((_e515.member_1[1][0] * _e817), (_e515.member_1[1][1] * _e817), (_e515.member_1[1][2] * _e817))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_2[0][0] * _e817), (_e515.member_2[0][1] * _e817), (_e515.member_2[0][2] * _e817)), array<f64, 3>((_e515.member_2[1][0] * _e817), (_e515.member_2[1][1] * _e817), (_e515.member_2[1][2] * _e817))), ((_e515.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e817)), select(_e818, select(2.2250738585072014e-308lf, _e818, (_e818 > 2.2250738585072014e-308lf)), (_e552 > f64(0f))));
+                            phi_1676_ = false;
                         } else {
-                            phi_1452_ = type_41();
-                            phi_1453_ = true;
+                            phi_1675_ = type_41();
+                            phi_1676_ = true;
                         }
-                        let _e765 = phi_1452_;
-                        let _e767 = phi_1453_;
-                        phi_1454_ = _e765;
-                        phi_1455_ = _e767;
+                        let _e889 = phi_1675_;
+                        let _e891 = phi_1676_;
+                        phi_1677_ = _e889;
+                        phi_1678_ = _e891;
                     } else {
-                        phi_1454_ = type_41();
-                        phi_1455_ = true;
+                        phi_1677_ = type_41();
+                        phi_1678_ = true;
                     }
-                    let _e769 = phi_1454_;
-                    let _e771 = phi_1455_;
-                    phi_1456_ = _e769;
-                    phi_1457_ = _e771;
+                    let _e893 = phi_1677_;
+                    let _e895 = phi_1678_;
+                    phi_1679_ = _e893;
+                    phi_1680_ = _e895;
                 }
-                let _e773 = phi_1456_;
-                let _e775 = phi_1457_;
-                if _e775 {
-                    phi_1462_ = type_41(_e515, _e552);
+                let _e897 = phi_1679_;
+                let _e899 = phi_1680_;
+                if _e899 {
+                    phi_1685_ = type_41(_e515, _e552);
                 } else {
-                    phi_1462_ = _e773;
+                    phi_1685_ = _e897;
                 }
-                let _e778 = phi_1462_;
-                local_7 = type_33(array<array<f64, 3>, 2>(array<f64, 3>(_e778.member.member[0][0], _e778.member.member[0][1], _e778.member.member[0][2]), array<f64, 3>(_e778.member.member[1][0], _e778.member.member[1][1], _e778.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e778.member.member_1[0][0], _e778.member.member_1[0][1], _e778.member.member_1[0][2]), array<f64, 3>(_e778.member.member_1[1][0], _e778.member.member_1[1][1], _e778.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e778.member.member_2[0][0], _e778.member.member_2[0][1], _e778.member.member_2[0][2]), array<f64, 3>(_e778.member.member_2[1][0], _e778.member.member_2[1][1], _e778.member.member_2[1][2])), _e778.member.member_3);
-                let _e820 = local_7.member_1[0u];
-                let _e826 = local_7.member_2[0u];
-                let _e832 = ((_e820[1] * _e826[2]) - (_e820[2] * _e826[1]));
-                let _e835 = ((_e820[2] * _e826[0]) - (_e820[0] * _e826[2]));
-                let _e838 = ((_e820[0] * _e826[1]) - (_e820[1] * _e826[0]));
-                let _e841 = local_7.member_1[1u];
-                let _e847 = local_7.member_2[1u];
-                let _e853 = ((_e841[1] * _e847[2]) - (_e841[2] * _e847[1]));
-                let _e856 = ((_e841[2] * _e847[0]) - (_e841[0] * _e847[2]));
-                let _e859 = ((_e841[0] * _e847[1]) - (_e841[1] * _e847[0]));
-                let _e862 = local_7.member_1[0u];
-                let _e868 = local_7.member_2[1u];
-                let _e883 = local_7.member_1[1u];
-                let _e889 = local_7.member_2[0u];
-                let _e902 = (((_e862[1] * _e868[2]) - (_e862[2] * _e868[1])) + ((_e883[1] * _e889[2]) - (_e883[2] * _e889[1])));
-                let _e903 = (((_e862[2] * _e868[0]) - (_e862[0] * _e868[2])) + ((_e883[2] * _e889[0]) - (_e883[0] * _e889[2])));
-                let _e904 = (((_e862[0] * _e868[1]) - (_e862[1] * _e868[0])) + ((_e883[0] * _e889[1]) - (_e883[1] * _e889[0])));
-                let _e907 = local_7.member[0u];
-                let _e915 = (((_e907[0] * _e832) + (_e907[1] * _e835)) + (_e907[2] * _e838));
-                let _e918 = local_7.member[1u];
-                let _e929 = local_7.member[0u];
-                let _e938 = ((((_e918[0] * _e832) + (_e918[1] * _e835)) + (_e918[2] * _e838)) + (((_e929[0] * _e902) + (_e929[1] * _e903)) + (_e929[2] * _e904)));
-                let _e941 = local_7.member[0u];
-                let _e952 = local_7.member[1u];
-                let _e961 = ((((_e941[0] * _e853) + (_e941[1] * _e856)) + (_e941[2] * _e859)) + (((_e952[0] * _e902) + (_e952[1] * _e903)) + (_e952[2] * _e904)));
-                let _e964 = local_7.member[1u];
-                let _e972 = (((_e964[0] * _e853) + (_e964[1] * _e856)) + (_e964[2] * _e859));
-                let _e975 = local_7.member[0u];
-                let _e981 = select(_e975[0], -(_e975[0]), (_e975[0] < 0.0lf));
-                let _e984 = select(_e975[1], -(_e975[1]), (_e975[1] < 0.0lf));
-                let _e986 = select(_e984, _e981, (_e981 > _e984));
-                let _e989 = select(_e975[2], -(_e975[2]), (_e975[2] < 0.0lf));
-                let _e991 = select(_e989, _e986, (_e986 > _e989));
-                let _e994 = local_7.member[1u];
-                let _e1000 = select(_e994[0], -(_e994[0]), (_e994[0] < 0.0lf));
-                let _e1003 = select(_e994[1], -(_e994[1]), (_e994[1] < 0.0lf));
-                let _e1005 = select(_e1003, _e1000, (_e1000 > _e1003));
-                let _e1008 = select(_e994[2], -(_e994[2]), (_e994[2] < 0.0lf));
-                let _e1010 = select(_e1008, _e1005, (_e1005 > _e1008));
-                let _e1014 = local_7.member_3;
-                let _e1015 = (select(_e1010, _e991, (_e991 > _e1010)) + _e1014);
-                let _e1018 = local_7.member_1[0u];
-                let _e1024 = select(_e1018[0], -(_e1018[0]), (_e1018[0] < 0.0lf));
-                let _e1027 = select(_e1018[1], -(_e1018[1]), (_e1018[1] < 0.0lf));
-                let _e1029 = select(_e1027, _e1024, (_e1024 > _e1027));
-                let _e1032 = select(_e1018[2], -(_e1018[2]), (_e1018[2] < 0.0lf));
-                let _e1034 = select(_e1032, _e1029, (_e1029 > _e1032));
-                let _e1037 = local_7.member_1[1u];
-                let _e1043 = select(_e1037[0], -(_e1037[0]), (_e1037[0] < 0.0lf));
-                let _e1046 = select(_e1037[1], -(_e1037[1]), (_e1037[1] < 0.0lf));
-                let _e1048 = select(_e1046, _e1043, (_e1043 > _e1046));
-                let _e1051 = select(_e1037[2], -(_e1037[2]), (_e1037[2] < 0.0lf));
-                let _e1053 = select(_e1051, _e1048, (_e1048 > _e1051));
-                let _e1057 = local_7.member_3;
-                let _e1058 = (select(_e1053, _e1034, (_e1034 > _e1053)) + _e1057);
-                let _e1061 = local_7.member_2[0u];
-                let _e1067 = select(_e1061[0], -(_e1061[0]), (_e1061[0] < 0.0lf));
-                let _e1070 = select(_e1061[1], -(_e1061[1]), (_e1061[1] < 0.0lf));
-                let _e1072 = select(_e1070, _e1067, (_e1067 > _e1070));
-                let _e1075 = select(_e1061[2], -(_e1061[2]), (_e1061[2] < 0.0lf));
-                let _e1077 = select(_e1075, _e1072, (_e1072 > _e1075));
-                let _e1080 = local_7.member_2[1u];
-                let _e1086 = select(_e1080[0], -(_e1080[0]), (_e1080[0] < 0.0lf));
-                let _e1089 = select(_e1080[1], -(_e1080[1]), (_e1080[1] < 0.0lf));
-                let _e1091 = select(_e1089, _e1086, (_e1086 > _e1089));
-                let _e1094 = select(_e1080[2], -(_e1080[2]), (_e1080[2] < 0.0lf));
-                let _e1096 = select(_e1094, _e1091, (_e1091 > _e1094));
-                let _e1100 = local_7.member_3;
-                let _e1101 = (select(_e1096, _e1077, (_e1077 > _e1096)) + _e1100);
-                let _e1102 = f64(1f);
-                let _e1103 = f64(8f);
-                let _e1113 = local_7.member_3;
-                let _e1130 = (((((_e1015 * _e1103) * ((_e1058 * _e1103) * _e1101)) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e1113 * f64(19f)) * ((_e1015 * (_e1058 + _e1101)) + (_e1058 * _e1101)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1102 + _e1015) * ((_e1102 + _e1058) * (_e1102 + _e1101)))));
-                let _e1131 = f64(0f);
-                let _e1132 = f64(3f);
-                let _e1133 = (_e915 * _e1132);
-                let _e1134 = (_e972 * _e1132);
-                let _e1136 = select(_e1134, _e1133, (_e1133 < _e1134));
-                let _e1138 = select(_e961, _e938, (_e938 < _e961));
-                let _e1140 = select(_e1138, _e1136, (_e1136 < _e1138));
-                let _e1142 = select(_e1134, _e1133, (_e1133 > _e1134));
-                let _e1144 = select(_e961, _e938, (_e938 > _e961));
-                let _e1147 = -(select(_e1144, _e1142, (_e1142 > _e1144)));
-                if (select(_e1147, _e1140, (_e1140 > _e1147)) > _e1130) {
-                    phi_6759_ = type_42(0u, type_42().member_1);
-                    phi_6760_ = type_42();
-                    phi_6761_ = true;
+                let _e902 = phi_1685_;
+                local_7 = type_33(array<array<f64, 3>, 2>(array<f64, 3>(_e902.member.member[0][0], _e902.member.member[0][1], _e902.member.member[0][2]), array<f64, 3>(_e902.member.member[1][0], _e902.member.member[1][1], _e902.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e902.member.member_1[0][0], _e902.member.member_1[0][1], _e902.member.member_1[0][2]), array<f64, 3>(_e902.member.member_1[1][0], _e902.member.member_1[1][1], _e902.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e902.member.member_2[0][0], _e902.member.member_2[0][1], _e902.member.member_2[0][2]), array<f64, 3>(_e902.member.member_2[1][0], _e902.member.member_2[1][1], _e902.member.member_2[1][2])), _e902.member.member_3);
+                let _e944 = local_7.member_1[0u];
+                let _e950 = local_7.member_2[0u];
+                let _e956 = ((_e944[1] * _e950[2]) - (_e944[2] * _e950[1]));
+                let _e959 = ((_e944[2] * _e950[0]) - (_e944[0] * _e950[2]));
+                let _e962 = ((_e944[0] * _e950[1]) - (_e944[1] * _e950[0]));
+                let _e965 = local_7.member_1[1u];
+                let _e971 = local_7.member_2[1u];
+                let _e977 = ((_e965[1] * _e971[2]) - (_e965[2] * _e971[1]));
+                let _e980 = ((_e965[2] * _e971[0]) - (_e965[0] * _e971[2]));
+                let _e983 = ((_e965[0] * _e971[1]) - (_e965[1] * _e971[0]));
+                let _e986 = local_7.member_1[0u];
+                let _e992 = local_7.member_2[1u];
+                let _e1007 = local_7.member_1[1u];
+                let _e1013 = local_7.member_2[0u];
+                let _e1026 = (((_e986[1] * _e992[2]) - (_e986[2] * _e992[1])) + ((_e1007[1] * _e1013[2]) - (_e1007[2] * _e1013[1])));
+                let _e1027 = (((_e986[2] * _e992[0]) - (_e986[0] * _e992[2])) + ((_e1007[2] * _e1013[0]) - (_e1007[0] * _e1013[2])));
+                let _e1028 = (((_e986[0] * _e992[1]) - (_e986[1] * _e992[0])) + ((_e1007[0] * _e1013[1]) - (_e1007[1] * _e1013[0])));
+                let _e1031 = local_7.member[0u];
+                let _e1039 = (((_e1031[0] * _e956) + (_e1031[1] * _e959)) + (_e1031[2] * _e962));
+                let _e1042 = local_7.member[1u];
+                let _e1053 = local_7.member[0u];
+                let _e1062 = ((((_e1042[0] * _e956) + (_e1042[1] * _e959)) + (_e1042[2] * _e962)) + (((_e1053[0] * _e1026) + (_e1053[1] * _e1027)) + (_e1053[2] * _e1028)));
+                let _e1065 = local_7.member[0u];
+                let _e1076 = local_7.member[1u];
+                let _e1085 = ((((_e1065[0] * _e977) + (_e1065[1] * _e980)) + (_e1065[2] * _e983)) + (((_e1076[0] * _e1026) + (_e1076[1] * _e1027)) + (_e1076[2] * _e1028)));
+                let _e1088 = local_7.member[1u];
+                let _e1096 = (((_e1088[0] * _e977) + (_e1088[1] * _e980)) + (_e1088[2] * _e983));
+                let _e1099 = local_7.member[0u];
+                let _e1105 = select(_e1099[0], -(_e1099[0]), (_e1099[0] < 0.0lf));
+                let _e1108 = select(_e1099[1], -(_e1099[1]), (_e1099[1] < 0.0lf));
+                let _e1110 = select(_e1108, _e1105, (_e1105 > _e1108));
+                let _e1113 = select(_e1099[2], -(_e1099[2]), (_e1099[2] < 0.0lf));
+                let _e1115 = select(_e1113, _e1110, (_e1110 > _e1113));
+                let _e1118 = local_7.member[1u];
+                let _e1124 = select(_e1118[0], -(_e1118[0]), (_e1118[0] < 0.0lf));
+                let _e1127 = select(_e1118[1], -(_e1118[1]), (_e1118[1] < 0.0lf));
+                let _e1129 = select(_e1127, _e1124, (_e1124 > _e1127));
+                let _e1132 = select(_e1118[2], -(_e1118[2]), (_e1118[2] < 0.0lf));
+                let _e1134 = select(_e1132, _e1129, (_e1129 > _e1132));
+                let _e1138 = local_7.member_3;
+                let _e1139 = (select(_e1134, _e1115, (_e1115 > _e1134)) + _e1138);
+                let _e1142 = local_7.member_1[0u];
+                let _e1148 = select(_e1142[0], -(_e1142[0]), (_e1142[0] < 0.0lf));
+                let _e1151 = select(_e1142[1], -(_e1142[1]), (_e1142[1] < 0.0lf));
+                let _e1153 = select(_e1151, _e1148, (_e1148 > _e1151));
+                let _e1156 = select(_e1142[2], -(_e1142[2]), (_e1142[2] < 0.0lf));
+                let _e1158 = select(_e1156, _e1153, (_e1153 > _e1156));
+                let _e1161 = local_7.member_1[1u];
+                let _e1167 = select(_e1161[0], -(_e1161[0]), (_e1161[0] < 0.0lf));
+                let _e1170 = select(_e1161[1], -(_e1161[1]), (_e1161[1] < 0.0lf));
+                let _e1172 = select(_e1170, _e1167, (_e1167 > _e1170));
+                let _e1175 = select(_e1161[2], -(_e1161[2]), (_e1161[2] < 0.0lf));
+                let _e1177 = select(_e1175, _e1172, (_e1172 > _e1175));
+                let _e1181 = local_7.member_3;
+                let _e1182 = (select(_e1177, _e1158, (_e1158 > _e1177)) + _e1181);
+                let _e1185 = local_7.member_2[0u];
+                let _e1191 = select(_e1185[0], -(_e1185[0]), (_e1185[0] < 0.0lf));
+                let _e1194 = select(_e1185[1], -(_e1185[1]), (_e1185[1] < 0.0lf));
+                let _e1196 = select(_e1194, _e1191, (_e1191 > _e1194));
+                let _e1199 = select(_e1185[2], -(_e1185[2]), (_e1185[2] < 0.0lf));
+                let _e1201 = select(_e1199, _e1196, (_e1196 > _e1199));
+                let _e1204 = local_7.member_2[1u];
+                let _e1210 = select(_e1204[0], -(_e1204[0]), (_e1204[0] < 0.0lf));
+                let _e1213 = select(_e1204[1], -(_e1204[1]), (_e1204[1] < 0.0lf));
+                let _e1215 = select(_e1213, _e1210, (_e1210 > _e1213));
+                let _e1218 = select(_e1204[2], -(_e1204[2]), (_e1204[2] < 0.0lf));
+                let _e1220 = select(_e1218, _e1215, (_e1215 > _e1218));
+                let _e1224 = local_7.member_3;
+                let _e1225 = (select(_e1220, _e1201, (_e1201 > _e1220)) + _e1224);
+                let _e1226 = f64(1f);
+                let _e1227 = f64(8f);
+                let _e1237 = local_7.member_3;
+                let _e1254 = (((((_e1139 * _e1227) * ((_e1182 * _e1227) * _e1225)) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e1237 * f64(19f)) * ((_e1139 * (_e1182 + _e1225)) + (_e1182 * _e1225)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1226 + _e1139) * ((_e1226 + _e1182) * (_e1226 + _e1225)))));
+                let _e1255 = f64(0f);
+                let _e1256 = f64(3f);
+                let _e1257 = (_e1039 * _e1256);
+                let _e1258 = (_e1096 * _e1256);
+                let _e1260 = select(_e1258, _e1257, (_e1257 < _e1258));
+                let _e1262 = select(_e1085, _e1062, (_e1062 < _e1085));
+                let _e1264 = select(_e1262, _e1260, (_e1260 < _e1262));
+                let _e1266 = select(_e1258, _e1257, (_e1257 > _e1258));
+                let _e1268 = select(_e1085, _e1062, (_e1062 > _e1085));
+                let _e1271 = -(select(_e1268, _e1266, (_e1266 > _e1268)));
+                if (select(_e1271, _e1264, (_e1264 > _e1271)) > _e1254) {
+                    phi_6982_ = type_42(0u, type_42().member_1);
+                    phi_6983_ = type_42();
+                    phi_6984_ = true;
                 } else {
-                    let _e1155 = select(_e915, -(_e915), (_e915 < 0.0lf));
-                    let _e1158 = select(_e938, -(_e938), (_e938 < 0.0lf));
-                    let _e1160 = select(_e1158, _e1155, (_e1155 > _e1158));
-                    let _e1163 = select(_e961, -(_e961), (_e961 < 0.0lf));
-                    let _e1166 = select(_e972, -(_e972), (_e972 < 0.0lf));
-                    let _e1168 = select(_e1166, _e1163, (_e1163 > _e1166));
-                    let _e1170 = select(_e1168, _e1160, (_e1160 > _e1168));
-                    let _e1172 = (2.2250738585072014e-308lf * f64(67108864f));
-                    let _e1173 = f64(1f);
-                    if (_e1170 >= _e1172) {
-                        phi_2164_ = (_e1170 <= (_e1173 / _e1172));
+                    let _e1279 = select(_e1039, -(_e1039), (_e1039 < 0.0lf));
+                    let _e1282 = select(_e1062, -(_e1062), (_e1062 < 0.0lf));
+                    let _e1284 = select(_e1282, _e1279, (_e1279 > _e1282));
+                    let _e1287 = select(_e1085, -(_e1085), (_e1085 < 0.0lf));
+                    let _e1290 = select(_e1096, -(_e1096), (_e1096 < 0.0lf));
+                    let _e1292 = select(_e1290, _e1287, (_e1287 > _e1290));
+                    let _e1294 = select(_e1292, _e1284, (_e1284 > _e1292));
+                    let _e1296 = (2.2250738585072014e-308lf * f64(67108864f));
+                    let _e1297 = f64(1f);
+                    if (_e1294 >= _e1296) {
+                        phi_2387_ = (_e1294 <= (_e1297 / _e1296));
                     } else {
-                        phi_2164_ = false;
+                        phi_2387_ = false;
                     }
-                    let _e1178 = phi_2164_;
-                    if _e1178 {
-                        phi_2179_ = (_e1173 / _e1170);
+                    let _e1302 = phi_2387_;
+                    if _e1302 {
+                        phi_2402_ = (_e1297 / _e1294);
                     } else {
-                        phi_2179_ = f64(0f);
+                        phi_2402_ = f64(0f);
                     }
-                    let _e1188 = phi_2179_;
-                    let _e1189 = f64(0.00000000000022737368f);
-                    let _e1191 = (_e524 * f64(0.0625f));
-                    local_5 = type_39(array<f64, 4>(_e915, _e938, _e961, _e972), ((_e1130 * f64(0.34f)) + (_e1170 * select(f64(2f), (1.1102230246251565e-16lf * f64(256f)), _e1178))), _e1188, select(_e1191, _e1189, (_e1189 < _e1191)));
-                    let _e1196 = f64(0f);
-                    let _e1197 = f64(1f);
-                    let _e1198 = f64(3f);
-                    let _e1201 = local_5.member[0u];
-                    let _e1204 = local_5.member[1u];
-                    let _e1207 = local_5.member[2u];
-                    let _e1210 = local_5.member[3u];
-                    let _e1217 = local_5.member_2;
-                    let _e1218 = ((_e1204 - (_e1198 * _e1201)) * _e1217);
-                    let _e1220 = local_5.member_2;
-                    let _e1221 = ((_e1207 - _e1204) * _e1220);
-                    let _e1223 = local_5.member_2;
-                    let _e1224 = (((_e1198 * _e1210) - _e1207) * _e1223);
-                    local_3[0u] = _e1196;
-                    local_3[1u] = _e1197;
-                    local_3[2u] = _e1197;
-                    local_3[3u] = _e1197;
-                    let _e1231 = ((_e1221 * _e1221) - (_e1218 * _e1224));
-                    if (_e1231 > _e1196) {
-                        if (_e1231 <= 2.2250738585072014e-308lf) {
-                            phi_2312_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1231 > 0.0lf));
+                    let _e1312 = phi_2402_;
+                    let _e1313 = f64(0.00000000000022737368f);
+                    let _e1315 = (_e524 * f64(0.0625f));
+                    local_5 = type_39(array<f64, 4>(_e1039, _e1062, _e1085, _e1096), ((_e1254 * f64(0.34f)) + (_e1294 * select(f64(2f), (1.1102230246251565e-16lf * f64(256f)), _e1302))), _e1312, select(_e1315, _e1313, (_e1313 < _e1315)));
+                    let _e1320 = f64(0f);
+                    let _e1321 = f64(1f);
+                    let _e1322 = f64(3f);
+                    let _e1325 = local_5.member[0u];
+                    let _e1328 = local_5.member[1u];
+                    let _e1331 = local_5.member[2u];
+                    let _e1334 = local_5.member[3u];
+                    let _e1341 = local_5.member_2;
+                    let _e1342 = ((_e1328 - (_e1322 * _e1325)) * _e1341);
+                    let _e1344 = local_5.member_2;
+                    let _e1345 = ((_e1331 - _e1328) * _e1344);
+                    let _e1347 = local_5.member_2;
+                    let _e1348 = (((_e1322 * _e1334) - _e1331) * _e1347);
+                    local_3[0u] = _e1320;
+                    local_3[1u] = _e1321;
+                    local_3[2u] = _e1321;
+                    local_3[3u] = _e1321;
+                    let _e1355 = ((_e1345 * _e1345) - (_e1342 * _e1348));
+                    if (_e1355 > _e1320) {
+                        if (_e1355 <= 2.2250738585072014e-308lf) {
+                            phi_2535_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1355 > 0.0lf));
                         } else {
-                            phi_2255_ = type_16(0i, 5i);
-                            phi_2258_ = bitcast<f64>(((bitcast<u64>(_e1231) / 2lu) + 2303426169912950784lu));
+                            phi_2478_ = type_16(0i, 5i);
+                            phi_2481_ = bitcast<f64>(((bitcast<u64>(_e1355) / 2lu) + 2303426169912950784lu));
                             loop {
-                                let _e1239 = phi_2255_;
-                                let _e1241 = phi_2258_;
-                                local_9 = _e1241;
-                                if (_e1239.member < _e1239.member_1) {
-                                    let _e1248 = (_e1239.member + 1i);
-                                    phi_2256_ = type_16(select(_e1248, type_17().member_1, select(false, true, ((false == (_e1248 > _e1239.member)) != false))), _e1239.member_1);
-                                    phi_2299_ = type_17(1u, _e1239.member);
+                                let _e1363 = phi_2478_;
+                                let _e1365 = phi_2481_;
+                                local_9 = _e1365;
+                                if (_e1363.member < _e1363.member_1) {
+                                    let _e1372 = (_e1363.member + 1i);
+                                    phi_2479_ = type_16(select(_e1372, type_17().member_1, select(false, true, ((false == (_e1372 > _e1363.member)) != false))), _e1363.member_1);
+                                    phi_2522_ = type_17(1u, _e1363.member);
                                 } else {
-                                    phi_2256_ = _e1239;
-                                    phi_2299_ = type_17(0u, type_17().member_1);
+                                    phi_2479_ = _e1363;
+                                    phi_2522_ = type_17(0u, type_17().member_1);
                                 }
-                                let _e1259 = phi_2256_;
-                                let _e1261 = phi_2299_;
-                                let _e1264 = (bitcast<i32>(_e1261.member) != 0i);
-                                if _e1264 {
-                                    phi_2259_ = (0.5lf * (_e1241 + (_e1231 / _e1241)));
+                                let _e1383 = phi_2479_;
+                                let _e1385 = phi_2522_;
+                                let _e1388 = (bitcast<i32>(_e1385.member) != 0i);
+                                if _e1388 {
+                                    phi_2482_ = (0.5lf * (_e1365 + (_e1355 / _e1365)));
                                 } else {
-                                    phi_2259_ = f64();
+                                    phi_2482_ = f64();
                                 }
-                                let _e1269 = phi_2259_;
+                                let _e1393 = phi_2482_;
                                 continue;
                                 continuing {
-                                    phi_2255_ = _e1259;
-                                    phi_2258_ = _e1269;
-                                    break if !(_e1264);
+                                    phi_2478_ = _e1383;
+                                    phi_2481_ = _e1393;
+                                    break if !(_e1388);
                                 }
                             }
-                            let _e1274 = local_9;
-                            phi_2312_ = (_e1274 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                            let _e1398 = local_9;
+                            phi_2535_ = (_e1398 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                         }
-                        let _e1280 = phi_2312_;
-                        let _e1285 = -((_e1221 + select(_e1280, -(_e1280), (_e1221 < _e1196))));
-                        local_4[0u] = (_e1285 / (_e1285 + _e1224));
-                        local_4[1u] = (_e1218 / (_e1218 + _e1285));
-                        let _e1294 = local_4[1u];
-                        let _e1295 = local_4[0u];
-                        if (_e1294 < _e1295) {
-                            let _e1298 = local_4[1u];
-                            let _e1300 = local_4[0u];
-                            local_4[0u] = _e1298;
-                            local_4[1u] = _e1300;
+                        let _e1404 = phi_2535_;
+                        let _e1409 = -((_e1345 + select(_e1404, -(_e1404), (_e1345 < _e1320))));
+                        local_4[0u] = (_e1409 / (_e1409 + _e1348));
+                        local_4[1u] = (_e1342 / (_e1342 + _e1409));
+                        let _e1418 = local_4[1u];
+                        let _e1419 = local_4[0u];
+                        if (_e1418 < _e1419) {
+                            let _e1422 = local_4[1u];
+                            let _e1424 = local_4[0u];
+                            local_4[0u] = _e1422;
+                            local_4[1u] = _e1424;
                         }
-                        phi_2343_ = type_9(0u, 2u);
-                        phi_2346_ = 1u;
+                        phi_2566_ = type_9(0u, 2u);
+                        phi_2569_ = 1u;
                         loop {
-                            let _e1304 = phi_2343_;
-                            let _e1306 = phi_2346_;
-                            local_45 = _e1306;
-                            let _e1309 = (_e1304.member < _e1304.member_1);
-                            let _e1320 = select(type_9().member_1, _e1304.member, _e1309);
-                            let _e1322 = (bitcast<i32>(select(0u, 1u, _e1309)) != 0i);
-                            if _e1322 {
-                                let _e1324 = local_4[_e1320];
-                                if (_e1324 > _e1196) {
-                                    let _e1327 = local_4[_e1320];
-                                    if (_e1327 < _e1197) {
-                                        let _e1330 = local_4[_e1320];
-                                        local_3[_e1306] = _e1330;
-                                        phi_2413_ = (_e1306 + 1u);
+                            let _e1428 = phi_2566_;
+                            let _e1430 = phi_2569_;
+                            local_45 = _e1430;
+                            let _e1433 = (_e1428.member < _e1428.member_1);
+                            let _e1444 = select(type_9().member_1, _e1428.member, _e1433);
+                            let _e1446 = (bitcast<i32>(select(0u, 1u, _e1433)) != 0i);
+                            if _e1446 {
+                                let _e1448 = local_4[_e1444];
+                                if (_e1448 > _e1320) {
+                                    let _e1451 = local_4[_e1444];
+                                    if (_e1451 < _e1321) {
+                                        let _e1454 = local_4[_e1444];
+                                        local_3[_e1430] = _e1454;
+                                        phi_2636_ = (_e1430 + 1u);
                                     } else {
-                                        phi_2413_ = _e1306;
+                                        phi_2636_ = _e1430;
                                     }
-                                    let _e1334 = phi_2413_;
-                                    phi_2414_ = _e1334;
+                                    let _e1458 = phi_2636_;
+                                    phi_2637_ = _e1458;
                                 } else {
-                                    phi_2414_ = _e1306;
+                                    phi_2637_ = _e1430;
                                 }
-                                let _e1336 = phi_2414_;
-                                phi_2347_ = _e1336;
+                                let _e1460 = phi_2637_;
+                                phi_2570_ = _e1460;
                             } else {
-                                phi_2347_ = u32();
+                                phi_2570_ = u32();
                             }
-                            let _e1338 = phi_2347_;
+                            let _e1462 = phi_2570_;
                             continue;
                             continuing {
-                                phi_2343_ = type_9(select(_e1304.member, (_e1304.member + 1u), _e1309), select(_e1304.member_1, _e1304.member_1, _e1309));
-                                phi_2346_ = _e1338;
-                                break if !(_e1322);
+                                phi_2566_ = type_9(select(_e1428.member, (_e1428.member + 1u), _e1433), select(_e1428.member_1, _e1428.member_1, _e1433));
+                                phi_2569_ = _e1462;
+                                break if !(_e1446);
                             }
                         }
-                        let _e4358 = local_45;
-                        phi_2415_ = _e4358;
+                        let _e4482 = local_45;
+                        phi_2638_ = _e4482;
                     } else {
-                        phi_2415_ = 1u;
+                        phi_2638_ = 1u;
                     }
-                    let _e1341 = phi_2415_;
-                    local_3[_e1341] = _e1197;
-                    let _e1343 = local_3;
-                    local_6 = _e1343;
-                    let _e1345 = (_e524 * f64(0.99f));
-                    let _e1347 = (f64(1f) - _e533);
-                    let _e1350 = local_5.member[0u];
-                    let _e1353 = local_5.member[1u];
-                    let _e1356 = local_5.member[2u];
-                    let _e1359 = local_5.member[3u];
-                    let _e1370 = ((((_e1350 * _e1347) + (_e1353 * _e533)) * (_e1347 * _e1347)) + (((_e1356 * _e1347) + (_e1359 * _e533)) * (_e533 * _e533)));
-                    let _e1375 = local_5.member_1;
-                    phi_2473_ = type_9(select(1u, 0u, !((select(_e1370, -(_e1370), (_e1370 < 0.0lf)) > _e1375))), (_e1341 + 1u));
+                    let _e1465 = phi_2638_;
+                    local_3[_e1465] = _e1321;
+                    let _e1467 = local_3;
+                    local_6 = _e1467;
+                    let _e1469 = (_e524 * f64(0.99f));
+                    let _e1471 = (f64(1f) - _e533);
+                    let _e1474 = local_5.member[0u];
+                    let _e1477 = local_5.member[1u];
+                    let _e1480 = local_5.member[2u];
+                    let _e1483 = local_5.member[3u];
+                    let _e1494 = ((((_e1474 * _e1471) + (_e1477 * _e533)) * (_e1471 * _e1471)) + (((_e1480 * _e1471) + (_e1483 * _e533)) * (_e533 * _e533)));
+                    let _e1499 = local_5.member_1;
+                    phi_2696_ = type_9(select(1u, 0u, !((select(_e1494, -(_e1494), (_e1494 < 0.0lf)) > _e1499))), (_e1465 + 1u));
                     loop {
-                        let _e1382 = phi_2473_;
-                        let _e1385 = (_e1382.member < _e1382.member_1);
-                        let _e1396 = select(type_9().member_1, _e1382.member, _e1385);
-                        if (bitcast<i32>(select(0u, 1u, _e1385)) != 0i) {
-                            if (_e1396 > 0u) {
-                                let _e1403 = local_6[(_e1396 - 1u)];
-                                let _e1405 = select(_e533, _e1403, (_e1403 > _e533));
-                                let _e1407 = local_6[_e1396];
-                                let _e1409 = select(_e542, _e1407, (_e1407 < _e542));
-                                if (_e1405 <= _e1409) {
-                                    let _e1411 = function_1((&local_5), _e551, _e1405, _e1409);
-                                    if _e1411 {
-                                        phi_3915_ = type_43();
-                                        phi_3916_ = bool();
-                                        phi_3917_ = type_43();
-                                        phi_3918_ = false;
-                                        phi_3919_ = false;
-                                        phi_3920_ = false;
-                                        phi_3921_ = false;
+                        let _e1506 = phi_2696_;
+                        let _e1509 = (_e1506.member < _e1506.member_1);
+                        let _e1520 = select(type_9().member_1, _e1506.member, _e1509);
+                        if (bitcast<i32>(select(0u, 1u, _e1509)) != 0i) {
+                            if (_e1520 > 0u) {
+                                let _e1527 = local_6[(_e1520 - 1u)];
+                                let _e1529 = select(_e533, _e1527, (_e1527 > _e533));
+                                let _e1531 = local_6[_e1520];
+                                let _e1533 = select(_e542, _e1531, (_e1531 < _e542));
+                                if (_e1529 <= _e1533) {
+                                    let _e1535 = function_1((&local_5), _e551, _e1529, _e1533);
+                                    if _e1535 {
+                                        phi_4138_ = type_43();
+                                        phi_4139_ = bool();
+                                        phi_4140_ = type_43();
+                                        phi_4141_ = false;
+                                        phi_4142_ = false;
+                                        phi_4143_ = false;
+                                        phi_4144_ = false;
                                     } else {
-                                        let _e1413 = (f64(1f) - _e1405);
-                                        let _e1416 = local_5.member[0u];
-                                        let _e1419 = local_5.member[1u];
-                                        let _e1422 = local_5.member[2u];
-                                        let _e1425 = local_5.member[3u];
-                                        let _e1436 = ((((_e1416 * _e1413) + (_e1419 * _e1405)) * (_e1413 * _e1413)) + (((_e1422 * _e1413) + (_e1425 * _e1405)) * (_e1405 * _e1405)));
-                                        let _e1438 = (f64(1f) - _e1409);
-                                        let _e1441 = local_5.member[0u];
-                                        let _e1444 = local_5.member[1u];
-                                        let _e1447 = local_5.member[2u];
-                                        let _e1450 = local_5.member[3u];
-                                        let _e1461 = ((((_e1441 * _e1438) + (_e1444 * _e1409)) * (_e1438 * _e1438)) + (((_e1447 * _e1438) + (_e1450 * _e1409)) * (_e1409 * _e1409)));
-                                        let _e1466 = local_5.member_1;
-                                        let _e1467 = (select(_e1436, -(_e1436), (_e1436 < 0.0lf)) > _e1466);
-                                        let _e1472 = local_5.member_1;
-                                        let _e1473 = (select(_e1461, -(_e1461), (_e1461 < 0.0lf)) > _e1472);
-                                        let _e1474 = f64(0f);
-                                        let _e1482 = select(select(bool(), select(bool(), ((_e1436 > _e1474) != (_e1461 > _e1474)), _e1473), _e1467), false, select(true, select(true, false, _e1473), _e1467));
-                                        if _e1467 {
-                                            if _e1473 {
-                                                phi_2633_ = type_43(select(f64(1f), type_43().member, _e1482), select(_e1474, type_43().member_1, _e1482), select(_e1482, type_43().member_2, _e1482));
-                                                phi_2634_ = _e1482;
+                                        let _e1537 = (f64(1f) - _e1529);
+                                        let _e1540 = local_5.member[0u];
+                                        let _e1543 = local_5.member[1u];
+                                        let _e1546 = local_5.member[2u];
+                                        let _e1549 = local_5.member[3u];
+                                        let _e1560 = ((((_e1540 * _e1537) + (_e1543 * _e1529)) * (_e1537 * _e1537)) + (((_e1546 * _e1537) + (_e1549 * _e1529)) * (_e1529 * _e1529)));
+                                        let _e1562 = (f64(1f) - _e1533);
+                                        let _e1565 = local_5.member[0u];
+                                        let _e1568 = local_5.member[1u];
+                                        let _e1571 = local_5.member[2u];
+                                        let _e1574 = local_5.member[3u];
+                                        let _e1585 = ((((_e1565 * _e1562) + (_e1568 * _e1533)) * (_e1562 * _e1562)) + (((_e1571 * _e1562) + (_e1574 * _e1533)) * (_e1533 * _e1533)));
+                                        let _e1590 = local_5.member_1;
+                                        let _e1591 = (select(_e1560, -(_e1560), (_e1560 < 0.0lf)) > _e1590);
+                                        let _e1596 = local_5.member_1;
+                                        let _e1597 = (select(_e1585, -(_e1585), (_e1585 < 0.0lf)) > _e1596);
+                                        let _e1598 = f64(0f);
+                                        let _e1606 = select(select(bool(), select(bool(), ((_e1560 > _e1598) != (_e1585 > _e1598)), _e1597), _e1591), false, select(true, select(true, false, _e1597), _e1591));
+                                        if _e1591 {
+                                            if _e1597 {
+                                                phi_2856_ = type_43(select(f64(1f), type_43().member, _e1606), select(_e1598, type_43().member_1, _e1606), select(_e1606, type_43().member_2, _e1606));
+                                                phi_2857_ = _e1606;
                                             } else {
-                                                phi_2633_ = type_43();
-                                                phi_2634_ = true;
+                                                phi_2856_ = type_43();
+                                                phi_2857_ = true;
                                             }
-                                            let _e1492 = phi_2633_;
-                                            let _e1494 = phi_2634_;
-                                            phi_2635_ = _e1492;
-                                            phi_2636_ = _e1494;
+                                            let _e1616 = phi_2856_;
+                                            let _e1618 = phi_2857_;
+                                            phi_2858_ = _e1616;
+                                            phi_2859_ = _e1618;
                                         } else {
-                                            phi_2635_ = type_43();
-                                            phi_2636_ = true;
+                                            phi_2858_ = type_43();
+                                            phi_2859_ = true;
                                         }
-                                        let _e1496 = phi_2635_;
-                                        let _e1498 = phi_2636_;
-                                        if _e1498 {
-                                            if _e1467 {
-                                                let _e1502 = select(f64(1f), f64(-1f), (_e1436 < _e1474));
-                                                let _e1504 = local_5.member_3;
-                                                let _e1505 = f64(0.5f);
-                                                let _e1506 = f64(3f);
-                                                let _e1509 = local_5.member[0u];
-                                                let _e1512 = local_5.member[1u];
-                                                let _e1515 = local_5.member[2u];
-                                                let _e1518 = local_5.member[3u];
-                                                let _e1521 = (_e1515 - _e1512);
-                                                phi_2671_ = type_9(0u, 64u);
-                                                phi_2674_ = _e1409;
-                                                phi_2676_ = _e1405;
-                                                phi_2678_ = (_e1505 * (_e1405 + _e1409));
+                                        let _e1620 = phi_2858_;
+                                        let _e1622 = phi_2859_;
+                                        if _e1622 {
+                                            if _e1591 {
+                                                let _e1626 = select(f64(1f), f64(-1f), (_e1560 < _e1598));
+                                                let _e1628 = local_5.member_3;
+                                                let _e1629 = f64(0.5f);
+                                                let _e1630 = f64(3f);
+                                                let _e1633 = local_5.member[0u];
+                                                let _e1636 = local_5.member[1u];
+                                                let _e1639 = local_5.member[2u];
+                                                let _e1642 = local_5.member[3u];
+                                                let _e1645 = (_e1639 - _e1636);
+                                                phi_2894_ = type_9(0u, 64u);
+                                                phi_2897_ = _e1533;
+                                                phi_2899_ = _e1529;
+                                                phi_2901_ = (_e1629 * (_e1529 + _e1533));
                                                 loop {
-                                                    let _e1527 = phi_2671_;
-                                                    let _e1529 = phi_2674_;
-                                                    let _e1531 = phi_2676_;
-                                                    let _e1533 = phi_2678_;
-                                                    local_12 = _e1531;
-                                                    let _e1536 = (_e1527.member < _e1527.member_1);
-                                                    if (bitcast<i32>(select(0u, 1u, _e1536)) != 0i) {
-                                                        let _e1549 = (f64(1f) - _e1533);
-                                                        let _e1552 = local_5.member[0u];
-                                                        let _e1555 = local_5.member[1u];
-                                                        let _e1558 = local_5.member[2u];
-                                                        let _e1561 = local_5.member[3u];
-                                                        let _e1575 = local_5.member_1;
-                                                        let _e1576 = ((_e1502 * ((((_e1552 * _e1549) + (_e1555 * _e1533)) * (_e1549 * _e1549)) + (((_e1558 * _e1549) + (_e1561 * _e1533)) * (_e1533 * _e1533)))) - _e1575);
-                                                        let _e1578 = (_e1576 > f64(0f));
-                                                        let _e1579 = select(_e1533, _e1529, _e1578);
-                                                        let _e1580 = select(_e1531, _e1533, _e1578);
-                                                        let _e1582 = ((_e1579 - _e1580) > _e1504);
-                                                        if _e1582 {
-                                                            let _e1584 = (f64(1f) - _e1533);
-                                                            let _e1596 = (-(_e1576) / (_e1502 * (((((_e1512 - (_e1506 * _e1509)) * _e1584) + (_e1521 * _e1533)) * _e1584) + (((_e1521 * _e1584) + (((_e1506 * _e1518) - _e1515) * _e1533)) * _e1533))));
-                                                            let _e1604 = ((_e1533 + _e1596) + select(-((_e1505 * _e1504)), (_e1505 * _e1504), (_e1576 > f64(0f))));
-                                                            if (_e1604 > _e1580) {
-                                                                phi_2792_ = select(true, select(true, false, (select(_e1596, -(_e1596), (_e1596 < 0.0lf)) < (_e1505 * (_e1579 - _e1580)))), (_e1604 < _e1579));
+                                                    let _e1651 = phi_2894_;
+                                                    let _e1653 = phi_2897_;
+                                                    let _e1655 = phi_2899_;
+                                                    let _e1657 = phi_2901_;
+                                                    local_12 = _e1655;
+                                                    let _e1660 = (_e1651.member < _e1651.member_1);
+                                                    if (bitcast<i32>(select(0u, 1u, _e1660)) != 0i) {
+                                                        let _e1673 = (f64(1f) - _e1657);
+                                                        let _e1676 = local_5.member[0u];
+                                                        let _e1679 = local_5.member[1u];
+                                                        let _e1682 = local_5.member[2u];
+                                                        let _e1685 = local_5.member[3u];
+                                                        let _e1699 = local_5.member_1;
+                                                        let _e1700 = ((_e1626 * ((((_e1676 * _e1673) + (_e1679 * _e1657)) * (_e1673 * _e1673)) + (((_e1682 * _e1673) + (_e1685 * _e1657)) * (_e1657 * _e1657)))) - _e1699);
+                                                        let _e1702 = (_e1700 > f64(0f));
+                                                        let _e1703 = select(_e1657, _e1653, _e1702);
+                                                        let _e1704 = select(_e1655, _e1657, _e1702);
+                                                        let _e1706 = ((_e1703 - _e1704) > _e1628);
+                                                        if _e1706 {
+                                                            let _e1708 = (f64(1f) - _e1657);
+                                                            let _e1720 = (-(_e1700) / (_e1626 * (((((_e1636 - (_e1630 * _e1633)) * _e1708) + (_e1645 * _e1657)) * _e1708) + (((_e1645 * _e1708) + (((_e1630 * _e1642) - _e1639) * _e1657)) * _e1657))));
+                                                            let _e1728 = ((_e1657 + _e1720) + select(-((_e1629 * _e1628)), (_e1629 * _e1628), (_e1700 > f64(0f))));
+                                                            if (_e1728 > _e1704) {
+                                                                phi_3015_ = select(true, select(true, false, (select(_e1720, -(_e1720), (_e1720 < 0.0lf)) < (_e1629 * (_e1703 - _e1704)))), (_e1728 < _e1703));
                                                             } else {
-                                                                phi_2792_ = true;
+                                                                phi_3015_ = true;
                                                             }
-                                                            let _e1616 = phi_2792_;
-                                                            phi_2799_ = select(_e1604, (_e1505 * (_e1580 + _e1579)), _e1616);
-                                                            phi_2800_ = false;
+                                                            let _e1740 = phi_3015_;
+                                                            phi_3022_ = select(_e1728, (_e1629 * (_e1704 + _e1703)), _e1740);
+                                                            phi_3023_ = false;
                                                         } else {
-                                                            phi_2799_ = f64();
-                                                            phi_2800_ = true;
+                                                            phi_3022_ = f64();
+                                                            phi_3023_ = true;
                                                         }
-                                                        let _e1621 = phi_2799_;
-                                                        let _e1623 = phi_2800_;
-                                                        phi_2675_ = _e1579;
-                                                        phi_2677_ = _e1580;
-                                                        phi_2679_ = _e1621;
-                                                        phi_2801_ = _e1580;
-                                                        phi_2802_ = _e1582;
-                                                        phi_2803_ = _e1623;
+                                                        let _e1745 = phi_3022_;
+                                                        let _e1747 = phi_3023_;
+                                                        phi_2898_ = _e1703;
+                                                        phi_2900_ = _e1704;
+                                                        phi_2902_ = _e1745;
+                                                        phi_3024_ = _e1704;
+                                                        phi_3025_ = _e1706;
+                                                        phi_3026_ = _e1747;
                                                     } else {
-                                                        phi_2675_ = f64();
-                                                        phi_2677_ = f64();
-                                                        phi_2679_ = f64();
-                                                        phi_2801_ = f64();
-                                                        phi_2802_ = false;
-                                                        phi_2803_ = false;
+                                                        phi_2898_ = f64();
+                                                        phi_2900_ = f64();
+                                                        phi_2902_ = f64();
+                                                        phi_3024_ = f64();
+                                                        phi_3025_ = false;
+                                                        phi_3026_ = false;
                                                     }
-                                                    let _e1625 = phi_2675_;
-                                                    let _e1627 = phi_2677_;
-                                                    let _e1629 = phi_2679_;
-                                                    let _e1631 = phi_2801_;
-                                                    let _e1633 = phi_2802_;
-                                                    let _e1635 = phi_2803_;
-                                                    local_10 = _e1635;
-                                                    local_11 = _e1631;
+                                                    let _e1749 = phi_2898_;
+                                                    let _e1751 = phi_2900_;
+                                                    let _e1753 = phi_2902_;
+                                                    let _e1755 = phi_3024_;
+                                                    let _e1757 = phi_3025_;
+                                                    let _e1759 = phi_3026_;
+                                                    local_10 = _e1759;
+                                                    local_11 = _e1755;
                                                     continue;
                                                     continuing {
-                                                        phi_2671_ = type_9(select(_e1527.member, (_e1527.member + 1u), _e1536), select(_e1527.member_1, _e1527.member_1, _e1536));
-                                                        phi_2674_ = _e1625;
-                                                        phi_2676_ = _e1627;
-                                                        phi_2678_ = _e1629;
-                                                        break if !(_e1633);
+                                                        phi_2894_ = type_9(select(_e1651.member, (_e1651.member + 1u), _e1660), select(_e1651.member_1, _e1651.member_1, _e1660));
+                                                        phi_2897_ = _e1749;
+                                                        phi_2899_ = _e1751;
+                                                        phi_2901_ = _e1753;
+                                                        break if !(_e1757);
                                                     }
                                                 }
-                                                let _e1638 = local_10;
-                                                let _e1640 = local_11;
-                                                let _e1642 = local_12;
-                                                phi_2808_ = select(_e1642, _e1640, _e1638);
+                                                let _e1762 = local_10;
+                                                let _e1764 = local_11;
+                                                let _e1766 = local_12;
+                                                phi_3031_ = select(_e1766, _e1764, _e1762);
                                             } else {
-                                                phi_2808_ = _e1405;
+                                                phi_3031_ = _e1529;
                                             }
-                                            let _e1645 = phi_2808_;
-                                            if _e1473 {
-                                                let _e1651 = local_5.member_3;
-                                                let _e1653 = local_5.member_3;
-                                                phi_2826_ = type_9(0u, 64u);
-                                                phi_2829_ = (_e1651 + _e1653);
+                                            let _e1769 = phi_3031_;
+                                            if _e1597 {
+                                                let _e1775 = local_5.member_3;
+                                                let _e1777 = local_5.member_3;
+                                                phi_3049_ = type_9(0u, 64u);
+                                                phi_3052_ = (_e1775 + _e1777);
                                                 loop {
-                                                    let _e1656 = phi_2826_;
-                                                    let _e1658 = phi_2829_;
-                                                    let _e1661 = (_e1656.member < _e1656.member_1);
-                                                    if (bitcast<i32>(select(0u, 1u, _e1661)) != 0i) {
-                                                        let _e1673 = (_e1645 + _e1658);
-                                                        if (_e1673 < _e1409) {
-                                                            let _e1676 = (f64(1f) - _e1673);
-                                                            let _e1679 = local_5.member[0u];
-                                                            let _e1682 = local_5.member[1u];
-                                                            let _e1685 = local_5.member[2u];
-                                                            let _e1688 = local_5.member[3u];
-                                                            let _e1702 = local_5.member_1;
-                                                            let _e1703 = ((select(f64(1f), f64(-1f), (_e1461 < _e1474)) * ((((_e1679 * _e1676) + (_e1682 * _e1673)) * (_e1676 * _e1676)) + (((_e1685 * _e1676) + (_e1688 * _e1673)) * (_e1673 * _e1673)))) > _e1702);
-                                                            phi_2895_ = select((_e1658 + _e1658), f64(), _e1703);
-                                                            phi_2896_ = select(true, false, _e1703);
-                                                            phi_2897_ = _e1703;
-                                                            phi_2898_ = false;
+                                                    let _e1780 = phi_3049_;
+                                                    let _e1782 = phi_3052_;
+                                                    let _e1785 = (_e1780.member < _e1780.member_1);
+                                                    if (bitcast<i32>(select(0u, 1u, _e1785)) != 0i) {
+                                                        let _e1797 = (_e1769 + _e1782);
+                                                        if (_e1797 < _e1533) {
+                                                            let _e1800 = (f64(1f) - _e1797);
+                                                            let _e1803 = local_5.member[0u];
+                                                            let _e1806 = local_5.member[1u];
+                                                            let _e1809 = local_5.member[2u];
+                                                            let _e1812 = local_5.member[3u];
+                                                            let _e1826 = local_5.member_1;
+                                                            let _e1827 = ((select(f64(1f), f64(-1f), (_e1585 < _e1598)) * ((((_e1803 * _e1800) + (_e1806 * _e1797)) * (_e1800 * _e1800)) + (((_e1809 * _e1800) + (_e1812 * _e1797)) * (_e1797 * _e1797)))) > _e1826);
+                                                            phi_3118_ = select((_e1782 + _e1782), f64(), _e1827);
+                                                            phi_3119_ = select(true, false, _e1827);
+                                                            phi_3120_ = _e1827;
+                                                            phi_3121_ = false;
                                                         } else {
-                                                            phi_2895_ = f64();
-                                                            phi_2896_ = false;
-                                                            phi_2897_ = false;
-                                                            phi_2898_ = true;
+                                                            phi_3118_ = f64();
+                                                            phi_3119_ = false;
+                                                            phi_3120_ = false;
+                                                            phi_3121_ = true;
                                                         }
-                                                        let _e1708 = phi_2895_;
-                                                        let _e1710 = phi_2896_;
-                                                        let _e1712 = phi_2897_;
-                                                        let _e1714 = phi_2898_;
-                                                        phi_2899_ = _e1673;
-                                                        phi_2830_ = _e1708;
-                                                        phi_2900_ = _e1710;
-                                                        phi_2901_ = _e1712;
-                                                        phi_2902_ = _e1714;
-                                                        phi_2903_ = false;
+                                                        let _e1832 = phi_3118_;
+                                                        let _e1834 = phi_3119_;
+                                                        let _e1836 = phi_3120_;
+                                                        let _e1838 = phi_3121_;
+                                                        phi_3122_ = _e1797;
+                                                        phi_3053_ = _e1832;
+                                                        phi_3123_ = _e1834;
+                                                        phi_3124_ = _e1836;
+                                                        phi_3125_ = _e1838;
+                                                        phi_3126_ = false;
                                                     } else {
-                                                        phi_2899_ = f64();
-                                                        phi_2830_ = f64();
-                                                        phi_2900_ = false;
-                                                        phi_2901_ = false;
-                                                        phi_2902_ = false;
-                                                        phi_2903_ = true;
+                                                        phi_3122_ = f64();
+                                                        phi_3053_ = f64();
+                                                        phi_3123_ = false;
+                                                        phi_3124_ = false;
+                                                        phi_3125_ = false;
+                                                        phi_3126_ = true;
                                                     }
-                                                    let _e1716 = phi_2899_;
-                                                    let _e1718 = phi_2830_;
-                                                    let _e1720 = phi_2900_;
-                                                    let _e1722 = phi_2901_;
-                                                    let _e1724 = phi_2902_;
-                                                    let _e1726 = phi_2903_;
-                                                    local_13 = _e1722;
-                                                    local_14 = _e1724;
-                                                    local_15 = _e1722;
-                                                    local_16 = _e1726;
-                                                    local_17 = _e1716;
+                                                    let _e1840 = phi_3122_;
+                                                    let _e1842 = phi_3053_;
+                                                    let _e1844 = phi_3123_;
+                                                    let _e1846 = phi_3124_;
+                                                    let _e1848 = phi_3125_;
+                                                    let _e1850 = phi_3126_;
+                                                    local_13 = _e1846;
+                                                    local_14 = _e1848;
+                                                    local_15 = _e1846;
+                                                    local_16 = _e1850;
+                                                    local_17 = _e1840;
                                                     continue;
                                                     continuing {
-                                                        phi_2826_ = type_9(select(_e1656.member, (_e1656.member + 1u), _e1661), select(_e1656.member_1, _e1656.member_1, _e1661));
-                                                        phi_2829_ = _e1718;
-                                                        break if !(_e1720);
+                                                        phi_3049_ = type_9(select(_e1780.member, (_e1780.member + 1u), _e1785), select(_e1780.member_1, _e1780.member_1, _e1785));
+                                                        phi_3052_ = _e1842;
+                                                        break if !(_e1844);
                                                     }
                                                 }
-                                                let _e1729 = local_13;
-                                                let _e1731 = local_14;
-                                                let _e1734 = local_15;
-                                                let _e1736 = local_16;
-                                                let _e1740 = local_17;
-                                                phi_2917_ = select(_e1740, _e1409, select(select(_e1736, false, _e1734), true, select(_e1731, false, _e1729)));
+                                                let _e1853 = local_13;
+                                                let _e1855 = local_14;
+                                                let _e1858 = local_15;
+                                                let _e1860 = local_16;
+                                                let _e1864 = local_17;
+                                                phi_3140_ = select(_e1864, _e1533, select(select(_e1860, false, _e1858), true, select(_e1855, false, _e1853)));
                                             } else {
-                                                phi_2917_ = _e1409;
+                                                phi_3140_ = _e1533;
                                             }
-                                            let _e1743 = phi_2917_;
-                                            phi_2919_ = type_43(_e1645, _e1743, _e1482);
+                                            let _e1867 = phi_3140_;
+                                            phi_3142_ = type_43(_e1769, _e1867, _e1606);
                                         } else {
-                                            phi_2919_ = _e1496;
+                                            phi_3142_ = _e1620;
                                         }
-                                        let _e1746 = phi_2919_;
-                                        if (_e1746.member > _e1746.member_1) {
-                                            phi_3910_ = bool();
-                                            phi_3911_ = true;
-                                            phi_3912_ = false;
-                                            phi_3913_ = false;
-                                            phi_3914_ = false;
+                                        let _e1870 = phi_3142_;
+                                        if (_e1870.member > _e1870.member_1) {
+                                            phi_4133_ = bool();
+                                            phi_4134_ = true;
+                                            phi_4135_ = false;
+                                            phi_4136_ = false;
+                                            phi_4137_ = false;
                                         } else {
-                                            let _e1751 = (_e1746.member > _e551);
-                                            if _e1751 {
-                                                phi_3906_ = bool();
-                                                phi_3907_ = false;
-                                                phi_3908_ = false;
-                                                phi_3909_ = false;
+                                            let _e1875 = (_e1870.member > _e551);
+                                            if _e1875 {
+                                                phi_4129_ = bool();
+                                                phi_4130_ = false;
+                                                phi_4131_ = false;
+                                                phi_4132_ = false;
                                             } else {
-                                                let _e1756 = ((_e1746.member_1 - _e1746.member) * f64(0.5f));
-                                                let _e1757 = (_e1746.member + _e1756);
-                                                let _e1760 = (_e1756 + (1.1102230246251565e-16lf * f64(4f)));
-                                                let _e1762 = local_7.member_3;
-                                                let _e1765 = local_7.member[0u];
-                                                let _e1771 = select(_e1765[0], -(_e1765[0]), (_e1765[0] < 0.0lf));
-                                                let _e1774 = select(_e1765[1], -(_e1765[1]), (_e1765[1] < 0.0lf));
-                                                let _e1776 = select(_e1774, _e1771, (_e1771 > _e1774));
-                                                let _e1779 = select(_e1765[2], -(_e1765[2]), (_e1765[2] < 0.0lf));
-                                                let _e1781 = select(_e1779, _e1776, (_e1776 > _e1779));
-                                                let _e1783 = local_7.member[1u];
-                                                let _e1789 = select(_e1783[0], -(_e1783[0]), (_e1783[0] < 0.0lf));
-                                                let _e1792 = select(_e1783[1], -(_e1783[1]), (_e1783[1] < 0.0lf));
-                                                let _e1794 = select(_e1792, _e1789, (_e1789 > _e1792));
-                                                let _e1797 = select(_e1783[2], -(_e1783[2]), (_e1783[2] < 0.0lf));
-                                                let _e1799 = select(_e1797, _e1794, (_e1794 > _e1797));
-                                                let _e1804 = local_7.member[0u];
-                                                let _e1809 = local_7.member[1u];
-                                                let _e1819 = (_e1804[0] + ((_e1809[0] - _e1804[0]) * _e1757));
-                                                let _e1820 = (_e1804[1] + ((_e1809[1] - _e1804[1]) * _e1757));
-                                                let _e1821 = (_e1804[2] + ((_e1809[2] - _e1804[2]) * _e1757));
-                                                let _e1823 = local_7.member[1u];
-                                                let _e1828 = local_7.member[0u];
-                                                let _e1832 = (_e1823[0] - _e1828[0]);
-                                                let _e1833 = (_e1823[1] - _e1828[1]);
-                                                let _e1834 = (_e1823[2] - _e1828[2]);
-                                                let _e1837 = select(_e1832, -(_e1832), (_e1832 < 0.0lf));
-                                                let _e1840 = select(_e1833, -(_e1833), (_e1833 < 0.0lf));
-                                                let _e1842 = select(_e1840, _e1837, (_e1837 > _e1840));
-                                                let _e1845 = select(_e1834, -(_e1834), (_e1834 < 0.0lf));
-                                                let _e1855 = ((((_e1760 * select(_e1845, _e1842, (_e1842 > _e1845))) * f64(1.01f)) + ((select(_e1799, _e1781, (_e1781 > _e1799)) + _e1762) * (1.1102230246251565e-16lf * f64(8f)))) + _e1762);
-                                                let _e1858 = select(_e1819, -(_e1819), (_e1819 < 0.0lf));
-                                                let _e1861 = select(_e1820, -(_e1820), (_e1820 < 0.0lf));
-                                                let _e1863 = select(_e1861, _e1858, (_e1858 > _e1861));
-                                                let _e1866 = select(_e1821, -(_e1821), (_e1821 < 0.0lf));
-                                                let _e1869 = (select(_e1866, _e1863, (_e1863 > _e1866)) + _e1855);
-                                                let _e1872 = local_7.member_3;
-                                                let _e1874 = local_7.member_1[0u];
-                                                let _e1880 = select(_e1874[0], -(_e1874[0]), (_e1874[0] < 0.0lf));
-                                                let _e1883 = select(_e1874[1], -(_e1874[1]), (_e1874[1] < 0.0lf));
-                                                let _e1885 = select(_e1883, _e1880, (_e1880 > _e1883));
-                                                let _e1888 = select(_e1874[2], -(_e1874[2]), (_e1874[2] < 0.0lf));
-                                                let _e1890 = select(_e1888, _e1885, (_e1885 > _e1888));
-                                                let _e1892 = local_7.member_1[1u];
-                                                let _e1898 = select(_e1892[0], -(_e1892[0]), (_e1892[0] < 0.0lf));
-                                                let _e1901 = select(_e1892[1], -(_e1892[1]), (_e1892[1] < 0.0lf));
-                                                let _e1903 = select(_e1901, _e1898, (_e1898 > _e1901));
-                                                let _e1906 = select(_e1892[2], -(_e1892[2]), (_e1892[2] < 0.0lf));
-                                                let _e1908 = select(_e1906, _e1903, (_e1903 > _e1906));
-                                                let _e1913 = local_7.member_1[0u];
-                                                let _e1918 = local_7.member_1[1u];
-                                                let _e1928 = (_e1913[0] + ((_e1918[0] - _e1913[0]) * _e1757));
-                                                let _e1929 = (_e1913[1] + ((_e1918[1] - _e1913[1]) * _e1757));
-                                                let _e1930 = (_e1913[2] + ((_e1918[2] - _e1913[2]) * _e1757));
-                                                let _e1932 = local_7.member_1[1u];
-                                                let _e1937 = local_7.member_1[0u];
-                                                let _e1941 = (_e1932[0] - _e1937[0]);
-                                                let _e1942 = (_e1932[1] - _e1937[1]);
-                                                let _e1943 = (_e1932[2] - _e1937[2]);
-                                                let _e1946 = select(_e1941, -(_e1941), (_e1941 < 0.0lf));
-                                                let _e1949 = select(_e1942, -(_e1942), (_e1942 < 0.0lf));
-                                                let _e1951 = select(_e1949, _e1946, (_e1946 > _e1949));
-                                                let _e1954 = select(_e1943, -(_e1943), (_e1943 < 0.0lf));
-                                                let _e1964 = ((((_e1760 * select(_e1954, _e1951, (_e1951 > _e1954))) * f64(1.01f)) + ((select(_e1908, _e1890, (_e1890 > _e1908)) + _e1872) * (1.1102230246251565e-16lf * f64(8f)))) + _e1872);
-                                                let _e1967 = select(_e1928, -(_e1928), (_e1928 < 0.0lf));
-                                                let _e1970 = select(_e1929, -(_e1929), (_e1929 < 0.0lf));
-                                                let _e1972 = select(_e1970, _e1967, (_e1967 > _e1970));
-                                                let _e1975 = select(_e1930, -(_e1930), (_e1930 < 0.0lf));
-                                                let _e1978 = (select(_e1975, _e1972, (_e1972 > _e1975)) + _e1964);
-                                                let _e1981 = local_7.member_3;
-                                                let _e1983 = local_7.member_2[0u];
-                                                let _e1989 = select(_e1983[0], -(_e1983[0]), (_e1983[0] < 0.0lf));
-                                                let _e1992 = select(_e1983[1], -(_e1983[1]), (_e1983[1] < 0.0lf));
-                                                let _e1994 = select(_e1992, _e1989, (_e1989 > _e1992));
-                                                let _e1997 = select(_e1983[2], -(_e1983[2]), (_e1983[2] < 0.0lf));
-                                                let _e1999 = select(_e1997, _e1994, (_e1994 > _e1997));
-                                                let _e2001 = local_7.member_2[1u];
-                                                let _e2007 = select(_e2001[0], -(_e2001[0]), (_e2001[0] < 0.0lf));
-                                                let _e2010 = select(_e2001[1], -(_e2001[1]), (_e2001[1] < 0.0lf));
-                                                let _e2012 = select(_e2010, _e2007, (_e2007 > _e2010));
-                                                let _e2015 = select(_e2001[2], -(_e2001[2]), (_e2001[2] < 0.0lf));
-                                                let _e2017 = select(_e2015, _e2012, (_e2012 > _e2015));
-                                                let _e2022 = local_7.member_2[0u];
-                                                let _e2027 = local_7.member_2[1u];
-                                                let _e2037 = (_e2022[0] + ((_e2027[0] - _e2022[0]) * _e1757));
-                                                let _e2038 = (_e2022[1] + ((_e2027[1] - _e2022[1]) * _e1757));
-                                                let _e2039 = (_e2022[2] + ((_e2027[2] - _e2022[2]) * _e1757));
-                                                let _e2041 = local_7.member_2[1u];
-                                                let _e2046 = local_7.member_2[0u];
-                                                let _e2050 = (_e2041[0] - _e2046[0]);
-                                                let _e2051 = (_e2041[1] - _e2046[1]);
-                                                let _e2052 = (_e2041[2] - _e2046[2]);
-                                                let _e2055 = select(_e2050, -(_e2050), (_e2050 < 0.0lf));
-                                                let _e2058 = select(_e2051, -(_e2051), (_e2051 < 0.0lf));
-                                                let _e2060 = select(_e2058, _e2055, (_e2055 > _e2058));
-                                                let _e2063 = select(_e2052, -(_e2052), (_e2052 < 0.0lf));
-                                                let _e2073 = ((((_e1760 * select(_e2063, _e2060, (_e2060 > _e2063))) * f64(1.01f)) + ((select(_e2017, _e1999, (_e1999 > _e2017)) + _e1981) * (1.1102230246251565e-16lf * f64(8f)))) + _e1981);
-                                                let _e2076 = select(_e2037, -(_e2037), (_e2037 < 0.0lf));
-                                                let _e2079 = select(_e2038, -(_e2038), (_e2038 < 0.0lf));
-                                                let _e2081 = select(_e2079, _e2076, (_e2076 > _e2079));
-                                                let _e2084 = select(_e2039, -(_e2039), (_e2039 < 0.0lf));
-                                                let _e2087 = (select(_e2084, _e2081, (_e2081 > _e2084)) + _e2073);
-                                                let _e2090 = ((_e1929 * _e2039) - (_e1930 * _e2038));
-                                                let _e2093 = ((_e1930 * _e2037) - (_e1928 * _e2039));
-                                                let _e2096 = ((_e1928 * _e2038) - (_e1929 * _e2037));
-                                                let _e2111 = select(false, (select(_e2090, -(_e2090), (_e2090 < 0.0lf)) > select(_e2096, -(_e2096), (_e2096 < 0.0lf))), (select(_e2090, -(_e2090), (_e2090 < 0.0lf)) > select(_e2093, -(_e2093), (_e2093 < 0.0lf))));
-                                                let _e2126 = select((select(_e2093, -(_e2093), (_e2093 < 0.0lf)) > select(_e2096, -(_e2096), (_e2096 < 0.0lf))), false, (select(_e2090, -(_e2090), (_e2090 < 0.0lf)) > select(_e2093, -(_e2093), (_e2093 < 0.0lf))));
-                                                let _e2129 = select(select(_e1819, _e1820, _e2111), _e1821, _e2126);
-                                                let _e2130 = select(select(_e1820, _e1821, _e2111), _e1819, _e2126);
-                                                let _e2133 = select(select(_e1928, _e1929, _e2111), _e1930, _e2126);
-                                                let _e2134 = select(select(_e1929, _e1930, _e2111), _e1928, _e2126);
-                                                let _e2137 = select(select(_e2037, _e2038, _e2111), _e2039, _e2126);
-                                                let _e2138 = select(select(_e2038, _e2039, _e2111), _e2037, _e2126);
-                                                let _e2141 = ((_e2133 * _e2138) - (_e2134 * _e2137));
-                                                let _e2142 = f64(1f);
-                                                let _e2143 = f64(2f);
-                                                let _e2161 = (((((_e1964 * _e2087) + (_e1978 * _e2073)) * f64(2.01f)) + (((_e1978 * _e2143) * (_e2087 * _e2143)) * (1.1102230246251565e-16lf * _e2143))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2142 + _e1978) * (_e2142 + _e2087))));
-                                                if (select(_e2141, -(_e2141), (_e2141 < 0.0lf)) > _e2161) {
-                                                    let _e2170 = select(f64(1f), f64(-1f), (_e2141 < f64(0f)));
-                                                    let _e2174 = f64(1f);
-                                                    let _e2175 = f64(2f);
-                                                    let _e2193 = (((((_e1855 * _e2087) + (_e1869 * _e2073)) * f64(2.01f)) + (((_e1869 * _e2175) * (_e2087 * _e2175)) * (1.1102230246251565e-16lf * _e2175))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2174 + _e1869) * (_e2174 + _e2087))));
-                                                    let _e2197 = f64(1f);
-                                                    let _e2198 = f64(2f);
-                                                    let _e2216 = (((((_e1964 * _e1869) + (_e1978 * _e1855)) * f64(2.01f)) + (((_e1978 * _e2198) * (_e1869 * _e2198)) * (1.1102230246251565e-16lf * _e2198))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2197 + _e1978) * (_e2197 + _e1869))));
-                                                    let _e2217 = (_e2141 * _e2170);
-                                                    let _e2218 = (((_e2129 * _e2138) - (_e2130 * _e2137)) * _e2170);
-                                                    let _e2219 = (((_e2133 * _e2130) - (_e2134 * _e2129)) * _e2170);
-                                                    let _e2233 = (((select(_e2217, -(_e2217), (_e2217 < 0.0lf)) + select(_e2218, -(_e2218), (_e2218 < 0.0lf))) + select(_e2219, -(_e2219), (_e2219 < 0.0lf))) * (1.1102230246251565e-16lf * f64(4f)));
+                                                let _e1880 = ((_e1870.member_1 - _e1870.member) * f64(0.5f));
+                                                let _e1881 = (_e1870.member + _e1880);
+                                                let _e1884 = (_e1880 + (1.1102230246251565e-16lf * f64(4f)));
+                                                let _e1886 = local_7.member_3;
+                                                let _e1889 = local_7.member[0u];
+                                                let _e1895 = select(_e1889[0], -(_e1889[0]), (_e1889[0] < 0.0lf));
+                                                let _e1898 = select(_e1889[1], -(_e1889[1]), (_e1889[1] < 0.0lf));
+                                                let _e1900 = select(_e1898, _e1895, (_e1895 > _e1898));
+                                                let _e1903 = select(_e1889[2], -(_e1889[2]), (_e1889[2] < 0.0lf));
+                                                let _e1905 = select(_e1903, _e1900, (_e1900 > _e1903));
+                                                let _e1907 = local_7.member[1u];
+                                                let _e1913 = select(_e1907[0], -(_e1907[0]), (_e1907[0] < 0.0lf));
+                                                let _e1916 = select(_e1907[1], -(_e1907[1]), (_e1907[1] < 0.0lf));
+                                                let _e1918 = select(_e1916, _e1913, (_e1913 > _e1916));
+                                                let _e1921 = select(_e1907[2], -(_e1907[2]), (_e1907[2] < 0.0lf));
+                                                let _e1923 = select(_e1921, _e1918, (_e1918 > _e1921));
+                                                let _e1928 = local_7.member[0u];
+                                                let _e1933 = local_7.member[1u];
+                                                let _e1943 = (_e1928[0] + ((_e1933[0] - _e1928[0]) * _e1881));
+                                                let _e1944 = (_e1928[1] + ((_e1933[1] - _e1928[1]) * _e1881));
+                                                let _e1945 = (_e1928[2] + ((_e1933[2] - _e1928[2]) * _e1881));
+                                                let _e1947 = local_7.member[1u];
+                                                let _e1952 = local_7.member[0u];
+                                                let _e1956 = (_e1947[0] - _e1952[0]);
+                                                let _e1957 = (_e1947[1] - _e1952[1]);
+                                                let _e1958 = (_e1947[2] - _e1952[2]);
+                                                let _e1961 = select(_e1956, -(_e1956), (_e1956 < 0.0lf));
+                                                let _e1964 = select(_e1957, -(_e1957), (_e1957 < 0.0lf));
+                                                let _e1966 = select(_e1964, _e1961, (_e1961 > _e1964));
+                                                let _e1969 = select(_e1958, -(_e1958), (_e1958 < 0.0lf));
+                                                let _e1979 = ((((_e1884 * select(_e1969, _e1966, (_e1966 > _e1969))) * f64(1.01f)) + ((select(_e1923, _e1905, (_e1905 > _e1923)) + _e1886) * (1.1102230246251565e-16lf * f64(8f)))) + _e1886);
+                                                let _e1982 = select(_e1943, -(_e1943), (_e1943 < 0.0lf));
+                                                let _e1985 = select(_e1944, -(_e1944), (_e1944 < 0.0lf));
+                                                let _e1987 = select(_e1985, _e1982, (_e1982 > _e1985));
+                                                let _e1990 = select(_e1945, -(_e1945), (_e1945 < 0.0lf));
+                                                let _e1993 = (select(_e1990, _e1987, (_e1987 > _e1990)) + _e1979);
+                                                let _e1996 = local_7.member_3;
+                                                let _e1998 = local_7.member_1[0u];
+                                                let _e2004 = select(_e1998[0], -(_e1998[0]), (_e1998[0] < 0.0lf));
+                                                let _e2007 = select(_e1998[1], -(_e1998[1]), (_e1998[1] < 0.0lf));
+                                                let _e2009 = select(_e2007, _e2004, (_e2004 > _e2007));
+                                                let _e2012 = select(_e1998[2], -(_e1998[2]), (_e1998[2] < 0.0lf));
+                                                let _e2014 = select(_e2012, _e2009, (_e2009 > _e2012));
+                                                let _e2016 = local_7.member_1[1u];
+                                                let _e2022 = select(_e2016[0], -(_e2016[0]), (_e2016[0] < 0.0lf));
+                                                let _e2025 = select(_e2016[1], -(_e2016[1]), (_e2016[1] < 0.0lf));
+                                                let _e2027 = select(_e2025, _e2022, (_e2022 > _e2025));
+                                                let _e2030 = select(_e2016[2], -(_e2016[2]), (_e2016[2] < 0.0lf));
+                                                let _e2032 = select(_e2030, _e2027, (_e2027 > _e2030));
+                                                let _e2037 = local_7.member_1[0u];
+                                                let _e2042 = local_7.member_1[1u];
+                                                let _e2052 = (_e2037[0] + ((_e2042[0] - _e2037[0]) * _e1881));
+                                                let _e2053 = (_e2037[1] + ((_e2042[1] - _e2037[1]) * _e1881));
+                                                let _e2054 = (_e2037[2] + ((_e2042[2] - _e2037[2]) * _e1881));
+                                                let _e2056 = local_7.member_1[1u];
+                                                let _e2061 = local_7.member_1[0u];
+                                                let _e2065 = (_e2056[0] - _e2061[0]);
+                                                let _e2066 = (_e2056[1] - _e2061[1]);
+                                                let _e2067 = (_e2056[2] - _e2061[2]);
+                                                let _e2070 = select(_e2065, -(_e2065), (_e2065 < 0.0lf));
+                                                let _e2073 = select(_e2066, -(_e2066), (_e2066 < 0.0lf));
+                                                let _e2075 = select(_e2073, _e2070, (_e2070 > _e2073));
+                                                let _e2078 = select(_e2067, -(_e2067), (_e2067 < 0.0lf));
+                                                let _e2088 = ((((_e1884 * select(_e2078, _e2075, (_e2075 > _e2078))) * f64(1.01f)) + ((select(_e2032, _e2014, (_e2014 > _e2032)) + _e1996) * (1.1102230246251565e-16lf * f64(8f)))) + _e1996);
+                                                let _e2091 = select(_e2052, -(_e2052), (_e2052 < 0.0lf));
+                                                let _e2094 = select(_e2053, -(_e2053), (_e2053 < 0.0lf));
+                                                let _e2096 = select(_e2094, _e2091, (_e2091 > _e2094));
+                                                let _e2099 = select(_e2054, -(_e2054), (_e2054 < 0.0lf));
+                                                let _e2102 = (select(_e2099, _e2096, (_e2096 > _e2099)) + _e2088);
+                                                let _e2105 = local_7.member_3;
+                                                let _e2107 = local_7.member_2[0u];
+                                                let _e2113 = select(_e2107[0], -(_e2107[0]), (_e2107[0] < 0.0lf));
+                                                let _e2116 = select(_e2107[1], -(_e2107[1]), (_e2107[1] < 0.0lf));
+                                                let _e2118 = select(_e2116, _e2113, (_e2113 > _e2116));
+                                                let _e2121 = select(_e2107[2], -(_e2107[2]), (_e2107[2] < 0.0lf));
+                                                let _e2123 = select(_e2121, _e2118, (_e2118 > _e2121));
+                                                let _e2125 = local_7.member_2[1u];
+                                                let _e2131 = select(_e2125[0], -(_e2125[0]), (_e2125[0] < 0.0lf));
+                                                let _e2134 = select(_e2125[1], -(_e2125[1]), (_e2125[1] < 0.0lf));
+                                                let _e2136 = select(_e2134, _e2131, (_e2131 > _e2134));
+                                                let _e2139 = select(_e2125[2], -(_e2125[2]), (_e2125[2] < 0.0lf));
+                                                let _e2141 = select(_e2139, _e2136, (_e2136 > _e2139));
+                                                let _e2146 = local_7.member_2[0u];
+                                                let _e2151 = local_7.member_2[1u];
+                                                let _e2161 = (_e2146[0] + ((_e2151[0] - _e2146[0]) * _e1881));
+                                                let _e2162 = (_e2146[1] + ((_e2151[1] - _e2146[1]) * _e1881));
+                                                let _e2163 = (_e2146[2] + ((_e2151[2] - _e2146[2]) * _e1881));
+                                                let _e2165 = local_7.member_2[1u];
+                                                let _e2170 = local_7.member_2[0u];
+                                                let _e2174 = (_e2165[0] - _e2170[0]);
+                                                let _e2175 = (_e2165[1] - _e2170[1]);
+                                                let _e2176 = (_e2165[2] - _e2170[2]);
+                                                let _e2179 = select(_e2174, -(_e2174), (_e2174 < 0.0lf));
+                                                let _e2182 = select(_e2175, -(_e2175), (_e2175 < 0.0lf));
+                                                let _e2184 = select(_e2182, _e2179, (_e2179 > _e2182));
+                                                let _e2187 = select(_e2176, -(_e2176), (_e2176 < 0.0lf));
+                                                let _e2197 = ((((_e1884 * select(_e2187, _e2184, (_e2184 > _e2187))) * f64(1.01f)) + ((select(_e2141, _e2123, (_e2123 > _e2141)) + _e2105) * (1.1102230246251565e-16lf * f64(8f)))) + _e2105);
+                                                let _e2200 = select(_e2161, -(_e2161), (_e2161 < 0.0lf));
+                                                let _e2203 = select(_e2162, -(_e2162), (_e2162 < 0.0lf));
+                                                let _e2205 = select(_e2203, _e2200, (_e2200 > _e2203));
+                                                let _e2208 = select(_e2163, -(_e2163), (_e2163 < 0.0lf));
+                                                let _e2211 = (select(_e2208, _e2205, (_e2205 > _e2208)) + _e2197);
+                                                let _e2214 = ((_e2053 * _e2163) - (_e2054 * _e2162));
+                                                let _e2217 = ((_e2054 * _e2161) - (_e2052 * _e2163));
+                                                let _e2220 = ((_e2052 * _e2162) - (_e2053 * _e2161));
+                                                let _e2235 = select(false, (select(_e2214, -(_e2214), (_e2214 < 0.0lf)) > select(_e2220, -(_e2220), (_e2220 < 0.0lf))), (select(_e2214, -(_e2214), (_e2214 < 0.0lf)) > select(_e2217, -(_e2217), (_e2217 < 0.0lf))));
+                                                let _e2250 = select((select(_e2217, -(_e2217), (_e2217 < 0.0lf)) > select(_e2220, -(_e2220), (_e2220 < 0.0lf))), false, (select(_e2214, -(_e2214), (_e2214 < 0.0lf)) > select(_e2217, -(_e2217), (_e2217 < 0.0lf))));
+                                                let _e2253 = select(select(_e1943, _e1944, _e2235), _e1945, _e2250);
+                                                let _e2254 = select(select(_e1944, _e1945, _e2235), _e1943, _e2250);
+                                                let _e2257 = select(select(_e2052, _e2053, _e2235), _e2054, _e2250);
+                                                let _e2258 = select(select(_e2053, _e2054, _e2235), _e2052, _e2250);
+                                                let _e2261 = select(select(_e2161, _e2162, _e2235), _e2163, _e2250);
+                                                let _e2262 = select(select(_e2162, _e2163, _e2235), _e2161, _e2250);
+                                                let _e2265 = ((_e2257 * _e2262) - (_e2258 * _e2261));
+                                                let _e2266 = f64(1f);
+                                                let _e2267 = f64(2f);
+                                                let _e2285 = (((((_e2088 * _e2211) + (_e2102 * _e2197)) * f64(2.01f)) + (((_e2102 * _e2267) * (_e2211 * _e2267)) * (1.1102230246251565e-16lf * _e2267))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2266 + _e2102) * (_e2266 + _e2211))));
+                                                if (select(_e2265, -(_e2265), (_e2265 < 0.0lf)) > _e2285) {
+                                                    let _e2294 = select(f64(1f), f64(-1f), (_e2265 < f64(0f)));
+                                                    let _e2298 = f64(1f);
+                                                    let _e2299 = f64(2f);
+                                                    let _e2317 = (((((_e1979 * _e2211) + (_e1993 * _e2197)) * f64(2.01f)) + (((_e1993 * _e2299) * (_e2211 * _e2299)) * (1.1102230246251565e-16lf * _e2299))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2298 + _e1993) * (_e2298 + _e2211))));
+                                                    let _e2321 = f64(1f);
+                                                    let _e2322 = f64(2f);
+                                                    let _e2340 = (((((_e2088 * _e1993) + (_e2102 * _e1979)) * f64(2.01f)) + (((_e2102 * _e2322) * (_e1993 * _e2322)) * (1.1102230246251565e-16lf * _e2322))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2321 + _e2102) * (_e2321 + _e1993))));
+                                                    let _e2341 = (_e2265 * _e2294);
+                                                    let _e2342 = (((_e2253 * _e2262) - (_e2254 * _e2261)) * _e2294);
+                                                    let _e2343 = (((_e2257 * _e2254) - (_e2258 * _e2253)) * _e2294);
+                                                    let _e2357 = (((select(_e2341, -(_e2341), (_e2341 < 0.0lf)) + select(_e2342, -(_e2342), (_e2342 < 0.0lf))) + select(_e2343, -(_e2343), (_e2343 < 0.0lf))) * (1.1102230246251565e-16lf * f64(4f)));
                                                     if (_e230.member != 0u) {
-                                                        phi_3780_ = array<type_36, 4>(type_36(_e2218, _e2193), type_36(_e2219, _e2216), type_36((_e2217 - _e2218), ((_e2161 + _e2193) + _e2233)), type_36((_e2217 - _e2219), ((_e2161 + _e2216) + _e2233)));
+                                                        phi_4003_ = array<type_36, 4>(type_36(_e2342, _e2317), type_36(_e2343, _e2340), type_36((_e2341 - _e2342), ((_e2285 + _e2317) + _e2357)), type_36((_e2341 - _e2343), ((_e2285 + _e2340) + _e2357)));
                                                     } else {
-                                                        let _e2236 = ((_e2217 - _e2218) - _e2219);
-                                                        let _e2239 = (((_e2161 + _e2193) + _e2216) + _e2233);
-                                                        phi_3780_ = array<type_36, 4>(type_36(_e2218, _e2193), type_36(_e2219, _e2216), type_36(_e2236, _e2239), type_36(_e2236, _e2239));
+                                                        let _e2360 = ((_e2341 - _e2342) - _e2343);
+                                                        let _e2363 = (((_e2285 + _e2317) + _e2340) + _e2357);
+                                                        phi_4003_ = array<type_36, 4>(type_36(_e2342, _e2317), type_36(_e2343, _e2340), type_36(_e2360, _e2363), type_36(_e2360, _e2363));
                                                     }
-                                                    let _e2257 = phi_3780_;
-                                                    local_2 = array<type_36, 4>(type_36(_e2257[0].member, _e2257[0].member_1), type_36(_e2257[1].member, _e2257[1].member_1), type_36(_e2257[2].member, _e2257[2].member_1), type_36(_e2257[3].member, _e2257[3].member_1));
-                                                    phi_3800_ = type_9(0u, 4u);
-                                                    phi_3803_ = true;
+                                                    let _e2381 = phi_4003_;
+                                                    local_2 = array<type_36, 4>(type_36(_e2381[0].member, _e2381[0].member_1), type_36(_e2381[1].member, _e2381[1].member_1), type_36(_e2381[2].member, _e2381[2].member_1), type_36(_e2381[3].member, _e2381[3].member_1));
+                                                    phi_4023_ = type_9(0u, 4u);
+                                                    phi_4026_ = true;
                                                     loop {
-                                                        let _e2276 = phi_3800_;
-                                                        let _e2278 = phi_3803_;
-                                                        local_19 = _e2278;
-                                                        let _e2281 = (_e2276.member < _e2276.member_1);
-                                                        let _e2292 = select(type_9().member_1, _e2276.member, _e2281);
-                                                        if (bitcast<i32>(select(0u, 1u, _e2281)) != 0i) {
-                                                            let _e2297 = local_2[_e2292].member;
-                                                            let _e2300 = local_2[_e2292].member_1;
-                                                            let _e2302 = (_e2297 < -(_e2300));
-                                                            phi_3804_ = select((_e2278 && (_e2297 > _e2300)), bool(), _e2302);
-                                                            phi_3855_ = select(true, false, _e2302);
-                                                            phi_3856_ = _e2302;
+                                                        let _e2400 = phi_4023_;
+                                                        let _e2402 = phi_4026_;
+                                                        local_19 = _e2402;
+                                                        let _e2405 = (_e2400.member < _e2400.member_1);
+                                                        let _e2416 = select(type_9().member_1, _e2400.member, _e2405);
+                                                        if (bitcast<i32>(select(0u, 1u, _e2405)) != 0i) {
+                                                            let _e2421 = local_2[_e2416].member;
+                                                            let _e2424 = local_2[_e2416].member_1;
+                                                            let _e2426 = (_e2421 < -(_e2424));
+                                                            phi_4027_ = select((_e2402 && (_e2421 > _e2424)), bool(), _e2426);
+                                                            phi_4078_ = select(true, false, _e2426);
+                                                            phi_4079_ = _e2426;
                                                         } else {
-                                                            phi_3804_ = bool();
-                                                            phi_3855_ = false;
-                                                            phi_3856_ = false;
+                                                            phi_4027_ = bool();
+                                                            phi_4078_ = false;
+                                                            phi_4079_ = false;
                                                         }
-                                                        let _e2308 = phi_3804_;
-                                                        let _e2310 = phi_3855_;
-                                                        let _e2312 = phi_3856_;
-                                                        local_18 = _e2312;
+                                                        let _e2432 = phi_4027_;
+                                                        let _e2434 = phi_4078_;
+                                                        let _e2436 = phi_4079_;
+                                                        local_18 = _e2436;
                                                         continue;
                                                         continuing {
-                                                            phi_3800_ = type_9(select(_e2276.member, (_e2276.member + 1u), _e2281), select(_e2276.member_1, _e2276.member_1, _e2281));
-                                                            phi_3803_ = _e2308;
-                                                            break if !(_e2310);
+                                                            phi_4023_ = type_9(select(_e2400.member, (_e2400.member + 1u), _e2405), select(_e2400.member_1, _e2400.member_1, _e2405));
+                                                            phi_4026_ = _e2432;
+                                                            break if !(_e2434);
                                                         }
                                                     }
-                                                    let _e2315 = local_18;
-                                                    let _e2316 = select(true, false, _e2315);
-                                                    let _e2318 = local_19;
-                                                    phi_3870_ = select(u32(), select(2u, 1u, _e2318), _e2316);
-                                                    phi_3871_ = 0u;
-                                                    phi_3872_ = select(true, false, _e2316);
+                                                    let _e2439 = local_18;
+                                                    let _e2440 = select(true, false, _e2439);
+                                                    let _e2442 = local_19;
+                                                    phi_4093_ = select(u32(), select(2u, 1u, _e2442), _e2440);
+                                                    phi_4094_ = 0u;
+                                                    phi_4095_ = select(true, false, _e2440);
                                                 } else {
-                                                    phi_3870_ = u32();
-                                                    phi_3871_ = 2u;
-                                                    phi_3872_ = true;
+                                                    phi_4093_ = u32();
+                                                    phi_4094_ = 2u;
+                                                    phi_4095_ = true;
                                                 }
-                                                let _e2323 = phi_3870_;
-                                                let _e2325 = phi_3871_;
-                                                let _e2327 = phi_3872_;
-                                                let _e2328 = select(_e2323, _e2325, _e2327);
-                                                let _e2329 = (_e2328 == 0u);
-                                                if _e2329 {
-                                                    phi_3903_ = bool();
-                                                    phi_3904_ = false;
-                                                    phi_3905_ = false;
+                                                let _e2447 = phi_4093_;
+                                                let _e2449 = phi_4094_;
+                                                let _e2451 = phi_4095_;
+                                                let _e2452 = select(_e2447, _e2449, _e2451);
+                                                let _e2453 = (_e2452 == 0u);
+                                                if _e2453 {
+                                                    phi_4126_ = bool();
+                                                    phi_4127_ = false;
+                                                    phi_4128_ = false;
                                                 } else {
-                                                    let _e2332 = select(false, _e1746.member_2, (_e2328 == 1u));
-                                                    let _e2338 = select(true, select(true, false, ((_e1746.member_1 - _e1746.member) <= _e1345)), _e2332);
-                                                    phi_3903_ = _e2332;
-                                                    phi_3904_ = _e2338;
-                                                    phi_3905_ = select(true, false, _e2338);
+                                                    let _e2456 = select(false, _e1870.member_2, (_e2452 == 1u));
+                                                    let _e2462 = select(true, select(true, false, ((_e1870.member_1 - _e1870.member) <= _e1469)), _e2456);
+                                                    phi_4126_ = _e2456;
+                                                    phi_4127_ = _e2462;
+                                                    phi_4128_ = select(true, false, _e2462);
                                                 }
-                                                let _e2341 = phi_3903_;
-                                                let _e2343 = phi_3904_;
-                                                let _e2345 = phi_3905_;
-                                                phi_3906_ = _e2341;
-                                                phi_3907_ = _e2329;
-                                                phi_3908_ = _e2343;
-                                                phi_3909_ = _e2345;
+                                                let _e2465 = phi_4126_;
+                                                let _e2467 = phi_4127_;
+                                                let _e2469 = phi_4128_;
+                                                phi_4129_ = _e2465;
+                                                phi_4130_ = _e2453;
+                                                phi_4131_ = _e2467;
+                                                phi_4132_ = _e2469;
                                             }
-                                            let _e2347 = phi_3906_;
-                                            let _e2349 = phi_3907_;
-                                            let _e2351 = phi_3908_;
-                                            let _e2353 = phi_3909_;
-                                            phi_3910_ = _e2347;
-                                            phi_3911_ = _e2349;
-                                            phi_3912_ = _e2351;
-                                            phi_3913_ = _e1751;
-                                            phi_3914_ = _e2353;
+                                            let _e2471 = phi_4129_;
+                                            let _e2473 = phi_4130_;
+                                            let _e2475 = phi_4131_;
+                                            let _e2477 = phi_4132_;
+                                            phi_4133_ = _e2471;
+                                            phi_4134_ = _e2473;
+                                            phi_4135_ = _e2475;
+                                            phi_4136_ = _e1875;
+                                            phi_4137_ = _e2477;
                                         }
-                                        let _e2355 = phi_3910_;
-                                        let _e2357 = phi_3911_;
-                                        let _e2359 = phi_3912_;
-                                        let _e2361 = phi_3913_;
-                                        let _e2363 = phi_3914_;
-                                        phi_3915_ = _e1746;
-                                        phi_3916_ = _e2355;
-                                        phi_3917_ = _e1746;
-                                        phi_3918_ = _e2357;
-                                        phi_3919_ = _e2359;
-                                        phi_3920_ = _e2361;
-                                        phi_3921_ = _e2363;
+                                        let _e2479 = phi_4133_;
+                                        let _e2481 = phi_4134_;
+                                        let _e2483 = phi_4135_;
+                                        let _e2485 = phi_4136_;
+                                        let _e2487 = phi_4137_;
+                                        phi_4138_ = _e1870;
+                                        phi_4139_ = _e2479;
+                                        phi_4140_ = _e1870;
+                                        phi_4141_ = _e2481;
+                                        phi_4142_ = _e2483;
+                                        phi_4143_ = _e2485;
+                                        phi_4144_ = _e2487;
                                     }
-                                    let _e2365 = phi_3915_;
-                                    let _e2367 = phi_3916_;
-                                    let _e2369 = phi_3917_;
-                                    let _e2371 = phi_3918_;
-                                    let _e2373 = phi_3919_;
-                                    let _e2375 = phi_3920_;
-                                    let _e2377 = phi_3921_;
-                                    phi_3922_ = _e2365;
-                                    phi_3923_ = _e2367;
-                                    phi_3924_ = _e2369;
-                                    phi_3925_ = _e2371;
-                                    phi_3926_ = _e2373;
-                                    phi_3927_ = _e1411;
-                                    phi_3928_ = _e2375;
-                                    phi_3929_ = _e2377;
+                                    let _e2489 = phi_4138_;
+                                    let _e2491 = phi_4139_;
+                                    let _e2493 = phi_4140_;
+                                    let _e2495 = phi_4141_;
+                                    let _e2497 = phi_4142_;
+                                    let _e2499 = phi_4143_;
+                                    let _e2501 = phi_4144_;
+                                    phi_4145_ = _e2489;
+                                    phi_4146_ = _e2491;
+                                    phi_4147_ = _e2493;
+                                    phi_4148_ = _e2495;
+                                    phi_4149_ = _e2497;
+                                    phi_4150_ = _e1535;
+                                    phi_4151_ = _e2499;
+                                    phi_4152_ = _e2501;
                                 } else {
-                                    phi_3922_ = type_43();
-                                    phi_3923_ = bool();
-                                    phi_3924_ = type_43();
-                                    phi_3925_ = true;
-                                    phi_3926_ = false;
-                                    phi_3927_ = false;
-                                    phi_3928_ = false;
-                                    phi_3929_ = false;
+                                    phi_4145_ = type_43();
+                                    phi_4146_ = bool();
+                                    phi_4147_ = type_43();
+                                    phi_4148_ = true;
+                                    phi_4149_ = false;
+                                    phi_4150_ = false;
+                                    phi_4151_ = false;
+                                    phi_4152_ = false;
                                 }
-                                let _e2379 = phi_3922_;
-                                let _e2381 = phi_3923_;
-                                let _e2383 = phi_3924_;
-                                let _e2385 = phi_3925_;
-                                let _e2387 = phi_3926_;
-                                let _e2389 = phi_3927_;
-                                let _e2391 = phi_3928_;
-                                let _e2393 = phi_3929_;
-                                phi_3937_ = _e2379;
-                                phi_3938_ = _e2381;
-                                phi_3939_ = _e2383;
-                                phi_3940_ = select(_e2387, false, _e2385);
-                                phi_3941_ = _e2385;
-                                phi_3942_ = select(_e2389, false, _e2385);
-                                phi_3943_ = select(_e2391, false, _e2385);
-                                phi_3944_ = select(_e2393, false, _e2385);
+                                let _e2503 = phi_4145_;
+                                let _e2505 = phi_4146_;
+                                let _e2507 = phi_4147_;
+                                let _e2509 = phi_4148_;
+                                let _e2511 = phi_4149_;
+                                let _e2513 = phi_4150_;
+                                let _e2515 = phi_4151_;
+                                let _e2517 = phi_4152_;
+                                phi_4160_ = _e2503;
+                                phi_4161_ = _e2505;
+                                phi_4162_ = _e2507;
+                                phi_4163_ = select(_e2511, false, _e2509);
+                                phi_4164_ = _e2509;
+                                phi_4165_ = select(_e2513, false, _e2509);
+                                phi_4166_ = select(_e2515, false, _e2509);
+                                phi_4167_ = select(_e2517, false, _e2509);
                             } else {
-                                phi_3937_ = type_43(_e533, _e533, false);
-                                phi_3938_ = false;
-                                phi_3939_ = type_43();
-                                phi_3940_ = true;
-                                phi_3941_ = false;
-                                phi_3942_ = false;
-                                phi_3943_ = false;
-                                phi_3944_ = false;
+                                phi_4160_ = type_43(_e533, _e533, false);
+                                phi_4161_ = false;
+                                phi_4162_ = type_43();
+                                phi_4163_ = true;
+                                phi_4164_ = false;
+                                phi_4165_ = false;
+                                phi_4166_ = false;
+                                phi_4167_ = false;
                             }
-                            let _e2399 = phi_3937_;
-                            let _e2401 = phi_3938_;
-                            let _e2403 = phi_3939_;
-                            let _e2405 = phi_3940_;
-                            let _e2407 = phi_3941_;
-                            let _e2409 = phi_3942_;
-                            let _e2411 = phi_3943_;
-                            let _e2413 = phi_3944_;
-                            if _e2405 {
-                                let _e2418 = local_7.member[0u];
-                                let _e2424 = local_7.member_1[0u];
-                                let _e2430 = local_7.member_2[0u];
-                                let _e2434 = (_e2418[0] - _e2424[0]);
-                                let _e2435 = (_e2418[1] - _e2424[1]);
-                                let _e2436 = (_e2418[2] - _e2424[2]);
-                                let _e2437 = (_e230.member == 0u);
-                                let _e2449 = local_7.member[1u];
-                                let _e2455 = local_7.member_1[1u];
-                                let _e2461 = local_7.member_2[1u];
-                                let _e2465 = (_e2449[0] - _e2455[0]);
-                                let _e2466 = (_e2449[1] - _e2455[1]);
-                                let _e2467 = (_e2449[2] - _e2455[2]);
-                                let _e2468 = (_e230.member == 0u);
-                                let _e2480 = local_7.member[0u];
-                                let _e2486 = select(_e2480[0], -(_e2480[0]), (_e2480[0] < 0.0lf));
-                                let _e2489 = select(_e2480[1], -(_e2480[1]), (_e2480[1] < 0.0lf));
-                                let _e2491 = select(_e2489, _e2486, (_e2486 > _e2489));
-                                let _e2494 = select(_e2480[2], -(_e2480[2]), (_e2480[2] < 0.0lf));
-                                let _e2496 = select(_e2494, _e2491, (_e2491 > _e2494));
-                                let _e2499 = local_7.member[1u];
-                                let _e2505 = select(_e2499[0], -(_e2499[0]), (_e2499[0] < 0.0lf));
-                                let _e2508 = select(_e2499[1], -(_e2499[1]), (_e2499[1] < 0.0lf));
-                                let _e2510 = select(_e2508, _e2505, (_e2505 > _e2508));
-                                let _e2513 = select(_e2499[2], -(_e2499[2]), (_e2499[2] < 0.0lf));
-                                let _e2515 = select(_e2513, _e2510, (_e2510 > _e2513));
-                                let _e2519 = local_7.member_3;
-                                let _e2523 = local_7.member_1[0u];
-                                let _e2529 = select(_e2523[0], -(_e2523[0]), (_e2523[0] < 0.0lf));
-                                let _e2532 = select(_e2523[1], -(_e2523[1]), (_e2523[1] < 0.0lf));
-                                let _e2534 = select(_e2532, _e2529, (_e2529 > _e2532));
-                                let _e2537 = select(_e2523[2], -(_e2523[2]), (_e2523[2] < 0.0lf));
-                                let _e2539 = select(_e2537, _e2534, (_e2534 > _e2537));
-                                let _e2542 = local_7.member_1[1u];
-                                let _e2548 = select(_e2542[0], -(_e2542[0]), (_e2542[0] < 0.0lf));
-                                let _e2551 = select(_e2542[1], -(_e2542[1]), (_e2542[1] < 0.0lf));
-                                let _e2553 = select(_e2551, _e2548, (_e2548 > _e2551));
-                                let _e2556 = select(_e2542[2], -(_e2542[2]), (_e2542[2] < 0.0lf));
-                                let _e2558 = select(_e2556, _e2553, (_e2553 > _e2556));
-                                let _e2562 = local_7.member_3;
-                                let _e2566 = local_7.member_2[0u];
-                                let _e2572 = select(_e2566[0], -(_e2566[0]), (_e2566[0] < 0.0lf));
-                                let _e2575 = select(_e2566[1], -(_e2566[1]), (_e2566[1] < 0.0lf));
-                                let _e2577 = select(_e2575, _e2572, (_e2572 > _e2575));
-                                let _e2580 = select(_e2566[2], -(_e2566[2]), (_e2566[2] < 0.0lf));
-                                let _e2582 = select(_e2580, _e2577, (_e2577 > _e2580));
+                            let _e2523 = phi_4160_;
+                            let _e2525 = phi_4161_;
+                            let _e2527 = phi_4162_;
+                            let _e2529 = phi_4163_;
+                            let _e2531 = phi_4164_;
+                            let _e2533 = phi_4165_;
+                            let _e2535 = phi_4166_;
+                            let _e2537 = phi_4167_;
+                            if _e2529 {
+                                let _e2542 = local_7.member[0u];
+                                let _e2548 = local_7.member_1[0u];
+                                let _e2554 = local_7.member_2[0u];
+                                let _e2558 = (_e2542[0] - _e2548[0]);
+                                let _e2559 = (_e2542[1] - _e2548[1]);
+                                let _e2560 = (_e2542[2] - _e2548[2]);
+                                let _e2561 = (_e230.member == 0u);
+                                let _e2573 = local_7.member[1u];
+                                let _e2579 = local_7.member_1[1u];
                                 let _e2585 = local_7.member_2[1u];
-                                let _e2591 = select(_e2585[0], -(_e2585[0]), (_e2585[0] < 0.0lf));
-                                let _e2594 = select(_e2585[1], -(_e2585[1]), (_e2585[1] < 0.0lf));
-                                let _e2596 = select(_e2594, _e2591, (_e2591 > _e2594));
-                                let _e2599 = select(_e2585[2], -(_e2585[2]), (_e2585[2] < 0.0lf));
-                                let _e2601 = select(_e2599, _e2596, (_e2596 > _e2599));
-                                let _e2605 = local_7.member_3;
-                                let _e2613 = local_7.member_3;
-                                let _e2621 = (_e524 * f64(0.00390625f));
-                                let _e2622 = f64(0f);
-                                let _e2623 = f64(1f);
-                                local = type_44(array<f64, 4>(_e2622, _e2622, _e2622, _e2622), array<f64, 4>(_e2622, _e2622, _e2622, _e2622), array<f64, 4>(_e2623, _e2623, _e2623, _e2623));
-                                phi_4373_ = type_9(0u, 96u);
-                                phi_4376_ = _e2399.member;
-                                phi_4378_ = _e2399.member;
-                                phi_4380_ = (_e2399.member_1 - _e2399.member);
-                                phi_4382_ = _e2399.member;
-                                phi_4384_ = false;
-                                phi_4386_ = 0u;
+                                let _e2589 = (_e2573[0] - _e2579[0]);
+                                let _e2590 = (_e2573[1] - _e2579[1]);
+                                let _e2591 = (_e2573[2] - _e2579[2]);
+                                let _e2592 = (_e230.member == 0u);
+                                let _e2604 = local_7.member[0u];
+                                let _e2610 = select(_e2604[0], -(_e2604[0]), (_e2604[0] < 0.0lf));
+                                let _e2613 = select(_e2604[1], -(_e2604[1]), (_e2604[1] < 0.0lf));
+                                let _e2615 = select(_e2613, _e2610, (_e2610 > _e2613));
+                                let _e2618 = select(_e2604[2], -(_e2604[2]), (_e2604[2] < 0.0lf));
+                                let _e2620 = select(_e2618, _e2615, (_e2615 > _e2618));
+                                let _e2623 = local_7.member[1u];
+                                let _e2629 = select(_e2623[0], -(_e2623[0]), (_e2623[0] < 0.0lf));
+                                let _e2632 = select(_e2623[1], -(_e2623[1]), (_e2623[1] < 0.0lf));
+                                let _e2634 = select(_e2632, _e2629, (_e2629 > _e2632));
+                                let _e2637 = select(_e2623[2], -(_e2623[2]), (_e2623[2] < 0.0lf));
+                                let _e2639 = select(_e2637, _e2634, (_e2634 > _e2637));
+                                let _e2643 = local_7.member_3;
+                                let _e2647 = local_7.member_1[0u];
+                                let _e2653 = select(_e2647[0], -(_e2647[0]), (_e2647[0] < 0.0lf));
+                                let _e2656 = select(_e2647[1], -(_e2647[1]), (_e2647[1] < 0.0lf));
+                                let _e2658 = select(_e2656, _e2653, (_e2653 > _e2656));
+                                let _e2661 = select(_e2647[2], -(_e2647[2]), (_e2647[2] < 0.0lf));
+                                let _e2663 = select(_e2661, _e2658, (_e2658 > _e2661));
+                                let _e2666 = local_7.member_1[1u];
+                                let _e2672 = select(_e2666[0], -(_e2666[0]), (_e2666[0] < 0.0lf));
+                                let _e2675 = select(_e2666[1], -(_e2666[1]), (_e2666[1] < 0.0lf));
+                                let _e2677 = select(_e2675, _e2672, (_e2672 > _e2675));
+                                let _e2680 = select(_e2666[2], -(_e2666[2]), (_e2666[2] < 0.0lf));
+                                let _e2682 = select(_e2680, _e2677, (_e2677 > _e2680));
+                                let _e2686 = local_7.member_3;
+                                let _e2690 = local_7.member_2[0u];
+                                let _e2696 = select(_e2690[0], -(_e2690[0]), (_e2690[0] < 0.0lf));
+                                let _e2699 = select(_e2690[1], -(_e2690[1]), (_e2690[1] < 0.0lf));
+                                let _e2701 = select(_e2699, _e2696, (_e2696 > _e2699));
+                                let _e2704 = select(_e2690[2], -(_e2690[2]), (_e2690[2] < 0.0lf));
+                                let _e2706 = select(_e2704, _e2701, (_e2701 > _e2704));
+                                let _e2709 = local_7.member_2[1u];
+                                let _e2715 = select(_e2709[0], -(_e2709[0]), (_e2709[0] < 0.0lf));
+                                let _e2718 = select(_e2709[1], -(_e2709[1]), (_e2709[1] < 0.0lf));
+                                let _e2720 = select(_e2718, _e2715, (_e2715 > _e2718));
+                                let _e2723 = select(_e2709[2], -(_e2709[2]), (_e2709[2] < 0.0lf));
+                                let _e2725 = select(_e2723, _e2720, (_e2720 > _e2723));
+                                let _e2729 = local_7.member_3;
+                                let _e2737 = local_7.member_3;
+                                let _e2745 = (_e524 * f64(0.00390625f));
+                                let _e2746 = f64(0f);
+                                let _e2747 = f64(1f);
+                                local = type_44(array<f64, 4>(_e2746, _e2746, _e2746, _e2746), array<f64, 4>(_e2746, _e2746, _e2746, _e2746), array<f64, 4>(_e2747, _e2747, _e2747, _e2747));
+                                phi_4596_ = type_9(0u, 96u);
+                                phi_4599_ = _e2523.member;
+                                phi_4601_ = _e2523.member;
+                                phi_4603_ = (_e2523.member_1 - _e2523.member);
+                                phi_4605_ = _e2523.member;
+                                phi_4607_ = false;
+                                phi_4609_ = 0u;
                                 loop {
-                                    let _e2630 = phi_4373_;
-                                    let _e2632 = phi_4376_;
-                                    let _e2634 = phi_4378_;
-                                    let _e2636 = phi_4380_;
-                                    let _e2638 = phi_4382_;
-                                    let _e2640 = phi_4384_;
-                                    let _e2642 = phi_4386_;
-                                    local_32 = _e2632;
-                                    local_36 = _e2634;
-                                    let _e2645 = (_e2630.member < _e2630.member_1);
-                                    if (bitcast<i32>(select(0u, 1u, _e2645)) != 0i) {
-                                        let _e2659 = local_7.member[0u];
-                                        let _e2665 = local_7.member[1u];
-                                        let _e2681 = local_7.member_1[0u];
-                                        let _e2687 = local_7.member_1[1u];
-                                        let _e2703 = local_7.member_2[0u];
-                                        let _e2709 = local_7.member_2[1u];
-                                        let _e2723 = function_5(array<f64, 3>((_e2659[0] + ((_e2665[0] - _e2659[0]) * _e2632)), (_e2659[1] + ((_e2665[1] - _e2659[1]) * _e2632)), (_e2659[2] + ((_e2665[2] - _e2659[2]) * _e2632))), array<f64, 3>((_e2681[0] + ((_e2687[0] - _e2681[0]) * _e2632)), (_e2681[1] + ((_e2687[1] - _e2681[1]) * _e2632)), (_e2681[2] + ((_e2687[2] - _e2681[2]) * _e2632))), array<f64, 3>((_e2703[0] + ((_e2709[0] - _e2703[0]) * _e2632)), (_e2703[1] + ((_e2709[1] - _e2703[1]) * _e2632)), (_e2703[2] + ((_e2709[2] - _e2703[2]) * _e2632))), _e230.member);
-                                        if (_e2642 == 0u) {
-                                            phi_4538_ = _e2723;
+                                    let _e2754 = phi_4596_;
+                                    let _e2756 = phi_4599_;
+                                    let _e2758 = phi_4601_;
+                                    let _e2760 = phi_4603_;
+                                    let _e2762 = phi_4605_;
+                                    let _e2764 = phi_4607_;
+                                    let _e2766 = phi_4609_;
+                                    local_32 = _e2756;
+                                    local_36 = _e2758;
+                                    let _e2769 = (_e2754.member < _e2754.member_1);
+                                    if (bitcast<i32>(select(0u, 1u, _e2769)) != 0i) {
+                                        let _e2783 = local_7.member[0u];
+                                        let _e2789 = local_7.member[1u];
+                                        let _e2805 = local_7.member_1[0u];
+                                        let _e2811 = local_7.member_1[1u];
+                                        let _e2827 = local_7.member_2[0u];
+                                        let _e2833 = local_7.member_2[1u];
+                                        let _e2847 = function_5(array<f64, 3>((_e2783[0] + ((_e2789[0] - _e2783[0]) * _e2756)), (_e2783[1] + ((_e2789[1] - _e2783[1]) * _e2756)), (_e2783[2] + ((_e2789[2] - _e2783[2]) * _e2756))), array<f64, 3>((_e2805[0] + ((_e2811[0] - _e2805[0]) * _e2756)), (_e2805[1] + ((_e2811[1] - _e2805[1]) * _e2756)), (_e2805[2] + ((_e2811[2] - _e2805[2]) * _e2756))), array<f64, 3>((_e2827[0] + ((_e2833[0] - _e2827[0]) * _e2756)), (_e2827[1] + ((_e2833[1] - _e2827[1]) * _e2756)), (_e2827[2] + ((_e2833[2] - _e2827[2]) * _e2756))), _e230.member);
+                                        if (_e2766 == 0u) {
+                                            phi_4761_ = _e2847;
                                         } else {
-                                            let _e2725 = f64(0f);
-                                            phi_4538_ = array<f64, 3>(select(_e2725, _e2723[0], (_e2642 == 1u)), select(_e2725, _e2723[1], (_e2642 == 2u)), select(_e2725, _e2723[2], (_e2642 == 3u)));
+                                            let _e2849 = f64(0f);
+                                            phi_4761_ = array<f64, 3>(select(_e2849, _e2847[0], (_e2766 == 1u)), select(_e2849, _e2847[1], (_e2766 == 2u)), select(_e2849, _e2847[2], (_e2766 == 3u)));
                                         }
-                                        let _e2737 = phi_4538_;
-                                        let _e2751 = ((select(_e2737[0], -(_e2737[0]), (_e2737[0] < 0.0lf)) + select(_e2737[1], -(_e2737[1]), (_e2737[1] < 0.0lf))) + select(_e2737[2], -(_e2737[2]), (_e2737[2] < 0.0lf)));
-                                        if (_e2751 > f64(0f)) {
-                                            if ((bitcast<u64>(_e2751) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                let _e2758 = (f64(1f) / _e2751);
-                                                let _e2760 = (_e2737[0] * _e2758);
-                                                let _e2762 = (_e2737[1] * _e2758);
-                                                let _e2764 = (_e2737[2] * _e2758);
-                                                let _e2769 = (((_e2760 * _e2760) + (_e2762 * _e2762)) + (_e2764 * _e2764));
-                                                if (_e2769 <= 2.2250738585072014e-308lf) {
-                                                    phi_4663_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2769 > 0.0lf));
+                                        let _e2861 = phi_4761_;
+                                        let _e2875 = ((select(_e2861[0], -(_e2861[0]), (_e2861[0] < 0.0lf)) + select(_e2861[1], -(_e2861[1]), (_e2861[1] < 0.0lf))) + select(_e2861[2], -(_e2861[2]), (_e2861[2] < 0.0lf)));
+                                        if (_e2875 > f64(0f)) {
+                                            if ((bitcast<u64>(_e2875) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                let _e2882 = (f64(1f) / _e2875);
+                                                let _e2884 = (_e2861[0] * _e2882);
+                                                let _e2886 = (_e2861[1] * _e2882);
+                                                let _e2888 = (_e2861[2] * _e2882);
+                                                let _e2893 = (((_e2884 * _e2884) + (_e2886 * _e2886)) + (_e2888 * _e2888));
+                                                if (_e2893 <= 2.2250738585072014e-308lf) {
+                                                    phi_4886_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2893 > 0.0lf));
                                                 } else {
-                                                    phi_4606_ = type_16(0i, 5i);
-                                                    phi_4609_ = bitcast<f64>(((bitcast<u64>(_e2769) / 2lu) + 2303426169912950784lu));
+                                                    phi_4829_ = type_16(0i, 5i);
+                                                    phi_4832_ = bitcast<f64>(((bitcast<u64>(_e2893) / 2lu) + 2303426169912950784lu));
                                                     loop {
-                                                        let _e2776 = phi_4606_;
-                                                        let _e2778 = phi_4609_;
-                                                        local_20 = _e2778;
-                                                        if (_e2776.member < _e2776.member_1) {
-                                                            let _e2785 = (_e2776.member + 1i);
-                                                            phi_4607_ = type_16(select(_e2785, type_17().member_1, select(false, true, ((false == (_e2785 > _e2776.member)) != false))), _e2776.member_1);
-                                                            phi_4650_ = type_17(1u, _e2776.member);
+                                                        let _e2900 = phi_4829_;
+                                                        let _e2902 = phi_4832_;
+                                                        local_20 = _e2902;
+                                                        if (_e2900.member < _e2900.member_1) {
+                                                            let _e2909 = (_e2900.member + 1i);
+                                                            phi_4830_ = type_16(select(_e2909, type_17().member_1, select(false, true, ((false == (_e2909 > _e2900.member)) != false))), _e2900.member_1);
+                                                            phi_4873_ = type_17(1u, _e2900.member);
                                                         } else {
-                                                            phi_4607_ = _e2776;
-                                                            phi_4650_ = type_17(0u, type_17().member_1);
+                                                            phi_4830_ = _e2900;
+                                                            phi_4873_ = type_17(0u, type_17().member_1);
                                                         }
-                                                        let _e2796 = phi_4607_;
-                                                        let _e2798 = phi_4650_;
-                                                        let _e2801 = (bitcast<i32>(_e2798.member) != 0i);
-                                                        if _e2801 {
-                                                            phi_4610_ = (0.5lf * (_e2778 + (_e2769 / _e2778)));
+                                                        let _e2920 = phi_4830_;
+                                                        let _e2922 = phi_4873_;
+                                                        let _e2925 = (bitcast<i32>(_e2922.member) != 0i);
+                                                        if _e2925 {
+                                                            phi_4833_ = (0.5lf * (_e2902 + (_e2893 / _e2902)));
                                                         } else {
-                                                            phi_4610_ = f64();
+                                                            phi_4833_ = f64();
                                                         }
-                                                        let _e2806 = phi_4610_;
+                                                        let _e2930 = phi_4833_;
                                                         continue;
                                                         continuing {
-                                                            phi_4606_ = _e2796;
-                                                            phi_4609_ = _e2806;
-                                                            break if !(_e2801);
+                                                            phi_4829_ = _e2920;
+                                                            phi_4832_ = _e2930;
+                                                            break if !(_e2925);
                                                         }
                                                     }
-                                                    let _e2811 = local_20;
-                                                    phi_4663_ = (_e2811 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                    let _e2935 = local_20;
+                                                    phi_4886_ = (_e2935 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                 }
-                                                let _e2817 = phi_4663_;
-                                                let _e2819 = (1.1102230246251565e-16lf * f64(12f));
-                                                let _e2826 = ((((((((select(_e2515, _e2496, (_e2496 > _e2515)) + _e2519) + (select(_e2558, _e2539, (_e2539 > _e2558)) + _e2562)) + (select(_e2601, _e2582, (_e2582 > _e2601)) + _e2605)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2613 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e1131 * _e2817) * (f64(1f) + _e2819)));
-                                                let _e2831 = (((_e2760 * _e2418[0]) + (_e2762 * _e2418[1])) + (_e2764 * _e2418[2]));
-                                                let _e2836 = (((_e2760 * _e2434) + (_e2762 * _e2435)) + (_e2764 * _e2436));
-                                                let _e2841 = (((_e2760 * (_e2418[0] - _e2430[0])) + (_e2762 * (_e2418[1] - _e2430[1]))) + (_e2764 * (_e2418[2] - _e2430[2])));
-                                                let _e2846 = (((_e2760 * select((_e2434 - _e2430[0]), _e2418[0], _e2437)) + (_e2762 * select((_e2435 - _e2430[1]), _e2418[1], _e2437))) + (_e2764 * select((_e2436 - _e2430[2]), _e2418[2], _e2437)));
-                                                let _e2852 = (((_e2760 * _e2449[0]) + (_e2762 * _e2449[1])) + (_e2764 * _e2449[2]));
-                                                let _e2857 = (((_e2760 * _e2465) + (_e2762 * _e2466)) + (_e2764 * _e2467));
-                                                let _e2862 = (((_e2760 * (_e2449[0] - _e2461[0])) + (_e2762 * (_e2449[1] - _e2461[1]))) + (_e2764 * (_e2449[2] - _e2461[2])));
-                                                let _e2867 = (((_e2760 * select((_e2465 - _e2461[0]), _e2449[0], _e2468)) + (_e2762 * select((_e2466 - _e2461[1]), _e2449[1], _e2468))) + (_e2764 * select((_e2467 - _e2461[2]), _e2449[2], _e2468)));
-                                                phi_4789_ = type_44(array<f64, 4>(_e2831, _e2836, _e2841, _e2846), array<f64, 4>(_e2852, _e2857, _e2862, _e2867), array<f64, 4>((_e2826 + ((select(_e2831, -(_e2831), (_e2831 < 0.0lf)) + select(_e2852, -(_e2852), (_e2852 < 0.0lf))) * _e2819)), (_e2826 + ((select(_e2836, -(_e2836), (_e2836 < 0.0lf)) + select(_e2857, -(_e2857), (_e2857 < 0.0lf))) * _e2819)), (_e2826 + ((select(_e2841, -(_e2841), (_e2841 < 0.0lf)) + select(_e2862, -(_e2862), (_e2862 < 0.0lf))) * _e2819)), (_e2826 + ((select(_e2846, -(_e2846), (_e2846 < 0.0lf)) + select(_e2867, -(_e2867), (_e2867 < 0.0lf))) * _e2819))));
-                                                phi_4790_ = false;
+                                                let _e2941 = phi_4886_;
+                                                let _e2943 = (1.1102230246251565e-16lf * f64(12f));
+                                                let _e2950 = ((((((((select(_e2639, _e2620, (_e2620 > _e2639)) + _e2643) + (select(_e2682, _e2663, (_e2663 > _e2682)) + _e2686)) + (select(_e2725, _e2706, (_e2706 > _e2725)) + _e2729)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2737 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e1255 * _e2941) * (f64(1f) + _e2943)));
+                                                let _e2955 = (((_e2884 * _e2542[0]) + (_e2886 * _e2542[1])) + (_e2888 * _e2542[2]));
+                                                let _e2960 = (((_e2884 * _e2558) + (_e2886 * _e2559)) + (_e2888 * _e2560));
+                                                let _e2965 = (((_e2884 * (_e2542[0] - _e2554[0])) + (_e2886 * (_e2542[1] - _e2554[1]))) + (_e2888 * (_e2542[2] - _e2554[2])));
+                                                let _e2970 = (((_e2884 * select((_e2558 - _e2554[0]), _e2542[0], _e2561)) + (_e2886 * select((_e2559 - _e2554[1]), _e2542[1], _e2561))) + (_e2888 * select((_e2560 - _e2554[2]), _e2542[2], _e2561)));
+                                                let _e2976 = (((_e2884 * _e2573[0]) + (_e2886 * _e2573[1])) + (_e2888 * _e2573[2]));
+                                                let _e2981 = (((_e2884 * _e2589) + (_e2886 * _e2590)) + (_e2888 * _e2591));
+                                                let _e2986 = (((_e2884 * (_e2573[0] - _e2585[0])) + (_e2886 * (_e2573[1] - _e2585[1]))) + (_e2888 * (_e2573[2] - _e2585[2])));
+                                                let _e2991 = (((_e2884 * select((_e2589 - _e2585[0]), _e2573[0], _e2592)) + (_e2886 * select((_e2590 - _e2585[1]), _e2573[1], _e2592))) + (_e2888 * select((_e2591 - _e2585[2]), _e2573[2], _e2592)));
+                                                phi_5012_ = type_44(array<f64, 4>(_e2955, _e2960, _e2965, _e2970), array<f64, 4>(_e2976, _e2981, _e2986, _e2991), array<f64, 4>((_e2950 + ((select(_e2955, -(_e2955), (_e2955 < 0.0lf)) + select(_e2976, -(_e2976), (_e2976 < 0.0lf))) * _e2943)), (_e2950 + ((select(_e2960, -(_e2960), (_e2960 < 0.0lf)) + select(_e2981, -(_e2981), (_e2981 < 0.0lf))) * _e2943)), (_e2950 + ((select(_e2965, -(_e2965), (_e2965 < 0.0lf)) + select(_e2986, -(_e2986), (_e2986 < 0.0lf))) * _e2943)), (_e2950 + ((select(_e2970, -(_e2970), (_e2970 < 0.0lf)) + select(_e2991, -(_e2991), (_e2991 < 0.0lf))) * _e2943))));
+                                                phi_5013_ = false;
                                             } else {
-                                                phi_4789_ = type_44();
-                                                phi_4790_ = true;
+                                                phi_5012_ = type_44();
+                                                phi_5013_ = true;
                                             }
-                                            let _e2908 = phi_4789_;
-                                            let _e2910 = phi_4790_;
-                                            phi_4791_ = _e2908;
-                                            phi_4792_ = _e2910;
+                                            let _e3032 = phi_5012_;
+                                            let _e3034 = phi_5013_;
+                                            phi_5014_ = _e3032;
+                                            phi_5015_ = _e3034;
                                         } else {
-                                            phi_4791_ = type_44();
-                                            phi_4792_ = true;
+                                            phi_5014_ = type_44();
+                                            phi_5015_ = true;
                                         }
-                                        let _e2912 = phi_4791_;
-                                        let _e2914 = phi_4792_;
-                                        if _e2914 {
-                                            let _e2915 = f64(0f);
-                                            let _e2916 = f64(1f);
-                                            phi_4802_ = type_44(array<f64, 4>(_e2915, _e2915, _e2915, _e2915), array<f64, 4>(_e2915, _e2915, _e2915, _e2915), array<f64, 4>(_e2916, _e2916, _e2916, _e2916));
+                                        let _e3036 = phi_5014_;
+                                        let _e3038 = phi_5015_;
+                                        if _e3038 {
+                                            let _e3039 = f64(0f);
+                                            let _e3040 = f64(1f);
+                                            phi_5025_ = type_44(array<f64, 4>(_e3039, _e3039, _e3039, _e3039), array<f64, 4>(_e3039, _e3039, _e3039, _e3039), array<f64, 4>(_e3040, _e3040, _e3040, _e3040));
                                         } else {
-                                            phi_4802_ = _e2912;
+                                            phi_5025_ = _e3036;
                                         }
-                                        let _e2922 = phi_4802_;
-                                        local_1 = type_44(array<f64, 4>(_e2922.member[0], _e2922.member[1], _e2922.member[2], _e2922.member[3]), array<f64, 4>(_e2922.member_1[0], _e2922.member_1[1], _e2922.member_1[2], _e2922.member_1[3]), array<f64, 4>(_e2922.member_2[0], _e2922.member_2[1], _e2922.member_2[2], _e2922.member_2[3]));
-                                        let _e2942 = (_e2632 - _e2638);
-                                        let _e2944 = f64(0f);
-                                        let _e2947 = local_1.member[0u];
-                                        let _e2950 = local_1.member_1[0u];
-                                        let _e2953 = local_1.member[0u];
-                                        let _e2959 = local_1.member_2[0u];
-                                        if (((_e2947 + ((_e2950 - _e2953) * _e2632)) - _e2959) > _e2944) {
-                                            let _e2964 = local_1.member[1u];
-                                            let _e2967 = local_1.member_1[1u];
-                                            let _e2970 = local_1.member[1u];
-                                            let _e2976 = local_1.member_2[1u];
-                                            if (((_e2964 + ((_e2967 - _e2970) * _e2632)) - _e2976) > _e2944) {
-                                                let _e2981 = local_1.member[2u];
-                                                let _e2984 = local_1.member_1[2u];
-                                                let _e2987 = local_1.member[2u];
-                                                let _e2993 = local_1.member_2[2u];
-                                                if (((_e2981 + ((_e2984 - _e2987) * _e2632)) - _e2993) > _e2944) {
-                                                    let _e2998 = local_1.member[3u];
-                                                    let _e3001 = local_1.member_1[3u];
-                                                    let _e3004 = local_1.member[3u];
-                                                    let _e3010 = local_1.member_2[3u];
-                                                    phi_4974_ = (((_e2998 + ((_e3001 - _e3004) * _e2632)) - _e3010) > _e2944);
-                                                    phi_4975_ = false;
+                                        let _e3046 = phi_5025_;
+                                        local_1 = type_44(array<f64, 4>(_e3046.member[0], _e3046.member[1], _e3046.member[2], _e3046.member[3]), array<f64, 4>(_e3046.member_1[0], _e3046.member_1[1], _e3046.member_1[2], _e3046.member_1[3]), array<f64, 4>(_e3046.member_2[0], _e3046.member_2[1], _e3046.member_2[2], _e3046.member_2[3]));
+                                        let _e3066 = (_e2756 - _e2762);
+                                        let _e3068 = f64(0f);
+                                        let _e3071 = local_1.member[0u];
+                                        let _e3074 = local_1.member_1[0u];
+                                        let _e3077 = local_1.member[0u];
+                                        let _e3083 = local_1.member_2[0u];
+                                        if (((_e3071 + ((_e3074 - _e3077) * _e2756)) - _e3083) > _e3068) {
+                                            let _e3088 = local_1.member[1u];
+                                            let _e3091 = local_1.member_1[1u];
+                                            let _e3094 = local_1.member[1u];
+                                            let _e3100 = local_1.member_2[1u];
+                                            if (((_e3088 + ((_e3091 - _e3094) * _e2756)) - _e3100) > _e3068) {
+                                                let _e3105 = local_1.member[2u];
+                                                let _e3108 = local_1.member_1[2u];
+                                                let _e3111 = local_1.member[2u];
+                                                let _e3117 = local_1.member_2[2u];
+                                                if (((_e3105 + ((_e3108 - _e3111) * _e2756)) - _e3117) > _e3068) {
+                                                    let _e3122 = local_1.member[3u];
+                                                    let _e3125 = local_1.member_1[3u];
+                                                    let _e3128 = local_1.member[3u];
+                                                    let _e3134 = local_1.member_2[3u];
+                                                    phi_5197_ = (((_e3122 + ((_e3125 - _e3128) * _e2756)) - _e3134) > _e3068);
+                                                    phi_5198_ = false;
                                                 } else {
-                                                    phi_4974_ = bool();
-                                                    phi_4975_ = true;
+                                                    phi_5197_ = bool();
+                                                    phi_5198_ = true;
                                                 }
-                                                let _e3014 = phi_4974_;
-                                                let _e3016 = phi_4975_;
-                                                phi_4976_ = _e3014;
-                                                phi_4977_ = _e3016;
+                                                let _e3138 = phi_5197_;
+                                                let _e3140 = phi_5198_;
+                                                phi_5199_ = _e3138;
+                                                phi_5200_ = _e3140;
                                             } else {
-                                                phi_4976_ = bool();
-                                                phi_4977_ = true;
+                                                phi_5199_ = bool();
+                                                phi_5200_ = true;
                                             }
-                                            let _e3018 = phi_4976_;
-                                            let _e3020 = phi_4977_;
-                                            phi_4978_ = _e3018;
-                                            phi_4979_ = _e3020;
+                                            let _e3142 = phi_5199_;
+                                            let _e3144 = phi_5200_;
+                                            phi_5201_ = _e3142;
+                                            phi_5202_ = _e3144;
                                         } else {
-                                            phi_4978_ = bool();
-                                            phi_4979_ = true;
+                                            phi_5201_ = bool();
+                                            phi_5202_ = true;
                                         }
-                                        let _e3022 = phi_4978_;
-                                        let _e3024 = phi_4979_;
-                                        if select(_e3022, false, _e3024) {
-                                            if (_e2632 <= _e2634) {
-                                                phi_5294_ = true;
+                                        let _e3146 = phi_5201_;
+                                        let _e3148 = phi_5202_;
+                                        if select(_e3146, false, _e3148) {
+                                            if (_e2756 <= _e2758) {
+                                                phi_5517_ = true;
                                             } else {
-                                                let _e3027 = f64(0f);
-                                                let _e3030 = local.member[0u];
-                                                let _e3033 = local.member_1[0u];
-                                                let _e3036 = local.member[0u];
-                                                let _e3042 = local.member_2[0u];
-                                                let _e3046 = local_1.member[0u];
-                                                let _e3049 = local_1.member_1[0u];
-                                                let _e3052 = local_1.member[0u];
-                                                let _e3058 = local_1.member_2[0u];
-                                                if ((((_e3030 + ((_e3033 - _e3036) * _e2632)) - _e3042) + ((_e3046 + ((_e3049 - _e3052) * _e2638)) - _e3058)) > _e3027) {
-                                                    let _e3064 = local.member[1u];
-                                                    let _e3067 = local.member_1[1u];
-                                                    let _e3070 = local.member[1u];
-                                                    let _e3076 = local.member_2[1u];
-                                                    let _e3080 = local_1.member[1u];
-                                                    let _e3083 = local_1.member_1[1u];
-                                                    let _e3086 = local_1.member[1u];
-                                                    let _e3092 = local_1.member_2[1u];
-                                                    if ((((_e3064 + ((_e3067 - _e3070) * _e2632)) - _e3076) + ((_e3080 + ((_e3083 - _e3086) * _e2638)) - _e3092)) > _e3027) {
-                                                        let _e3098 = local.member[2u];
-                                                        let _e3101 = local.member_1[2u];
-                                                        let _e3104 = local.member[2u];
-                                                        let _e3110 = local.member_2[2u];
-                                                        let _e3114 = local_1.member[2u];
-                                                        let _e3117 = local_1.member_1[2u];
-                                                        let _e3120 = local_1.member[2u];
-                                                        let _e3126 = local_1.member_2[2u];
-                                                        if ((((_e3098 + ((_e3101 - _e3104) * _e2632)) - _e3110) + ((_e3114 + ((_e3117 - _e3120) * _e2638)) - _e3126)) > _e3027) {
-                                                            let _e3132 = local.member[3u];
-                                                            let _e3135 = local.member_1[3u];
-                                                            let _e3138 = local.member[3u];
-                                                            let _e3144 = local.member_2[3u];
-                                                            let _e3148 = local_1.member[3u];
-                                                            let _e3151 = local_1.member_1[3u];
-                                                            let _e3154 = local_1.member[3u];
-                                                            let _e3160 = local_1.member_2[3u];
-                                                            phi_5281_ = ((((_e3132 + ((_e3135 - _e3138) * _e2632)) - _e3144) + ((_e3148 + ((_e3151 - _e3154) * _e2638)) - _e3160)) > _e3027);
-                                                            phi_5282_ = false;
+                                                let _e3151 = f64(0f);
+                                                let _e3154 = local.member[0u];
+                                                let _e3157 = local.member_1[0u];
+                                                let _e3160 = local.member[0u];
+                                                let _e3166 = local.member_2[0u];
+                                                let _e3170 = local_1.member[0u];
+                                                let _e3173 = local_1.member_1[0u];
+                                                let _e3176 = local_1.member[0u];
+                                                let _e3182 = local_1.member_2[0u];
+                                                if ((((_e3154 + ((_e3157 - _e3160) * _e2756)) - _e3166) + ((_e3170 + ((_e3173 - _e3176) * _e2762)) - _e3182)) > _e3151) {
+                                                    let _e3188 = local.member[1u];
+                                                    let _e3191 = local.member_1[1u];
+                                                    let _e3194 = local.member[1u];
+                                                    let _e3200 = local.member_2[1u];
+                                                    let _e3204 = local_1.member[1u];
+                                                    let _e3207 = local_1.member_1[1u];
+                                                    let _e3210 = local_1.member[1u];
+                                                    let _e3216 = local_1.member_2[1u];
+                                                    if ((((_e3188 + ((_e3191 - _e3194) * _e2756)) - _e3200) + ((_e3204 + ((_e3207 - _e3210) * _e2762)) - _e3216)) > _e3151) {
+                                                        let _e3222 = local.member[2u];
+                                                        let _e3225 = local.member_1[2u];
+                                                        let _e3228 = local.member[2u];
+                                                        let _e3234 = local.member_2[2u];
+                                                        let _e3238 = local_1.member[2u];
+                                                        let _e3241 = local_1.member_1[2u];
+                                                        let _e3244 = local_1.member[2u];
+                                                        let _e3250 = local_1.member_2[2u];
+                                                        if ((((_e3222 + ((_e3225 - _e3228) * _e2756)) - _e3234) + ((_e3238 + ((_e3241 - _e3244) * _e2762)) - _e3250)) > _e3151) {
+                                                            let _e3256 = local.member[3u];
+                                                            let _e3259 = local.member_1[3u];
+                                                            let _e3262 = local.member[3u];
+                                                            let _e3268 = local.member_2[3u];
+                                                            let _e3272 = local_1.member[3u];
+                                                            let _e3275 = local_1.member_1[3u];
+                                                            let _e3278 = local_1.member[3u];
+                                                            let _e3284 = local_1.member_2[3u];
+                                                            phi_5504_ = ((((_e3256 + ((_e3259 - _e3262) * _e2756)) - _e3268) + ((_e3272 + ((_e3275 - _e3278) * _e2762)) - _e3284)) > _e3151);
+                                                            phi_5505_ = false;
                                                         } else {
-                                                            phi_5281_ = bool();
-                                                            phi_5282_ = true;
+                                                            phi_5504_ = bool();
+                                                            phi_5505_ = true;
                                                         }
-                                                        let _e3165 = phi_5281_;
-                                                        let _e3167 = phi_5282_;
-                                                        phi_5283_ = _e3165;
-                                                        phi_5284_ = _e3167;
+                                                        let _e3289 = phi_5504_;
+                                                        let _e3291 = phi_5505_;
+                                                        phi_5506_ = _e3289;
+                                                        phi_5507_ = _e3291;
                                                     } else {
-                                                        phi_5283_ = bool();
-                                                        phi_5284_ = true;
+                                                        phi_5506_ = bool();
+                                                        phi_5507_ = true;
                                                     }
-                                                    let _e3169 = phi_5283_;
-                                                    let _e3171 = phi_5284_;
-                                                    phi_5285_ = _e3169;
-                                                    phi_5286_ = _e3171;
+                                                    let _e3293 = phi_5506_;
+                                                    let _e3295 = phi_5507_;
+                                                    phi_5508_ = _e3293;
+                                                    phi_5509_ = _e3295;
                                                 } else {
-                                                    phi_5285_ = bool();
-                                                    phi_5286_ = true;
+                                                    phi_5508_ = bool();
+                                                    phi_5509_ = true;
                                                 }
-                                                let _e3173 = phi_5285_;
-                                                let _e3175 = phi_5286_;
-                                                phi_5294_ = select(_e3173, false, _e3175);
+                                                let _e3297 = phi_5508_;
+                                                let _e3299 = phi_5509_;
+                                                phi_5517_ = select(_e3297, false, _e3299);
                                             }
-                                            let _e3178 = phi_5294_;
-                                            if _e3178 {
-                                                if select(true, select(true, false, (_e2632 >= _e2399.member_1)), _e2640) {
-                                                    local = type_44(array<f64, 4>(_e2922.member[0], _e2922.member[1], _e2922.member[2], _e2922.member[3]), array<f64, 4>(_e2922.member_1[0], _e2922.member_1[1], _e2922.member_1[2], _e2922.member_1[3]), array<f64, 4>(_e2922.member_2[0], _e2922.member_2[1], _e2922.member_2[2], _e2922.member_2[3]));
-                                                    let _e3203 = local.member[0u];
-                                                    let _e3206 = local.member_1[0u];
-                                                    let _e3209 = local.member_2[0u];
-                                                    if select(true, select(true, false, (_e3206 > _e3209)), (_e3203 > _e3209)) {
-                                                        let _e3214 = (_e3206 >= _e3203);
-                                                        if _e3214 {
-                                                            phi_5406_ = f64();
-                                                            phi_5407_ = false;
+                                            let _e3302 = phi_5517_;
+                                            if _e3302 {
+                                                if select(true, select(true, false, (_e2756 >= _e2523.member_1)), _e2764) {
+                                                    local = type_44(array<f64, 4>(_e3046.member[0], _e3046.member[1], _e3046.member[2], _e3046.member[3]), array<f64, 4>(_e3046.member_1[0], _e3046.member_1[1], _e3046.member_1[2], _e3046.member_1[3]), array<f64, 4>(_e3046.member_2[0], _e3046.member_2[1], _e3046.member_2[2], _e3046.member_2[3]));
+                                                    let _e3327 = local.member[0u];
+                                                    let _e3330 = local.member_1[0u];
+                                                    let _e3333 = local.member_2[0u];
+                                                    if select(true, select(true, false, (_e3330 > _e3333)), (_e3327 > _e3333)) {
+                                                        let _e3338 = (_e3330 >= _e3327);
+                                                        if _e3338 {
+                                                            phi_5629_ = f64();
+                                                            phi_5630_ = false;
                                                         } else {
-                                                            if ((_e3203 - _e3206) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_5404_ = (((_e3203 - _e3209) / (_e3203 - _e3206)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_5405_ = false;
+                                                            if ((_e3327 - _e3330) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_5627_ = (((_e3327 - _e3333) / (_e3327 - _e3330)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_5628_ = false;
                                                             } else {
-                                                                phi_5404_ = f64();
-                                                                phi_5405_ = true;
+                                                                phi_5627_ = f64();
+                                                                phi_5628_ = true;
                                                             }
-                                                            let _e3228 = phi_5404_;
-                                                            let _e3230 = phi_5405_;
-                                                            phi_5406_ = _e3228;
-                                                            phi_5407_ = _e3230;
+                                                            let _e3352 = phi_5627_;
+                                                            let _e3354 = phi_5628_;
+                                                            phi_5629_ = _e3352;
+                                                            phi_5630_ = _e3354;
                                                         }
-                                                        let _e3232 = phi_5406_;
-                                                        let _e3234 = phi_5407_;
-                                                        phi_5408_ = _e3232;
-                                                        phi_5409_ = _e3214;
-                                                        phi_5410_ = _e3234;
+                                                        let _e3356 = phi_5629_;
+                                                        let _e3358 = phi_5630_;
+                                                        phi_5631_ = _e3356;
+                                                        phi_5632_ = _e3338;
+                                                        phi_5633_ = _e3358;
                                                     } else {
-                                                        phi_5408_ = f64();
-                                                        phi_5409_ = true;
-                                                        phi_5410_ = false;
+                                                        phi_5631_ = f64();
+                                                        phi_5632_ = true;
+                                                        phi_5633_ = false;
                                                     }
-                                                    let _e3236 = phi_5408_;
-                                                    let _e3238 = phi_5409_;
-                                                    let _e3240 = phi_5410_;
-                                                    let _e3244 = select(_e3236, select(_e2632, f64(2f), _e3238), select(_e3240, true, _e3238));
-                                                    let _e3247 = local.member[1u];
-                                                    let _e3250 = local.member_1[1u];
-                                                    let _e3253 = local.member_2[1u];
-                                                    if select(true, select(true, false, (_e3250 > _e3253)), (_e3247 > _e3253)) {
-                                                        let _e3258 = (_e3250 >= _e3247);
-                                                        if _e3258 {
-                                                            phi_5478_ = f64();
-                                                            phi_5479_ = false;
+                                                    let _e3360 = phi_5631_;
+                                                    let _e3362 = phi_5632_;
+                                                    let _e3364 = phi_5633_;
+                                                    let _e3368 = select(_e3360, select(_e2756, f64(2f), _e3362), select(_e3364, true, _e3362));
+                                                    let _e3371 = local.member[1u];
+                                                    let _e3374 = local.member_1[1u];
+                                                    let _e3377 = local.member_2[1u];
+                                                    if select(true, select(true, false, (_e3374 > _e3377)), (_e3371 > _e3377)) {
+                                                        let _e3382 = (_e3374 >= _e3371);
+                                                        if _e3382 {
+                                                            phi_5701_ = f64();
+                                                            phi_5702_ = false;
                                                         } else {
-                                                            if ((_e3247 - _e3250) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_5476_ = (((_e3247 - _e3253) / (_e3247 - _e3250)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_5477_ = false;
+                                                            if ((_e3371 - _e3374) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_5699_ = (((_e3371 - _e3377) / (_e3371 - _e3374)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_5700_ = false;
                                                             } else {
-                                                                phi_5476_ = f64();
-                                                                phi_5477_ = true;
+                                                                phi_5699_ = f64();
+                                                                phi_5700_ = true;
                                                             }
-                                                            let _e3272 = phi_5476_;
-                                                            let _e3274 = phi_5477_;
-                                                            phi_5478_ = _e3272;
-                                                            phi_5479_ = _e3274;
+                                                            let _e3396 = phi_5699_;
+                                                            let _e3398 = phi_5700_;
+                                                            phi_5701_ = _e3396;
+                                                            phi_5702_ = _e3398;
                                                         }
-                                                        let _e3276 = phi_5478_;
-                                                        let _e3278 = phi_5479_;
-                                                        phi_5480_ = _e3276;
-                                                        phi_5481_ = _e3258;
-                                                        phi_5482_ = _e3278;
+                                                        let _e3400 = phi_5701_;
+                                                        let _e3402 = phi_5702_;
+                                                        phi_5703_ = _e3400;
+                                                        phi_5704_ = _e3382;
+                                                        phi_5705_ = _e3402;
                                                     } else {
-                                                        phi_5480_ = f64();
-                                                        phi_5481_ = true;
-                                                        phi_5482_ = false;
+                                                        phi_5703_ = f64();
+                                                        phi_5704_ = true;
+                                                        phi_5705_ = false;
                                                     }
-                                                    let _e3280 = phi_5480_;
-                                                    let _e3282 = phi_5481_;
-                                                    let _e3284 = phi_5482_;
-                                                    let _e3288 = select(_e3280, select(_e2632, f64(2f), _e3282), select(_e3284, true, _e3282));
-                                                    let _e3290 = select(_e3288, _e3244, (_e3244 < _e3288));
-                                                    let _e3293 = local.member[2u];
-                                                    let _e3296 = local.member_1[2u];
-                                                    let _e3299 = local.member_2[2u];
-                                                    if select(true, select(true, false, (_e3296 > _e3299)), (_e3293 > _e3299)) {
-                                                        let _e3304 = (_e3296 >= _e3293);
-                                                        if _e3304 {
-                                                            phi_5555_ = f64();
-                                                            phi_5556_ = false;
+                                                    let _e3404 = phi_5703_;
+                                                    let _e3406 = phi_5704_;
+                                                    let _e3408 = phi_5705_;
+                                                    let _e3412 = select(_e3404, select(_e2756, f64(2f), _e3406), select(_e3408, true, _e3406));
+                                                    let _e3414 = select(_e3412, _e3368, (_e3368 < _e3412));
+                                                    let _e3417 = local.member[2u];
+                                                    let _e3420 = local.member_1[2u];
+                                                    let _e3423 = local.member_2[2u];
+                                                    if select(true, select(true, false, (_e3420 > _e3423)), (_e3417 > _e3423)) {
+                                                        let _e3428 = (_e3420 >= _e3417);
+                                                        if _e3428 {
+                                                            phi_5778_ = f64();
+                                                            phi_5779_ = false;
                                                         } else {
-                                                            if ((_e3293 - _e3296) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_5553_ = (((_e3293 - _e3299) / (_e3293 - _e3296)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_5554_ = false;
+                                                            if ((_e3417 - _e3420) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_5776_ = (((_e3417 - _e3423) / (_e3417 - _e3420)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_5777_ = false;
                                                             } else {
-                                                                phi_5553_ = f64();
-                                                                phi_5554_ = true;
+                                                                phi_5776_ = f64();
+                                                                phi_5777_ = true;
                                                             }
-                                                            let _e3318 = phi_5553_;
-                                                            let _e3320 = phi_5554_;
-                                                            phi_5555_ = _e3318;
-                                                            phi_5556_ = _e3320;
+                                                            let _e3442 = phi_5776_;
+                                                            let _e3444 = phi_5777_;
+                                                            phi_5778_ = _e3442;
+                                                            phi_5779_ = _e3444;
                                                         }
-                                                        let _e3322 = phi_5555_;
-                                                        let _e3324 = phi_5556_;
-                                                        phi_5557_ = _e3322;
-                                                        phi_5558_ = _e3304;
-                                                        phi_5559_ = _e3324;
+                                                        let _e3446 = phi_5778_;
+                                                        let _e3448 = phi_5779_;
+                                                        phi_5780_ = _e3446;
+                                                        phi_5781_ = _e3428;
+                                                        phi_5782_ = _e3448;
                                                     } else {
-                                                        phi_5557_ = f64();
-                                                        phi_5558_ = true;
-                                                        phi_5559_ = false;
+                                                        phi_5780_ = f64();
+                                                        phi_5781_ = true;
+                                                        phi_5782_ = false;
                                                     }
-                                                    let _e3326 = phi_5557_;
-                                                    let _e3328 = phi_5558_;
-                                                    let _e3330 = phi_5559_;
-                                                    let _e3334 = select(_e3326, select(_e2632, f64(2f), _e3328), select(_e3330, true, _e3328));
-                                                    let _e3337 = local.member[3u];
-                                                    let _e3340 = local.member_1[3u];
-                                                    let _e3343 = local.member_2[3u];
-                                                    if select(true, select(true, false, (_e3340 > _e3343)), (_e3337 > _e3343)) {
-                                                        let _e3348 = (_e3340 >= _e3337);
-                                                        if _e3348 {
-                                                            phi_5627_ = f64();
-                                                            phi_5628_ = false;
+                                                    let _e3450 = phi_5780_;
+                                                    let _e3452 = phi_5781_;
+                                                    let _e3454 = phi_5782_;
+                                                    let _e3458 = select(_e3450, select(_e2756, f64(2f), _e3452), select(_e3454, true, _e3452));
+                                                    let _e3461 = local.member[3u];
+                                                    let _e3464 = local.member_1[3u];
+                                                    let _e3467 = local.member_2[3u];
+                                                    if select(true, select(true, false, (_e3464 > _e3467)), (_e3461 > _e3467)) {
+                                                        let _e3472 = (_e3464 >= _e3461);
+                                                        if _e3472 {
+                                                            phi_5850_ = f64();
+                                                            phi_5851_ = false;
                                                         } else {
-                                                            if ((_e3337 - _e3340) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_5625_ = (((_e3337 - _e3343) / (_e3337 - _e3340)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_5626_ = false;
+                                                            if ((_e3461 - _e3464) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_5848_ = (((_e3461 - _e3467) / (_e3461 - _e3464)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_5849_ = false;
                                                             } else {
-                                                                phi_5625_ = f64();
-                                                                phi_5626_ = true;
+                                                                phi_5848_ = f64();
+                                                                phi_5849_ = true;
                                                             }
-                                                            let _e3362 = phi_5625_;
-                                                            let _e3364 = phi_5626_;
-                                                            phi_5627_ = _e3362;
-                                                            phi_5628_ = _e3364;
+                                                            let _e3486 = phi_5848_;
+                                                            let _e3488 = phi_5849_;
+                                                            phi_5850_ = _e3486;
+                                                            phi_5851_ = _e3488;
                                                         }
-                                                        let _e3366 = phi_5627_;
-                                                        let _e3368 = phi_5628_;
-                                                        phi_5629_ = _e3366;
-                                                        phi_5630_ = _e3348;
-                                                        phi_5631_ = _e3368;
+                                                        let _e3490 = phi_5850_;
+                                                        let _e3492 = phi_5851_;
+                                                        phi_5852_ = _e3490;
+                                                        phi_5853_ = _e3472;
+                                                        phi_5854_ = _e3492;
                                                     } else {
-                                                        phi_5629_ = f64();
-                                                        phi_5630_ = true;
-                                                        phi_5631_ = false;
+                                                        phi_5852_ = f64();
+                                                        phi_5853_ = true;
+                                                        phi_5854_ = false;
                                                     }
-                                                    let _e3370 = phi_5629_;
-                                                    let _e3372 = phi_5630_;
-                                                    let _e3374 = phi_5631_;
-                                                    let _e3378 = select(_e3370, select(_e2632, f64(2f), _e3372), select(_e3374, true, _e3372));
-                                                    let _e3380 = select(_e3378, _e3334, (_e3334 < _e3378));
-                                                    let _e3382 = select(_e3380, _e3290, (_e3290 < _e3380));
-                                                    let _e3384 = select(_e2632, _e3382, (_e3382 > _e2632));
-                                                    let _e3385 = (_e3384 > _e2399.member_1);
-                                                    if _e3385 {
-                                                        phi_6173_ = f64();
-                                                        phi_6174_ = f64();
-                                                        phi_6175_ = false;
-                                                        phi_6176_ = false;
+                                                    let _e3494 = phi_5852_;
+                                                    let _e3496 = phi_5853_;
+                                                    let _e3498 = phi_5854_;
+                                                    let _e3502 = select(_e3494, select(_e2756, f64(2f), _e3496), select(_e3498, true, _e3496));
+                                                    let _e3504 = select(_e3502, _e3458, (_e3458 < _e3502));
+                                                    let _e3506 = select(_e3504, _e3414, (_e3414 < _e3504));
+                                                    let _e3508 = select(_e2756, _e3506, (_e3506 > _e2756));
+                                                    let _e3509 = (_e3508 > _e2523.member_1);
+                                                    if _e3509 {
+                                                        phi_6396_ = f64();
+                                                        phi_6397_ = f64();
+                                                        phi_6398_ = false;
+                                                        phi_6399_ = false;
                                                     } else {
-                                                        let _e3386 = (_e3384 - _e2632);
-                                                        let _e3387 = (_e3386 <= _e2621);
-                                                        let _e3390 = (_e3384 + (_e524 * f64(0.01f)));
-                                                        let _e3392 = select(_e2399.member_1, _e3390, (_e3390 < _e2399.member_1));
-                                                        if _e3387 {
-                                                            if (_e1131 > f64(0f)) {
-                                                                let _e3397 = local_7.member[0u];
-                                                                let _e3403 = local_7.member[1u];
-                                                                let _e3419 = local_7.member_1[0u];
-                                                                let _e3425 = local_7.member_1[1u];
-                                                                let _e3441 = local_7.member_2[0u];
-                                                                let _e3447 = local_7.member_2[1u];
-                                                                let _e3461 = function_5(array<f64, 3>((_e3397[0] + ((_e3403[0] - _e3397[0]) * _e3392)), (_e3397[1] + ((_e3403[1] - _e3397[1]) * _e3392)), (_e3397[2] + ((_e3403[2] - _e3397[2]) * _e3392))), array<f64, 3>((_e3419[0] + ((_e3425[0] - _e3419[0]) * _e3392)), (_e3419[1] + ((_e3425[1] - _e3419[1]) * _e3392)), (_e3419[2] + ((_e3425[2] - _e3419[2]) * _e3392))), array<f64, 3>((_e3441[0] + ((_e3447[0] - _e3441[0]) * _e3392)), (_e3441[1] + ((_e3447[1] - _e3441[1]) * _e3392)), (_e3441[2] + ((_e3447[2] - _e3441[2]) * _e3392))), _e230.member);
-                                                                let _e3472 = (((_e3461[0] * _e3461[0]) + (_e3461[1] * _e3461[1])) + (_e3461[2] * _e3461[2]));
-                                                                if (_e3472 <= 2.2250738585072014e-308lf) {
-                                                                    phi_5865_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3472 > 0.0lf));
+                                                        let _e3510 = (_e3508 - _e2756);
+                                                        let _e3511 = (_e3510 <= _e2745);
+                                                        let _e3514 = (_e3508 + (_e524 * f64(0.01f)));
+                                                        let _e3516 = select(_e2523.member_1, _e3514, (_e3514 < _e2523.member_1));
+                                                        if _e3511 {
+                                                            if (_e1255 > f64(0f)) {
+                                                                let _e3521 = local_7.member[0u];
+                                                                let _e3527 = local_7.member[1u];
+                                                                let _e3543 = local_7.member_1[0u];
+                                                                let _e3549 = local_7.member_1[1u];
+                                                                let _e3565 = local_7.member_2[0u];
+                                                                let _e3571 = local_7.member_2[1u];
+                                                                let _e3585 = function_5(array<f64, 3>((_e3521[0] + ((_e3527[0] - _e3521[0]) * _e3516)), (_e3521[1] + ((_e3527[1] - _e3521[1]) * _e3516)), (_e3521[2] + ((_e3527[2] - _e3521[2]) * _e3516))), array<f64, 3>((_e3543[0] + ((_e3549[0] - _e3543[0]) * _e3516)), (_e3543[1] + ((_e3549[1] - _e3543[1]) * _e3516)), (_e3543[2] + ((_e3549[2] - _e3543[2]) * _e3516))), array<f64, 3>((_e3565[0] + ((_e3571[0] - _e3565[0]) * _e3516)), (_e3565[1] + ((_e3571[1] - _e3565[1]) * _e3516)), (_e3565[2] + ((_e3571[2] - _e3565[2]) * _e3516))), _e230.member);
+                                                                let _e3596 = (((_e3585[0] * _e3585[0]) + (_e3585[1] * _e3585[1])) + (_e3585[2] * _e3585[2]));
+                                                                if (_e3596 <= 2.2250738585072014e-308lf) {
+                                                                    phi_6088_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3596 > 0.0lf));
                                                                 } else {
-                                                                    phi_5808_ = type_16(0i, 5i);
-                                                                    phi_5811_ = bitcast<f64>(((bitcast<u64>(_e3472) / 2lu) + 2303426169912950784lu));
+                                                                    phi_6031_ = type_16(0i, 5i);
+                                                                    phi_6034_ = bitcast<f64>(((bitcast<u64>(_e3596) / 2lu) + 2303426169912950784lu));
                                                                     loop {
-                                                                        let _e3479 = phi_5808_;
-                                                                        let _e3481 = phi_5811_;
-                                                                        local_21 = _e3481;
-                                                                        if (_e3479.member < _e3479.member_1) {
-                                                                            let _e3488 = (_e3479.member + 1i);
-                                                                            phi_5809_ = type_16(select(_e3488, type_17().member_1, select(false, true, ((false == (_e3488 > _e3479.member)) != false))), _e3479.member_1);
-                                                                            phi_5852_ = type_17(1u, _e3479.member);
+                                                                        let _e3603 = phi_6031_;
+                                                                        let _e3605 = phi_6034_;
+                                                                        local_21 = _e3605;
+                                                                        if (_e3603.member < _e3603.member_1) {
+                                                                            let _e3612 = (_e3603.member + 1i);
+                                                                            phi_6032_ = type_16(select(_e3612, type_17().member_1, select(false, true, ((false == (_e3612 > _e3603.member)) != false))), _e3603.member_1);
+                                                                            phi_6075_ = type_17(1u, _e3603.member);
                                                                         } else {
-                                                                            phi_5809_ = _e3479;
-                                                                            phi_5852_ = type_17(0u, type_17().member_1);
+                                                                            phi_6032_ = _e3603;
+                                                                            phi_6075_ = type_17(0u, type_17().member_1);
                                                                         }
-                                                                        let _e3499 = phi_5809_;
-                                                                        let _e3501 = phi_5852_;
-                                                                        let _e3504 = (bitcast<i32>(_e3501.member) != 0i);
-                                                                        if _e3504 {
-                                                                            phi_5812_ = (0.5lf * (_e3481 + (_e3472 / _e3481)));
+                                                                        let _e3623 = phi_6032_;
+                                                                        let _e3625 = phi_6075_;
+                                                                        let _e3628 = (bitcast<i32>(_e3625.member) != 0i);
+                                                                        if _e3628 {
+                                                                            phi_6035_ = (0.5lf * (_e3605 + (_e3596 / _e3605)));
                                                                         } else {
-                                                                            phi_5812_ = f64();
+                                                                            phi_6035_ = f64();
                                                                         }
-                                                                        let _e3509 = phi_5812_;
+                                                                        let _e3633 = phi_6035_;
                                                                         continue;
                                                                         continuing {
-                                                                            phi_5808_ = _e3499;
-                                                                            phi_5811_ = _e3509;
-                                                                            break if !(_e3504);
+                                                                            phi_6031_ = _e3623;
+                                                                            phi_6034_ = _e3633;
+                                                                            break if !(_e3628);
                                                                         }
                                                                     }
-                                                                    let _e3514 = local_21;
-                                                                    phi_5865_ = (_e3514 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                    let _e3638 = local_21;
+                                                                    phi_6088_ = (_e3638 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                                 }
-                                                                let _e3520 = phi_5865_;
-                                                                let _e3528 = local_7.member[0u];
-                                                                let _e3534 = select(_e3528[0], -(_e3528[0]), (_e3528[0] < 0.0lf));
-                                                                let _e3537 = select(_e3528[1], -(_e3528[1]), (_e3528[1] < 0.0lf));
-                                                                let _e3539 = select(_e3537, _e3534, (_e3534 > _e3537));
-                                                                let _e3542 = select(_e3528[2], -(_e3528[2]), (_e3528[2] < 0.0lf));
-                                                                let _e3544 = select(_e3542, _e3539, (_e3539 > _e3542));
-                                                                let _e3547 = local_7.member[1u];
-                                                                let _e3553 = select(_e3547[0], -(_e3547[0]), (_e3547[0] < 0.0lf));
-                                                                let _e3556 = select(_e3547[1], -(_e3547[1]), (_e3547[1] < 0.0lf));
-                                                                let _e3558 = select(_e3556, _e3553, (_e3553 > _e3556));
-                                                                let _e3561 = select(_e3547[2], -(_e3547[2]), (_e3547[2] < 0.0lf));
-                                                                let _e3563 = select(_e3561, _e3558, (_e3558 > _e3561));
-                                                                let _e3567 = local_7.member_3;
-                                                                let _e3571 = local_7.member_1[0u];
-                                                                let _e3577 = select(_e3571[0], -(_e3571[0]), (_e3571[0] < 0.0lf));
-                                                                let _e3580 = select(_e3571[1], -(_e3571[1]), (_e3571[1] < 0.0lf));
-                                                                let _e3582 = select(_e3580, _e3577, (_e3577 > _e3580));
-                                                                let _e3585 = select(_e3571[2], -(_e3571[2]), (_e3571[2] < 0.0lf));
-                                                                let _e3587 = select(_e3585, _e3582, (_e3582 > _e3585));
-                                                                let _e3590 = local_7.member_1[1u];
-                                                                let _e3596 = select(_e3590[0], -(_e3590[0]), (_e3590[0] < 0.0lf));
-                                                                let _e3599 = select(_e3590[1], -(_e3590[1]), (_e3590[1] < 0.0lf));
-                                                                let _e3601 = select(_e3599, _e3596, (_e3596 > _e3599));
-                                                                let _e3604 = select(_e3590[2], -(_e3590[2]), (_e3590[2] < 0.0lf));
-                                                                let _e3606 = select(_e3604, _e3601, (_e3601 > _e3604));
-                                                                let _e3610 = local_7.member_3;
-                                                                let _e3614 = local_7.member_2[0u];
-                                                                let _e3620 = select(_e3614[0], -(_e3614[0]), (_e3614[0] < 0.0lf));
-                                                                let _e3623 = select(_e3614[1], -(_e3614[1]), (_e3614[1] < 0.0lf));
-                                                                let _e3625 = select(_e3623, _e3620, (_e3620 > _e3623));
-                                                                let _e3628 = select(_e3614[2], -(_e3614[2]), (_e3614[2] < 0.0lf));
-                                                                let _e3630 = select(_e3628, _e3625, (_e3625 > _e3628));
-                                                                let _e3633 = local_7.member_2[1u];
-                                                                let _e3639 = select(_e3633[0], -(_e3633[0]), (_e3633[0] < 0.0lf));
-                                                                let _e3642 = select(_e3633[1], -(_e3633[1]), (_e3633[1] < 0.0lf));
-                                                                let _e3644 = select(_e3642, _e3639, (_e3639 > _e3642));
-                                                                let _e3647 = select(_e3633[2], -(_e3633[2]), (_e3633[2] < 0.0lf));
-                                                                let _e3649 = select(_e3647, _e3644, (_e3644 > _e3647));
-                                                                let _e3653 = local_7.member_3;
-                                                                let _e3661 = local_7.member_3;
-                                                                phi_6142_ = select(true, false, (((_e3520 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e3563, _e3544, (_e3544 > _e3563)) + _e3567) + (select(_e3606, _e3587, (_e3587 > _e3606)) + _e3610)) + (select(_e3649, _e3630, (_e3630 > _e3649)) + _e3653)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3661 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e1131));
+                                                                let _e3644 = phi_6088_;
+                                                                let _e3652 = local_7.member[0u];
+                                                                let _e3658 = select(_e3652[0], -(_e3652[0]), (_e3652[0] < 0.0lf));
+                                                                let _e3661 = select(_e3652[1], -(_e3652[1]), (_e3652[1] < 0.0lf));
+                                                                let _e3663 = select(_e3661, _e3658, (_e3658 > _e3661));
+                                                                let _e3666 = select(_e3652[2], -(_e3652[2]), (_e3652[2] < 0.0lf));
+                                                                let _e3668 = select(_e3666, _e3663, (_e3663 > _e3666));
+                                                                let _e3671 = local_7.member[1u];
+                                                                let _e3677 = select(_e3671[0], -(_e3671[0]), (_e3671[0] < 0.0lf));
+                                                                let _e3680 = select(_e3671[1], -(_e3671[1]), (_e3671[1] < 0.0lf));
+                                                                let _e3682 = select(_e3680, _e3677, (_e3677 > _e3680));
+                                                                let _e3685 = select(_e3671[2], -(_e3671[2]), (_e3671[2] < 0.0lf));
+                                                                let _e3687 = select(_e3685, _e3682, (_e3682 > _e3685));
+                                                                let _e3691 = local_7.member_3;
+                                                                let _e3695 = local_7.member_1[0u];
+                                                                let _e3701 = select(_e3695[0], -(_e3695[0]), (_e3695[0] < 0.0lf));
+                                                                let _e3704 = select(_e3695[1], -(_e3695[1]), (_e3695[1] < 0.0lf));
+                                                                let _e3706 = select(_e3704, _e3701, (_e3701 > _e3704));
+                                                                let _e3709 = select(_e3695[2], -(_e3695[2]), (_e3695[2] < 0.0lf));
+                                                                let _e3711 = select(_e3709, _e3706, (_e3706 > _e3709));
+                                                                let _e3714 = local_7.member_1[1u];
+                                                                let _e3720 = select(_e3714[0], -(_e3714[0]), (_e3714[0] < 0.0lf));
+                                                                let _e3723 = select(_e3714[1], -(_e3714[1]), (_e3714[1] < 0.0lf));
+                                                                let _e3725 = select(_e3723, _e3720, (_e3720 > _e3723));
+                                                                let _e3728 = select(_e3714[2], -(_e3714[2]), (_e3714[2] < 0.0lf));
+                                                                let _e3730 = select(_e3728, _e3725, (_e3725 > _e3728));
+                                                                let _e3734 = local_7.member_3;
+                                                                let _e3738 = local_7.member_2[0u];
+                                                                let _e3744 = select(_e3738[0], -(_e3738[0]), (_e3738[0] < 0.0lf));
+                                                                let _e3747 = select(_e3738[1], -(_e3738[1]), (_e3738[1] < 0.0lf));
+                                                                let _e3749 = select(_e3747, _e3744, (_e3744 > _e3747));
+                                                                let _e3752 = select(_e3738[2], -(_e3738[2]), (_e3738[2] < 0.0lf));
+                                                                let _e3754 = select(_e3752, _e3749, (_e3749 > _e3752));
+                                                                let _e3757 = local_7.member_2[1u];
+                                                                let _e3763 = select(_e3757[0], -(_e3757[0]), (_e3757[0] < 0.0lf));
+                                                                let _e3766 = select(_e3757[1], -(_e3757[1]), (_e3757[1] < 0.0lf));
+                                                                let _e3768 = select(_e3766, _e3763, (_e3763 > _e3766));
+                                                                let _e3771 = select(_e3757[2], -(_e3757[2]), (_e3757[2] < 0.0lf));
+                                                                let _e3773 = select(_e3771, _e3768, (_e3768 > _e3771));
+                                                                let _e3777 = local_7.member_3;
+                                                                let _e3785 = local_7.member_3;
+                                                                phi_6365_ = select(true, false, (((_e3644 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e3687, _e3668, (_e3668 > _e3687)) + _e3691) + (select(_e3730, _e3711, (_e3711 > _e3730)) + _e3734)) + (select(_e3773, _e3754, (_e3754 > _e3773)) + _e3777)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3785 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e1255));
                                                             } else {
-                                                                phi_6142_ = true;
+                                                                phi_6365_ = true;
                                                             }
-                                                            let _e3674 = phi_6142_;
-                                                            phi_6143_ = _e3674;
+                                                            let _e3798 = phi_6365_;
+                                                            phi_6366_ = _e3798;
                                                         } else {
-                                                            phi_6143_ = true;
+                                                            phi_6366_ = true;
                                                         }
-                                                        let _e3676 = phi_6143_;
-                                                        if _e3676 {
-                                                            if _e2640 {
-                                                                let _e3680 = (_e3386 <= (_e2636 * f64(0.25f)));
-                                                                phi_6170_ = select(select(select(f64(), f64(0f), _e3680), f64(), _e3387), (_e2942 + _e2942), select(select(true, false, _e3680), true, _e3387));
+                                                        let _e3800 = phi_6366_;
+                                                        if _e3800 {
+                                                            if _e2764 {
+                                                                let _e3804 = (_e3510 <= (_e2760 * f64(0.25f)));
+                                                                phi_6393_ = select(select(select(f64(), f64(0f), _e3804), f64(), _e3511), (_e3066 + _e3066), select(select(true, false, _e3804), true, _e3511));
                                                             } else {
-                                                                phi_6170_ = (_e2399.member_1 - _e2632);
+                                                                phi_6393_ = (_e2523.member_1 - _e2756);
                                                             }
-                                                            let _e3689 = phi_6170_;
-                                                            phi_6171_ = _e3689;
-                                                            phi_6172_ = false;
+                                                            let _e3813 = phi_6393_;
+                                                            phi_6394_ = _e3813;
+                                                            phi_6395_ = false;
                                                         } else {
-                                                            phi_6171_ = f64();
-                                                            phi_6172_ = true;
+                                                            phi_6394_ = f64();
+                                                            phi_6395_ = true;
                                                         }
-                                                        let _e3691 = phi_6171_;
-                                                        let _e3693 = phi_6172_;
-                                                        phi_6173_ = _e3691;
-                                                        phi_6174_ = _e3386;
-                                                        phi_6175_ = _e3676;
-                                                        phi_6176_ = _e3693;
+                                                        let _e3815 = phi_6394_;
+                                                        let _e3817 = phi_6395_;
+                                                        phi_6396_ = _e3815;
+                                                        phi_6397_ = _e3510;
+                                                        phi_6398_ = _e3800;
+                                                        phi_6399_ = _e3817;
                                                     }
-                                                    let _e3695 = phi_6173_;
-                                                    let _e3697 = phi_6174_;
-                                                    let _e3699 = phi_6175_;
-                                                    let _e3701 = phi_6176_;
-                                                    phi_6177_ = _e3384;
-                                                    phi_6178_ = _e3695;
-                                                    phi_6179_ = _e3697;
-                                                    phi_6180_ = _e3384;
-                                                    phi_6181_ = _e3699;
-                                                    phi_6182_ = _e3385;
-                                                    phi_6183_ = _e3701;
-                                                    phi_6184_ = false;
+                                                    let _e3819 = phi_6396_;
+                                                    let _e3821 = phi_6397_;
+                                                    let _e3823 = phi_6398_;
+                                                    let _e3825 = phi_6399_;
+                                                    phi_6400_ = _e3508;
+                                                    phi_6401_ = _e3819;
+                                                    phi_6402_ = _e3821;
+                                                    phi_6403_ = _e3508;
+                                                    phi_6404_ = _e3823;
+                                                    phi_6405_ = _e3509;
+                                                    phi_6406_ = _e3825;
+                                                    phi_6407_ = false;
                                                 } else {
-                                                    phi_6177_ = f64();
-                                                    phi_6178_ = f64();
-                                                    phi_6179_ = f64();
-                                                    phi_6180_ = f64();
-                                                    phi_6181_ = false;
-                                                    phi_6182_ = false;
-                                                    phi_6183_ = false;
-                                                    phi_6184_ = true;
+                                                    phi_6400_ = f64();
+                                                    phi_6401_ = f64();
+                                                    phi_6402_ = f64();
+                                                    phi_6403_ = f64();
+                                                    phi_6404_ = false;
+                                                    phi_6405_ = false;
+                                                    phi_6406_ = false;
+                                                    phi_6407_ = true;
                                                 }
-                                                let _e3703 = phi_6177_;
-                                                let _e3705 = phi_6178_;
-                                                let _e3707 = phi_6179_;
-                                                let _e3709 = phi_6180_;
-                                                let _e3711 = phi_6181_;
-                                                let _e3713 = phi_6182_;
-                                                let _e3715 = phi_6183_;
-                                                let _e3717 = phi_6184_;
-                                                phi_6185_ = _e3703;
-                                                phi_6186_ = _e3705;
-                                                phi_6187_ = _e3707;
-                                                phi_6188_ = _e3709;
-                                                phi_6189_ = false;
-                                                phi_6190_ = _e3711;
-                                                phi_6191_ = _e3713;
-                                                phi_6192_ = _e3715;
-                                                phi_6193_ = _e3717;
+                                                let _e3827 = phi_6400_;
+                                                let _e3829 = phi_6401_;
+                                                let _e3831 = phi_6402_;
+                                                let _e3833 = phi_6403_;
+                                                let _e3835 = phi_6404_;
+                                                let _e3837 = phi_6405_;
+                                                let _e3839 = phi_6406_;
+                                                let _e3841 = phi_6407_;
+                                                phi_6408_ = _e3827;
+                                                phi_6409_ = _e3829;
+                                                phi_6410_ = _e3831;
+                                                phi_6411_ = _e3833;
+                                                phi_6412_ = false;
+                                                phi_6413_ = _e3835;
+                                                phi_6414_ = _e3837;
+                                                phi_6415_ = _e3839;
+                                                phi_6416_ = _e3841;
                                             } else {
-                                                phi_6185_ = f64();
-                                                phi_6186_ = f64();
-                                                phi_6187_ = f64();
-                                                phi_6188_ = f64();
-                                                phi_6189_ = true;
-                                                phi_6190_ = false;
-                                                phi_6191_ = false;
-                                                phi_6192_ = false;
-                                                phi_6193_ = false;
+                                                phi_6408_ = f64();
+                                                phi_6409_ = f64();
+                                                phi_6410_ = f64();
+                                                phi_6411_ = f64();
+                                                phi_6412_ = true;
+                                                phi_6413_ = false;
+                                                phi_6414_ = false;
+                                                phi_6415_ = false;
+                                                phi_6416_ = false;
                                             }
-                                            let _e3719 = phi_6185_;
-                                            let _e3721 = phi_6186_;
-                                            let _e3723 = phi_6187_;
-                                            let _e3725 = phi_6188_;
-                                            let _e3727 = phi_6189_;
-                                            let _e3729 = phi_6190_;
-                                            let _e3731 = phi_6191_;
-                                            let _e3733 = phi_6192_;
-                                            let _e3735 = phi_6193_;
-                                            phi_6194_ = _e3719;
-                                            phi_6195_ = _e3721;
-                                            phi_6196_ = _e3723;
-                                            phi_6197_ = _e3725;
-                                            phi_6198_ = _e3727;
-                                            phi_6199_ = _e3729;
-                                            phi_6200_ = _e3731;
-                                            phi_6201_ = _e3733;
-                                            phi_6202_ = _e3735;
+                                            let _e3843 = phi_6408_;
+                                            let _e3845 = phi_6409_;
+                                            let _e3847 = phi_6410_;
+                                            let _e3849 = phi_6411_;
+                                            let _e3851 = phi_6412_;
+                                            let _e3853 = phi_6413_;
+                                            let _e3855 = phi_6414_;
+                                            let _e3857 = phi_6415_;
+                                            let _e3859 = phi_6416_;
+                                            phi_6417_ = _e3843;
+                                            phi_6418_ = _e3845;
+                                            phi_6419_ = _e3847;
+                                            phi_6420_ = _e3849;
+                                            phi_6421_ = _e3851;
+                                            phi_6422_ = _e3853;
+                                            phi_6423_ = _e3855;
+                                            phi_6424_ = _e3857;
+                                            phi_6425_ = _e3859;
                                         } else {
-                                            phi_6194_ = f64();
-                                            phi_6195_ = f64();
-                                            phi_6196_ = f64();
-                                            phi_6197_ = f64();
-                                            phi_6198_ = true;
-                                            phi_6199_ = false;
-                                            phi_6200_ = false;
-                                            phi_6201_ = false;
-                                            phi_6202_ = false;
+                                            phi_6417_ = f64();
+                                            phi_6418_ = f64();
+                                            phi_6419_ = f64();
+                                            phi_6420_ = f64();
+                                            phi_6421_ = true;
+                                            phi_6422_ = false;
+                                            phi_6423_ = false;
+                                            phi_6424_ = false;
+                                            phi_6425_ = false;
                                         }
-                                        let _e3737 = phi_6194_;
-                                        let _e3739 = phi_6195_;
-                                        let _e3741 = phi_6196_;
-                                        let _e3743 = phi_6197_;
-                                        let _e3745 = phi_6198_;
-                                        let _e3747 = phi_6199_;
-                                        let _e3749 = phi_6200_;
-                                        let _e3751 = phi_6201_;
-                                        let _e3753 = phi_6202_;
-                                        if _e3745 {
-                                            if (_e2632 <= _e2634) {
-                                                let _e3911 = (_e2642 + 1u);
-                                                let _e3912 = (_e3911 > 3u);
-                                                phi_6542_ = _e3911;
-                                                phi_6543_ = f64();
-                                                phi_6544_ = false;
-                                                phi_6545_ = select(true, false, _e3912);
-                                                phi_6546_ = _e3912;
+                                        let _e3861 = phi_6417_;
+                                        let _e3863 = phi_6418_;
+                                        let _e3865 = phi_6419_;
+                                        let _e3867 = phi_6420_;
+                                        let _e3869 = phi_6421_;
+                                        let _e3871 = phi_6422_;
+                                        let _e3873 = phi_6423_;
+                                        let _e3875 = phi_6424_;
+                                        let _e3877 = phi_6425_;
+                                        if _e3869 {
+                                            if (_e2756 <= _e2758) {
+                                                let _e4035 = (_e2766 + 1u);
+                                                let _e4036 = (_e4035 > 3u);
+                                                phi_6765_ = _e4035;
+                                                phi_6766_ = f64();
+                                                phi_6767_ = false;
+                                                phi_6768_ = select(true, false, _e4036);
+                                                phi_6769_ = _e4036;
                                             } else {
-                                                let _e3757 = local.member[0u];
-                                                let _e3760 = local.member_1[0u];
-                                                let _e3763 = local.member[0u];
-                                                let _e3769 = local.member_2[0u];
-                                                let _e3770 = ((_e3757 + ((_e3760 - _e3763) * _e2638)) - _e3769);
-                                                let _e3773 = local.member[1u];
-                                                let _e3776 = local.member_1[1u];
-                                                let _e3779 = local.member[1u];
-                                                let _e3785 = local.member_2[1u];
-                                                let _e3786 = ((_e3773 + ((_e3776 - _e3779) * _e2638)) - _e3785);
-                                                let _e3788 = select(_e3786, _e3770, (_e3770 < _e3786));
-                                                let _e3791 = local.member[2u];
-                                                let _e3794 = local.member_1[2u];
-                                                let _e3797 = local.member[2u];
-                                                let _e3803 = local.member_2[2u];
-                                                let _e3804 = ((_e3791 + ((_e3794 - _e3797) * _e2638)) - _e3803);
-                                                let _e3807 = local.member[3u];
-                                                let _e3810 = local.member_1[3u];
-                                                let _e3813 = local.member[3u];
-                                                let _e3819 = local.member_2[3u];
-                                                let _e3820 = ((_e3807 + ((_e3810 - _e3813) * _e2638)) - _e3819);
-                                                let _e3822 = select(_e3820, _e3804, (_e3804 < _e3820));
-                                                let _e3824 = select(_e3822, _e3788, (_e3788 < _e3822));
-                                                let _e3827 = local_1.member[0u];
-                                                let _e3830 = local_1.member_1[0u];
-                                                let _e3833 = local_1.member[0u];
-                                                let _e3839 = local_1.member_2[0u];
-                                                let _e3840 = ((_e3827 + ((_e3830 - _e3833) * _e2632)) - _e3839);
-                                                let _e3843 = local_1.member[1u];
-                                                let _e3846 = local_1.member_1[1u];
-                                                let _e3849 = local_1.member[1u];
-                                                let _e3855 = local_1.member_2[1u];
-                                                let _e3856 = ((_e3843 + ((_e3846 - _e3849) * _e2632)) - _e3855);
-                                                let _e3858 = select(_e3856, _e3840, (_e3840 < _e3856));
-                                                let _e3861 = local_1.member[2u];
-                                                let _e3864 = local_1.member_1[2u];
-                                                let _e3867 = local_1.member[2u];
-                                                let _e3873 = local_1.member_2[2u];
-                                                let _e3874 = ((_e3861 + ((_e3864 - _e3867) * _e2632)) - _e3873);
-                                                let _e3877 = local_1.member[3u];
-                                                let _e3880 = local_1.member_1[3u];
-                                                let _e3883 = local_1.member[3u];
-                                                let _e3889 = local_1.member_2[3u];
-                                                let _e3890 = ((_e3877 + ((_e3880 - _e3883) * _e2632)) - _e3889);
-                                                let _e3892 = select(_e3890, _e3874, (_e3874 < _e3890));
-                                                let _e3894 = select(_e3892, _e3858, (_e3858 < _e3892));
-                                                let _e3895 = f64(0.0625f);
-                                                let _e3897 = f64(0.9f);
-                                                if (_e3894 > f64(0f)) {
-                                                    phi_6540_ = f64(0.5f);
+                                                let _e3881 = local.member[0u];
+                                                let _e3884 = local.member_1[0u];
+                                                let _e3887 = local.member[0u];
+                                                let _e3893 = local.member_2[0u];
+                                                let _e3894 = ((_e3881 + ((_e3884 - _e3887) * _e2762)) - _e3893);
+                                                let _e3897 = local.member[1u];
+                                                let _e3900 = local.member_1[1u];
+                                                let _e3903 = local.member[1u];
+                                                let _e3909 = local.member_2[1u];
+                                                let _e3910 = ((_e3897 + ((_e3900 - _e3903) * _e2762)) - _e3909);
+                                                let _e3912 = select(_e3910, _e3894, (_e3894 < _e3910));
+                                                let _e3915 = local.member[2u];
+                                                let _e3918 = local.member_1[2u];
+                                                let _e3921 = local.member[2u];
+                                                let _e3927 = local.member_2[2u];
+                                                let _e3928 = ((_e3915 + ((_e3918 - _e3921) * _e2762)) - _e3927);
+                                                let _e3931 = local.member[3u];
+                                                let _e3934 = local.member_1[3u];
+                                                let _e3937 = local.member[3u];
+                                                let _e3943 = local.member_2[3u];
+                                                let _e3944 = ((_e3931 + ((_e3934 - _e3937) * _e2762)) - _e3943);
+                                                let _e3946 = select(_e3944, _e3928, (_e3928 < _e3944));
+                                                let _e3948 = select(_e3946, _e3912, (_e3912 < _e3946));
+                                                let _e3951 = local_1.member[0u];
+                                                let _e3954 = local_1.member_1[0u];
+                                                let _e3957 = local_1.member[0u];
+                                                let _e3963 = local_1.member_2[0u];
+                                                let _e3964 = ((_e3951 + ((_e3954 - _e3957) * _e2756)) - _e3963);
+                                                let _e3967 = local_1.member[1u];
+                                                let _e3970 = local_1.member_1[1u];
+                                                let _e3973 = local_1.member[1u];
+                                                let _e3979 = local_1.member_2[1u];
+                                                let _e3980 = ((_e3967 + ((_e3970 - _e3973) * _e2756)) - _e3979);
+                                                let _e3982 = select(_e3980, _e3964, (_e3964 < _e3980));
+                                                let _e3985 = local_1.member[2u];
+                                                let _e3988 = local_1.member_1[2u];
+                                                let _e3991 = local_1.member[2u];
+                                                let _e3997 = local_1.member_2[2u];
+                                                let _e3998 = ((_e3985 + ((_e3988 - _e3991) * _e2756)) - _e3997);
+                                                let _e4001 = local_1.member[3u];
+                                                let _e4004 = local_1.member_1[3u];
+                                                let _e4007 = local_1.member[3u];
+                                                let _e4013 = local_1.member_2[3u];
+                                                let _e4014 = ((_e4001 + ((_e4004 - _e4007) * _e2756)) - _e4013);
+                                                let _e4016 = select(_e4014, _e3998, (_e3998 < _e4014));
+                                                let _e4018 = select(_e4016, _e3982, (_e3982 < _e4016));
+                                                let _e4019 = f64(0.0625f);
+                                                let _e4021 = f64(0.9f);
+                                                if (_e4018 > f64(0f)) {
+                                                    phi_6763_ = f64(0.5f);
                                                 } else {
-                                                    let _e3903 = (f64(0.95f) * (_e3824 / (_e3824 - _e3894)));
-                                                    phi_6540_ = select(_e3895, select(_e3897, _e3903, (_e3903 < _e3897)), (_e3903 > _e3895));
+                                                    let _e4027 = (f64(0.95f) * (_e3948 / (_e3948 - _e4018)));
+                                                    phi_6763_ = select(_e4019, select(_e4021, _e4027, (_e4027 < _e4021)), (_e4027 > _e4019));
                                                 }
-                                                let _e3909 = phi_6540_;
-                                                phi_6542_ = u32();
-                                                phi_6543_ = (_e2942 * _e3909);
-                                                phi_6544_ = true;
-                                                phi_6545_ = false;
-                                                phi_6546_ = false;
+                                                let _e4033 = phi_6763_;
+                                                phi_6765_ = u32();
+                                                phi_6766_ = (_e3066 * _e4033);
+                                                phi_6767_ = true;
+                                                phi_6768_ = false;
+                                                phi_6769_ = false;
                                             }
-                                            let _e3915 = phi_6542_;
-                                            let _e3917 = phi_6543_;
-                                            let _e3919 = phi_6544_;
-                                            let _e3921 = phi_6545_;
-                                            let _e3923 = phi_6546_;
-                                            phi_6547_ = _e3915;
-                                            phi_6548_ = _e2634;
-                                            phi_6549_ = _e3917;
-                                            phi_6550_ = _e2636;
-                                            phi_6551_ = _e2638;
-                                            phi_6552_ = _e2640;
-                                            phi_6553_ = _e2642;
-                                            phi_6554_ = _e3919;
-                                            phi_6555_ = _e3921;
-                                            phi_6556_ = _e3923;
-                                            phi_6557_ = false;
-                                            phi_6558_ = false;
-                                            phi_6559_ = false;
+                                            let _e4039 = phi_6765_;
+                                            let _e4041 = phi_6766_;
+                                            let _e4043 = phi_6767_;
+                                            let _e4045 = phi_6768_;
+                                            let _e4047 = phi_6769_;
+                                            phi_6770_ = _e4039;
+                                            phi_6771_ = _e2758;
+                                            phi_6772_ = _e4041;
+                                            phi_6773_ = _e2760;
+                                            phi_6774_ = _e2762;
+                                            phi_6775_ = _e2764;
+                                            phi_6776_ = _e2766;
+                                            phi_6777_ = _e4043;
+                                            phi_6778_ = _e4045;
+                                            phi_6779_ = _e4047;
+                                            phi_6780_ = false;
+                                            phi_6781_ = false;
+                                            phi_6782_ = false;
                                         } else {
-                                            phi_6547_ = u32();
-                                            phi_6548_ = _e3737;
-                                            phi_6549_ = _e3739;
-                                            phi_6550_ = _e3741;
-                                            phi_6551_ = _e2632;
-                                            phi_6552_ = true;
-                                            phi_6553_ = 0u;
-                                            phi_6554_ = _e3747;
-                                            phi_6555_ = false;
-                                            phi_6556_ = false;
-                                            phi_6557_ = _e3749;
-                                            phi_6558_ = _e3751;
-                                            phi_6559_ = _e3753;
+                                            phi_6770_ = u32();
+                                            phi_6771_ = _e3861;
+                                            phi_6772_ = _e3863;
+                                            phi_6773_ = _e3865;
+                                            phi_6774_ = _e2756;
+                                            phi_6775_ = true;
+                                            phi_6776_ = 0u;
+                                            phi_6777_ = _e3871;
+                                            phi_6778_ = false;
+                                            phi_6779_ = false;
+                                            phi_6780_ = _e3873;
+                                            phi_6781_ = _e3875;
+                                            phi_6782_ = _e3877;
                                         }
-                                        let _e3925 = phi_6547_;
-                                        let _e3927 = phi_6548_;
-                                        let _e3929 = phi_6549_;
-                                        let _e3931 = phi_6550_;
-                                        let _e3933 = phi_6551_;
-                                        let _e3935 = phi_6552_;
-                                        let _e3937 = phi_6553_;
-                                        let _e3939 = phi_6554_;
-                                        let _e3941 = phi_6555_;
-                                        let _e3943 = phi_6556_;
-                                        let _e3945 = phi_6557_;
-                                        let _e3947 = phi_6558_;
-                                        let _e3949 = phi_6559_;
-                                        if _e3939 {
-                                            let _e3950 = (_e3933 + _e3929);
-                                            let _e3952 = select(_e3927, _e3950, (_e3950 > _e3927));
-                                            let _e3954 = select(_e2399.member_1, _e3952, (_e3952 < _e2399.member_1));
-                                            let _e3957 = select(((_e3954 - _e3933) > _e2621), true, !(_e2640));
-                                            phi_6587_ = _e3954;
-                                            phi_6588_ = _e3927;
-                                            phi_6589_ = _e3931;
-                                            phi_6590_ = _e3933;
-                                            phi_6591_ = _e3935;
-                                            phi_6592_ = _e3937;
-                                            phi_6593_ = _e3957;
-                                            phi_6594_ = select(true, false, _e3957);
-                                            phi_6595_ = false;
-                                            phi_6596_ = false;
-                                            phi_6597_ = false;
-                                            phi_6598_ = false;
+                                        let _e4049 = phi_6770_;
+                                        let _e4051 = phi_6771_;
+                                        let _e4053 = phi_6772_;
+                                        let _e4055 = phi_6773_;
+                                        let _e4057 = phi_6774_;
+                                        let _e4059 = phi_6775_;
+                                        let _e4061 = phi_6776_;
+                                        let _e4063 = phi_6777_;
+                                        let _e4065 = phi_6778_;
+                                        let _e4067 = phi_6779_;
+                                        let _e4069 = phi_6780_;
+                                        let _e4071 = phi_6781_;
+                                        let _e4073 = phi_6782_;
+                                        if _e4063 {
+                                            let _e4074 = (_e4057 + _e4053);
+                                            let _e4076 = select(_e4051, _e4074, (_e4074 > _e4051));
+                                            let _e4078 = select(_e2523.member_1, _e4076, (_e4076 < _e2523.member_1));
+                                            let _e4081 = select(((_e4078 - _e4057) > _e2745), true, !(_e2764));
+                                            phi_6810_ = _e4078;
+                                            phi_6811_ = _e4051;
+                                            phi_6812_ = _e4055;
+                                            phi_6813_ = _e4057;
+                                            phi_6814_ = _e4059;
+                                            phi_6815_ = _e4061;
+                                            phi_6816_ = _e4081;
+                                            phi_6817_ = select(true, false, _e4081);
+                                            phi_6818_ = false;
+                                            phi_6819_ = false;
+                                            phi_6820_ = false;
+                                            phi_6821_ = false;
                                         } else {
-                                            phi_6587_ = _e2632;
-                                            phi_6588_ = _e2634;
-                                            phi_6589_ = _e2636;
-                                            phi_6590_ = _e2638;
-                                            phi_6591_ = _e2640;
-                                            phi_6592_ = _e3925;
-                                            phi_6593_ = _e3941;
-                                            phi_6594_ = false;
-                                            phi_6595_ = _e3943;
-                                            phi_6596_ = _e3945;
-                                            phi_6597_ = _e3947;
-                                            phi_6598_ = _e3949;
+                                            phi_6810_ = _e2756;
+                                            phi_6811_ = _e2758;
+                                            phi_6812_ = _e2760;
+                                            phi_6813_ = _e2762;
+                                            phi_6814_ = _e2764;
+                                            phi_6815_ = _e4049;
+                                            phi_6816_ = _e4065;
+                                            phi_6817_ = false;
+                                            phi_6818_ = _e4067;
+                                            phi_6819_ = _e4069;
+                                            phi_6820_ = _e4071;
+                                            phi_6821_ = _e4073;
                                         }
-                                        let _e3960 = phi_6587_;
-                                        let _e3962 = phi_6588_;
-                                        let _e3964 = phi_6589_;
-                                        let _e3966 = phi_6590_;
-                                        let _e3968 = phi_6591_;
-                                        let _e3970 = phi_6592_;
-                                        let _e3972 = phi_6593_;
-                                        let _e3974 = phi_6594_;
-                                        let _e3976 = phi_6595_;
-                                        let _e3978 = phi_6596_;
-                                        let _e3980 = phi_6597_;
-                                        let _e3982 = phi_6598_;
-                                        phi_4377_ = _e3960;
-                                        phi_4379_ = _e3962;
-                                        phi_4381_ = _e3964;
-                                        phi_4383_ = _e3966;
-                                        phi_4385_ = _e3968;
-                                        phi_4387_ = _e3970;
-                                        phi_6599_ = _e3927;
-                                        phi_6600_ = _e3743;
-                                        phi_6601_ = _e3972;
-                                        phi_6602_ = _e3974;
-                                        phi_6603_ = _e3976;
-                                        phi_6604_ = _e3978;
-                                        phi_6605_ = _e3980;
-                                        phi_6606_ = false;
-                                        phi_6607_ = _e3982;
+                                        let _e4084 = phi_6810_;
+                                        let _e4086 = phi_6811_;
+                                        let _e4088 = phi_6812_;
+                                        let _e4090 = phi_6813_;
+                                        let _e4092 = phi_6814_;
+                                        let _e4094 = phi_6815_;
+                                        let _e4096 = phi_6816_;
+                                        let _e4098 = phi_6817_;
+                                        let _e4100 = phi_6818_;
+                                        let _e4102 = phi_6819_;
+                                        let _e4104 = phi_6820_;
+                                        let _e4106 = phi_6821_;
+                                        phi_4600_ = _e4084;
+                                        phi_4602_ = _e4086;
+                                        phi_4604_ = _e4088;
+                                        phi_4606_ = _e4090;
+                                        phi_4608_ = _e4092;
+                                        phi_4610_ = _e4094;
+                                        phi_6822_ = _e4051;
+                                        phi_6823_ = _e3867;
+                                        phi_6824_ = _e4096;
+                                        phi_6825_ = _e4098;
+                                        phi_6826_ = _e4100;
+                                        phi_6827_ = _e4102;
+                                        phi_6828_ = _e4104;
+                                        phi_6829_ = false;
+                                        phi_6830_ = _e4106;
                                     } else {
-                                        phi_4377_ = f64();
-                                        phi_4379_ = f64();
-                                        phi_4381_ = f64();
-                                        phi_4383_ = f64();
-                                        phi_4385_ = bool();
-                                        phi_4387_ = u32();
-                                        phi_6599_ = f64();
-                                        phi_6600_ = f64();
-                                        phi_6601_ = false;
-                                        phi_6602_ = false;
-                                        phi_6603_ = false;
-                                        phi_6604_ = false;
-                                        phi_6605_ = false;
-                                        phi_6606_ = true;
-                                        phi_6607_ = false;
+                                        phi_4600_ = f64();
+                                        phi_4602_ = f64();
+                                        phi_4604_ = f64();
+                                        phi_4606_ = f64();
+                                        phi_4608_ = bool();
+                                        phi_4610_ = u32();
+                                        phi_6822_ = f64();
+                                        phi_6823_ = f64();
+                                        phi_6824_ = false;
+                                        phi_6825_ = false;
+                                        phi_6826_ = false;
+                                        phi_6827_ = false;
+                                        phi_6828_ = false;
+                                        phi_6829_ = true;
+                                        phi_6830_ = false;
                                     }
-                                    let _e3984 = phi_4377_;
-                                    let _e3986 = phi_4379_;
-                                    let _e3988 = phi_4381_;
-                                    let _e3990 = phi_4383_;
-                                    let _e3992 = phi_4385_;
-                                    let _e3994 = phi_4387_;
-                                    let _e3996 = phi_6599_;
-                                    let _e3998 = phi_6600_;
-                                    let _e4000 = phi_6601_;
-                                    let _e4002 = phi_6602_;
-                                    let _e4004 = phi_6603_;
-                                    let _e4006 = phi_6604_;
-                                    let _e4008 = phi_6605_;
-                                    let _e4010 = phi_6606_;
-                                    let _e4012 = phi_6607_;
-                                    local_22 = _e4002;
-                                    local_23 = _e4004;
-                                    local_24 = _e4002;
-                                    local_25 = _e4006;
-                                    local_26 = _e4002;
-                                    local_27 = _e4008;
-                                    local_28 = _e4002;
-                                    local_29 = _e4010;
-                                    local_30 = _e4002;
-                                    local_31 = _e4012;
-                                    local_33 = _e4002;
-                                    local_34 = _e3998;
-                                    local_35 = _e3996;
+                                    let _e4108 = phi_4600_;
+                                    let _e4110 = phi_4602_;
+                                    let _e4112 = phi_4604_;
+                                    let _e4114 = phi_4606_;
+                                    let _e4116 = phi_4608_;
+                                    let _e4118 = phi_4610_;
+                                    let _e4120 = phi_6822_;
+                                    let _e4122 = phi_6823_;
+                                    let _e4124 = phi_6824_;
+                                    let _e4126 = phi_6825_;
+                                    let _e4128 = phi_6826_;
+                                    let _e4130 = phi_6827_;
+                                    let _e4132 = phi_6828_;
+                                    let _e4134 = phi_6829_;
+                                    let _e4136 = phi_6830_;
+                                    local_22 = _e4126;
+                                    local_23 = _e4128;
+                                    local_24 = _e4126;
+                                    local_25 = _e4130;
+                                    local_26 = _e4126;
+                                    local_27 = _e4132;
+                                    local_28 = _e4126;
+                                    local_29 = _e4134;
+                                    local_30 = _e4126;
+                                    local_31 = _e4136;
+                                    local_33 = _e4126;
+                                    local_34 = _e4122;
+                                    local_35 = _e4120;
                                     continue;
                                     continuing {
-                                        phi_4373_ = type_9(select(_e2630.member, (_e2630.member + 1u), _e2645), select(_e2630.member_1, _e2630.member_1, _e2645));
-                                        phi_4376_ = _e3984;
-                                        phi_4378_ = _e3986;
-                                        phi_4380_ = _e3988;
-                                        phi_4382_ = _e3990;
-                                        phi_4384_ = _e3992;
-                                        phi_4386_ = _e3994;
-                                        break if !(_e4000);
+                                        phi_4596_ = type_9(select(_e2754.member, (_e2754.member + 1u), _e2769), select(_e2754.member_1, _e2754.member_1, _e2769));
+                                        phi_4599_ = _e4108;
+                                        phi_4601_ = _e4110;
+                                        phi_4603_ = _e4112;
+                                        phi_4605_ = _e4114;
+                                        phi_4607_ = _e4116;
+                                        phi_4609_ = _e4118;
+                                        break if !(_e4124);
                                     }
                                 }
-                                let _e4015 = local_22;
-                                let _e4017 = local_23;
-                                let _e4018 = select(_e4017, false, _e4015);
-                                let _e4020 = local_24;
-                                let _e4022 = local_25;
-                                let _e4025 = local_26;
-                                let _e4027 = local_27;
-                                let _e4030 = local_28;
-                                let _e4032 = local_29;
-                                let _e4035 = local_30;
-                                let _e4037 = local_31;
-                                let _e4043 = local_32;
-                                let _e4045 = select(select(_e4022, false, _e4020), false, _e4018);
-                                let _e4048 = local_33;
-                                let _e4055 = select(select(select(_e4027, false, _e4025), false, _e4018), false, _e4045);
-                                let _e4061 = local_34;
-                                let _e4063 = local_35;
-                                let _e4065 = select(select(select(_e4048, false, _e4018), false, _e4045), true, _e4055);
-                                let _e4070 = local_36;
-                                let _e4072 = select(select(select(select(select(_e4032, false, _e4030), false, _e4018), false, _e4045), false, _e4055), true, _e4065);
-                                let _e4079 = select(select(select(select(select(select(_e4037, false, _e4035), false, _e4018), false, _e4045), false, _e4055), false, _e4065), false, _e4072);
-                                let _e4084 = select(select(select(select(select(_e4018, true, _e4045), false, _e4055), false, _e4065), false, _e4072), true, _e4079);
-                                let _e4087 = (select(select(type_42().member, 1u, _e4072), select(select(select(type_42().member, 1u, _e4018), 0u, _e4045), 0u, _e4079), _e4084) != 0u);
-                                phi_6675_ = select(select(type_42().member_1, select(_e4070, select(_e4063, _e4061, _e4055), _e4065), _e4072), select(select(select(type_42().member_1, _e4043, _e4018), type_42().member_1, _e4045), type_42().member_1, _e4079), _e4084);
-                                phi_6676_ = select(true, false, _e4087);
-                                phi_6677_ = _e4087;
-                                phi_6678_ = false;
-                                phi_6679_ = false;
-                                phi_6680_ = false;
+                                let _e4139 = local_22;
+                                let _e4141 = local_23;
+                                let _e4142 = select(_e4141, false, _e4139);
+                                let _e4144 = local_24;
+                                let _e4146 = local_25;
+                                let _e4149 = local_26;
+                                let _e4151 = local_27;
+                                let _e4154 = local_28;
+                                let _e4156 = local_29;
+                                let _e4159 = local_30;
+                                let _e4161 = local_31;
+                                let _e4167 = local_32;
+                                let _e4169 = select(select(_e4146, false, _e4144), false, _e4142);
+                                let _e4172 = local_33;
+                                let _e4179 = select(select(select(_e4151, false, _e4149), false, _e4142), false, _e4169);
+                                let _e4185 = local_34;
+                                let _e4187 = local_35;
+                                let _e4189 = select(select(select(_e4172, false, _e4142), false, _e4169), true, _e4179);
+                                let _e4194 = local_36;
+                                let _e4196 = select(select(select(select(select(_e4156, false, _e4154), false, _e4142), false, _e4169), false, _e4179), true, _e4189);
+                                let _e4203 = select(select(select(select(select(select(_e4161, false, _e4159), false, _e4142), false, _e4169), false, _e4179), false, _e4189), false, _e4196);
+                                let _e4208 = select(select(select(select(select(_e4142, true, _e4169), false, _e4179), false, _e4189), false, _e4196), true, _e4203);
+                                let _e4211 = (select(select(type_42().member, 1u, _e4196), select(select(select(type_42().member, 1u, _e4142), 0u, _e4169), 0u, _e4203), _e4208) != 0u);
+                                phi_6898_ = select(select(type_42().member_1, select(_e4194, select(_e4187, _e4185, _e4179), _e4189), _e4196), select(select(select(type_42().member_1, _e4167, _e4142), type_42().member_1, _e4169), type_42().member_1, _e4203), _e4208);
+                                phi_6899_ = select(true, false, _e4211);
+                                phi_6900_ = _e4211;
+                                phi_6901_ = false;
+                                phi_6902_ = false;
+                                phi_6903_ = false;
                             } else {
-                                phi_6675_ = f64();
-                                phi_6676_ = _e2407;
-                                phi_6677_ = false;
-                                phi_6678_ = _e2409;
-                                phi_6679_ = _e2411;
-                                phi_6680_ = _e2413;
+                                phi_6898_ = f64();
+                                phi_6899_ = _e2531;
+                                phi_6900_ = false;
+                                phi_6901_ = _e2533;
+                                phi_6902_ = _e2535;
+                                phi_6903_ = _e2537;
                             }
-                            let _e4090 = phi_6675_;
-                            let _e4092 = phi_6676_;
-                            let _e4094 = phi_6677_;
-                            let _e4096 = phi_6678_;
-                            let _e4098 = phi_6679_;
-                            let _e4100 = phi_6680_;
-                            phi_6681_ = _e2399;
-                            phi_6682_ = _e2401;
-                            phi_6683_ = _e4090;
-                            phi_6684_ = _e2403;
-                            phi_6685_ = _e4092;
-                            phi_6686_ = _e4094;
-                            phi_6687_ = false;
-                            phi_6688_ = _e4096;
-                            phi_6689_ = _e4098;
-                            phi_6690_ = _e4100;
+                            let _e4214 = phi_6898_;
+                            let _e4216 = phi_6899_;
+                            let _e4218 = phi_6900_;
+                            let _e4220 = phi_6901_;
+                            let _e4222 = phi_6902_;
+                            let _e4224 = phi_6903_;
+                            phi_6904_ = _e2523;
+                            phi_6905_ = _e2525;
+                            phi_6906_ = _e4214;
+                            phi_6907_ = _e2527;
+                            phi_6908_ = _e4216;
+                            phi_6909_ = _e4218;
+                            phi_6910_ = false;
+                            phi_6911_ = _e4220;
+                            phi_6912_ = _e4222;
+                            phi_6913_ = _e4224;
                         } else {
-                            phi_6681_ = type_43();
-                            phi_6682_ = bool();
-                            phi_6683_ = f64();
-                            phi_6684_ = type_43();
-                            phi_6685_ = false;
-                            phi_6686_ = false;
-                            phi_6687_ = true;
-                            phi_6688_ = false;
-                            phi_6689_ = false;
-                            phi_6690_ = false;
+                            phi_6904_ = type_43();
+                            phi_6905_ = bool();
+                            phi_6906_ = f64();
+                            phi_6907_ = type_43();
+                            phi_6908_ = false;
+                            phi_6909_ = false;
+                            phi_6910_ = true;
+                            phi_6911_ = false;
+                            phi_6912_ = false;
+                            phi_6913_ = false;
                         }
-                        let _e4102 = phi_6681_;
-                        let _e4104 = phi_6682_;
-                        let _e4106 = phi_6683_;
-                        let _e4108 = phi_6684_;
-                        let _e4110 = phi_6685_;
-                        let _e4112 = phi_6686_;
-                        let _e4114 = phi_6687_;
-                        let _e4116 = phi_6688_;
-                        let _e4118 = phi_6689_;
-                        let _e4120 = phi_6690_;
-                        local_37 = _e4112;
-                        local_38 = _e4104;
-                        local_39 = _e4102;
-                        local_40 = _e4106;
-                        local_41 = _e4106;
-                        local_42 = _e4106;
-                        local_46 = _e4114;
-                        local_47 = _e4116;
-                        local_48 = _e4118;
-                        local_49 = _e4120;
-                        local_43 = _e4112;
-                        local_44 = _e4108;
+                        let _e4226 = phi_6904_;
+                        let _e4228 = phi_6905_;
+                        let _e4230 = phi_6906_;
+                        let _e4232 = phi_6907_;
+                        let _e4234 = phi_6908_;
+                        let _e4236 = phi_6909_;
+                        let _e4238 = phi_6910_;
+                        let _e4240 = phi_6911_;
+                        let _e4242 = phi_6912_;
+                        let _e4244 = phi_6913_;
+                        local_37 = _e4236;
+                        local_38 = _e4228;
+                        local_39 = _e4226;
+                        local_40 = _e4230;
+                        local_41 = _e4230;
+                        local_42 = _e4230;
+                        local_46 = _e4238;
+                        local_47 = _e4240;
+                        local_48 = _e4242;
+                        local_49 = _e4244;
+                        local_43 = _e4236;
+                        local_44 = _e4232;
                         continue;
                         continuing {
-                            phi_2473_ = type_9(select(_e1382.member, (_e1382.member + 1u), _e1385), select(_e1382.member_1, _e1382.member_1, _e1385));
-                            break if !(_e4110);
+                            phi_2696_ = type_9(select(_e1506.member, (_e1506.member + 1u), _e1509), select(_e1506.member_1, _e1506.member_1, _e1509));
+                            break if !(_e4234);
                         }
                     }
-                    let _e4123 = local_37;
-                    if _e4123 {
-                        let _e4125 = local_38;
-                        if _e4125 {
-                            let _e4127 = local_39;
-                            let _e4130 = local_40;
-                            let _e4132 = ((_e4127.member_1 - _e4130) <= _e1345);
-                            let _e4137 = local_41;
-                            phi_6706_ = type_42(select(type_42().member, 1u, _e4132), select(type_42().member_1, _e4137, _e4132));
-                            phi_6707_ = select(true, false, _e4132);
+                    let _e4247 = local_37;
+                    if _e4247 {
+                        let _e4249 = local_38;
+                        if _e4249 {
+                            let _e4251 = local_39;
+                            let _e4254 = local_40;
+                            let _e4256 = ((_e4251.member_1 - _e4254) <= _e1469);
+                            let _e4261 = local_41;
+                            phi_6929_ = type_42(select(type_42().member, 1u, _e4256), select(type_42().member_1, _e4261, _e4256));
+                            phi_6930_ = select(true, false, _e4256);
                         } else {
-                            phi_6706_ = type_42();
-                            phi_6707_ = true;
+                            phi_6929_ = type_42();
+                            phi_6930_ = true;
                         }
-                        let _e4142 = phi_6706_;
-                        let _e4144 = phi_6707_;
-                        let _e4149 = local_42;
-                        phi_6713_ = type_42(select(_e4142.member, 2u, _e4144), select(_e4142.member_1, _e4149, _e4144));
-                        phi_6714_ = false;
-                        phi_6715_ = false;
-                        phi_6716_ = false;
-                        phi_6717_ = false;
+                        let _e4266 = phi_6929_;
+                        let _e4268 = phi_6930_;
+                        let _e4273 = local_42;
+                        phi_6936_ = type_42(select(_e4266.member, 2u, _e4268), select(_e4266.member_1, _e4273, _e4268));
+                        phi_6937_ = false;
+                        phi_6938_ = false;
+                        phi_6939_ = false;
+                        phi_6940_ = false;
                     } else {
-                        phi_6713_ = type_42();
-                        let _e4637 = local_46;
-                        phi_6714_ = _e4637;
-                        let _e4640 = local_47;
-                        phi_6715_ = _e4640;
-                        let _e4643 = local_48;
-                        phi_6716_ = _e4643;
-                        let _e4646 = local_49;
-                        phi_6717_ = _e4646;
+                        phi_6936_ = type_42();
+                        let _e4761 = local_46;
+                        phi_6937_ = _e4761;
+                        let _e4764 = local_47;
+                        phi_6938_ = _e4764;
+                        let _e4767 = local_48;
+                        phi_6939_ = _e4767;
+                        let _e4770 = local_49;
+                        phi_6940_ = _e4770;
                     }
-                    let _e4153 = phi_6713_;
-                    let _e4155 = phi_6714_;
-                    let _e4157 = phi_6715_;
-                    let _e4159 = phi_6716_;
-                    let _e4161 = phi_6717_;
-                    let _e4168 = select(_e4157, false, _e4155);
-                    let _e4172 = local_43;
-                    let _e4179 = select(select(_e4159, false, _e4155), false, _e4168);
-                    let _e4185 = select(select(select(_e4161, false, _e4155), false, _e4168), false, _e4179);
-                    let _e4189 = local_44;
-                    let _e4193 = select(select(_e4168, true, _e4179), true, _e4185);
-                    phi_6759_ = type_42(select(_e4153.member, select(select(select(type_42().member, 0u, _e4168), 0u, _e4179), 1u, _e4185), _e4193), select(_e4153.member_1, select(select(select(type_42().member_1, type_42().member_1, _e4168), type_42().member_1, _e4179), _e4189.member, _e4185), _e4193));
-                    phi_6760_ = type_42(select(type_42().member, 0u, _e4155), select(type_42().member_1, type_42().member_1, _e4155));
-                    phi_6761_ = select(select(select(select(select(_e4172, false, _e4155), false, _e4168), false, _e4179), false, _e4185), true, _e4193);
+                    let _e4277 = phi_6936_;
+                    let _e4279 = phi_6937_;
+                    let _e4281 = phi_6938_;
+                    let _e4283 = phi_6939_;
+                    let _e4285 = phi_6940_;
+                    let _e4292 = select(_e4281, false, _e4279);
+                    let _e4296 = local_43;
+                    let _e4303 = select(select(_e4283, false, _e4279), false, _e4292);
+                    let _e4309 = select(select(select(_e4285, false, _e4279), false, _e4292), false, _e4303);
+                    let _e4313 = local_44;
+                    let _e4317 = select(select(_e4292, true, _e4303), true, _e4309);
+                    phi_6982_ = type_42(select(_e4277.member, select(select(select(type_42().member, 0u, _e4292), 0u, _e4303), 1u, _e4309), _e4317), select(_e4277.member_1, select(select(select(type_42().member_1, type_42().member_1, _e4292), type_42().member_1, _e4303), _e4313.member, _e4309), _e4317));
+                    phi_6983_ = type_42(select(type_42().member, 0u, _e4279), select(type_42().member_1, type_42().member_1, _e4279));
+                    phi_6984_ = select(select(select(select(select(_e4296, false, _e4279), false, _e4292), false, _e4303), false, _e4309), true, _e4317);
                 }
-                let _e4204 = phi_6759_;
-                let _e4206 = phi_6760_;
-                let _e4208 = phi_6761_;
-                let _e4211 = select(_e4206.member, _e4204.member, _e4208);
-                let _e4214 = select(_e4206.member_1, _e4204.member_1, _e4208);
-                let _e4220 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e4214 > _e533)), (_e4211 == 1u))));
-                switch bitcast<i32>(_e4211) {
+                let _e4328 = phi_6982_;
+                let _e4330 = phi_6983_;
+                let _e4332 = phi_6984_;
+                let _e4335 = select(_e4330.member, _e4328.member, _e4332);
+                let _e4338 = select(_e4330.member_1, _e4328.member_1, _e4332);
+                let _e4344 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e4338 > _e533)), (_e4335 == 1u))));
+                switch bitcast<i32>(_e4335) {
                     case 0: {
-                        phi_6805_ = type_35(0u, _e4220, array<u32, 2>(0u, 0u), false);
+                        phi_7028_ = type_35(0u, _e4344, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e4224 = function_2(_e4214);
-                        phi_6805_ = type_35(0u, _e4220, _e4224, true);
+                        let _e4348 = function_2(_e4338);
+                        phi_7028_ = type_35(0u, _e4344, _e4348, true);
                         break;
                     }
                     case 2: {
-                        let _e4222 = function_2(_e4214);
-                        phi_6805_ = type_35(1u, _e4220, _e4222, true);
+                        let _e4346 = function_2(_e4338);
+                        phi_7028_ = type_35(1u, _e4344, _e4346, true);
                         break;
                     }
                     default: {
-                        phi_6805_ = type_35();
+                        phi_7028_ = type_35();
                         break;
                     }
                 }
-                let _e4228 = phi_6805_;
-                local_8 = type_35(_e4228.member, _e4228.member_1, array<u32, 2>(_e4228.member_2[0], _e4228.member_2[1]), _e4228.member_3);
-                phi_6814_ = type_9(_e188, _e191);
+                let _e4352 = phi_7028_;
+                local_8 = type_35(_e4352.member, _e4352.member_1, array<u32, 2>(_e4352.member_2[0], _e4352.member_2[1]), _e4352.member_3);
+                phi_7037_ = type_9(_e188, _e191);
             } else {
-                phi_6814_ = type_9(0u, 0u);
+                phi_7037_ = type_9(0u, 0u);
             }
-            let _e4238 = phi_6814_;
-            let _e4244 = local_8.member;
-            let _e4246 = select(true, false, (_e4244 == 0u));
-            let _e4248 = local_8.member_3;
-            if _e4248 {
-                if _e4246 {
-                    phi_6843_ = true;
+            let _e4362 = phi_7037_;
+            let _e4368 = local_8.member;
+            let _e4370 = select(true, false, (_e4368 == 0u));
+            let _e4372 = local_8.member_3;
+            if _e4372 {
+                if _e4370 {
+                    phi_7066_ = true;
                 } else {
-                    let _e4250 = params.member.member.member_1;
-                    phi_6843_ = ((_e4250 & 16u) != 0u);
+                    let _e4374 = params.member.member.member_1;
+                    phi_7066_ = ((_e4374 & 16u) != 0u);
                 }
-                let _e4254 = phi_6843_;
-                phi_6844_ = _e4254;
+                let _e4378 = phi_7066_;
+                phi_7067_ = _e4378;
             } else {
-                phi_6844_ = false;
+                phi_7067_ = false;
             }
-            let _e4256 = phi_6844_;
-            let _e4258 = local_8.member_3;
-            if _e4258 {
-                if _e4246 {
+            let _e4380 = phi_7067_;
+            let _e4382 = local_8.member_3;
+            if _e4382 {
+                if _e4370 {
                 } else {
-                    let _e4260 = local_8.member_2;
-                    let _e4264 = (_e4260[1] >> bitcast<u32>(20i));
-                    let _e4278 = atomicMin((&earliest.member[0u]), select(((((_e4264 - 896u) << bitcast<u32>(23i)) | ((_e4260[1] & 1048575u) << bitcast<u32>(3i))) | (_e4260[0] >> bitcast<u32>(29i))), 0u, (_e4264 <= 896u)));
+                    let _e4384 = local_8.member_2;
+                    let _e4388 = (_e4384[1] >> bitcast<u32>(20i));
+                    let _e4402 = atomicMin((&earliest.member[0u]), select(((((_e4388 - 896u) << bitcast<u32>(23i)) | ((_e4384[1] & 1048575u) << bitcast<u32>(3i))) | (_e4384[0] >> bitcast<u32>(29i))), 0u, (_e4388 <= 896u)));
                 }
             }
             if (_e106 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e4256 {
-                let _e4282 = atomicAdd((&counters[0u]), 1u);
-                phi_6887_ = _e4282;
+            if _e4380 {
+                let _e4406 = atomicAdd((&counters[0u]), 1u);
+                phi_7110_ = _e4406;
             } else {
-                phi_6887_ = 0u;
+                phi_7110_ = 0u;
             }
-            let _e4284 = phi_6887_;
+            let _e4408 = phi_7110_;
             workgroupBarrier();
             if (_e106 == 0u) {
-                let _e4287 = atomicLoad((&counters[0u]));
-                if (_e4287 > 0u) {
-                    let _e4290 = atomicAdd((&contacts.member[0u]), _e4287);
-                    atomicStore((&counters[1u]), _e4290);
+                let _e4411 = atomicLoad((&counters[0u]));
+                if (_e4411 > 0u) {
+                    let _e4414 = atomicAdd((&contacts.member[0u]), _e4411);
+                    atomicStore((&counters[1u]), _e4414);
                 }
             }
             workgroupBarrier();
-            let _e4293 = atomicLoad((&counters[1u]));
-            let _e4294 = (_e4293 + _e4284);
-            if _e4256 {
-                let _e4296 = params.member.member_1.member_3;
-                if (_e4294 < _e4296) {
-                    let _e4302 = (7u * _e4294);
-                    atomicStore((&contacts.member[(4u + _e4302)]), select(1u, 0u, ((_e4238.member_1 & 2147483648u) == 0u)));
-                    let _e4307 = local_8.member;
-                    atomicStore((&contacts.member[(_e4302 + 5u)]), _e4307);
-                    atomicStore((&contacts.member[(_e4302 + 6u)]), _e4238.member);
-                    atomicStore((&contacts.member[(_e4302 + 7u)]), (_e4238.member_1 & 2147483647u));
-                    let _e4316 = local_8.member_2[0u];
-                    atomicStore((&contacts.member[(_e4302 + 8u)]), _e4316);
-                    let _e4321 = local_8.member_2[1u];
-                    atomicStore((&contacts.member[(_e4302 + 9u)]), _e4321);
-                    let _e4325 = local_8.member_1;
-                    atomicStore((&contacts.member[(_e4302 + 10u)]), _e4325);
+            let _e4417 = atomicLoad((&counters[1u]));
+            let _e4418 = (_e4417 + _e4408);
+            if _e4380 {
+                let _e4420 = params.member.member_1.member_3;
+                if (_e4418 < _e4420) {
+                    let _e4426 = (7u * _e4418);
+                    atomicStore((&contacts.member[(4u + _e4426)]), select(1u, 0u, ((_e4362.member_1 & 2147483648u) == 0u)));
+                    let _e4431 = local_8.member;
+                    atomicStore((&contacts.member[(_e4426 + 5u)]), _e4431);
+                    atomicStore((&contacts.member[(_e4426 + 6u)]), _e4362.member);
+                    atomicStore((&contacts.member[(_e4426 + 7u)]), (_e4362.member_1 & 2147483647u));
+                    let _e4440 = local_8.member_2[0u];
+                    atomicStore((&contacts.member[(_e4426 + 8u)]), _e4440);
+                    let _e4445 = local_8.member_2[1u];
+                    atomicStore((&contacts.member[(_e4426 + 9u)]), _e4445);
+                    let _e4449 = local_8.member_1;
+                    atomicStore((&contacts.member[(_e4426 + 10u)]), _e4449);
                 }
             }
         }

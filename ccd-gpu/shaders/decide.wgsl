@@ -246,9 +246,9 @@ fn function_3(param_10: f32) -> array<u32, 2> {
 }
 
 fn function_4(param_11: ptr<function, type_36>, param_12: f32, param_13: f32, param_14: f32) -> bool {
-    var phi_7069_: bool;
-    var phi_7070_: bool;
-    var phi_7075_: bool;
+    var phi_7292_: bool;
+    var phi_7293_: bool;
+    var phi_7298_: bool;
 
     let _e14 = (*param_11).member_3;
     let _e16 = (*param_11).member_3;
@@ -272,19 +272,19 @@ fn function_4(param_11: ptr<function, type_36>, param_12: f32, param_13: f32, pa
         let _e79 = (*param_11).member_1;
         if (select(_e43, -(_e43), (_e43 < 0f)) > _e79) {
             let _e84 = (select(_e69, -(_e69), (_e69 < 0f)) > (_e71 + _e73));
-            phi_7069_ = select(bool(), ((_e43 > 0f) == (_e69 > 0f)), _e84);
-            phi_7070_ = select(true, false, _e84);
+            phi_7292_ = select(bool(), ((_e43 > 0f) == (_e69 > 0f)), _e84);
+            phi_7293_ = select(true, false, _e84);
         } else {
-            phi_7069_ = bool();
-            phi_7070_ = true;
+            phi_7292_ = bool();
+            phi_7293_ = true;
         }
-        let _e91 = phi_7069_;
-        let _e93 = phi_7070_;
-        phi_7075_ = select(_e91, false, _e93);
+        let _e91 = phi_7292_;
+        let _e93 = phi_7293_;
+        phi_7298_ = select(_e91, false, _e93);
     } else {
-        phi_7075_ = false;
+        phi_7298_ = false;
     }
-    let _e96 = phi_7075_;
+    let _e96 = phi_7298_;
     return _e96;
 }
 
@@ -303,242 +303,242 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_833_: type_9;
     var phi_1007_: type_23;
     var phi_1142_: type_29;
-    var phi_1410_: bool;
-    var phi_1504_: type_32;
-    var phi_1505_: bool;
-    var phi_1506_: type_32;
-    var phi_1507_: bool;
-    var phi_1508_: type_32;
-    var phi_1509_: bool;
-    var phi_1514_: type_32;
-    var phi_2206_: bool;
-    var phi_2218_: f32;
-    var phi_2289_: type_14;
-    var phi_2292_: f32;
-    var phi_2290_: type_14;
-    var phi_2333_: type_15;
-    var phi_2293_: f32;
+    var phi_1633_: bool;
+    var phi_1727_: type_32;
+    var phi_1728_: bool;
+    var phi_1729_: type_32;
+    var phi_1730_: bool;
+    var phi_1731_: type_32;
+    var phi_1732_: bool;
+    var phi_1737_: type_32;
+    var phi_2429_: bool;
+    var phi_2441_: f32;
+    var phi_2512_: type_14;
+    var phi_2515_: f32;
+    var phi_2513_: type_14;
+    var phi_2556_: type_15;
+    var phi_2516_: f32;
     var local_9: f32;
-    var phi_2346_: f32;
-    var phi_2377_: type_9;
-    var phi_2380_: u32;
-    var phi_2447_: u32;
-    var phi_2448_: u32;
-    var phi_2381_: u32;
-    var phi_2449_: u32;
-    var phi_2505_: type_9;
-    var phi_2661_: type_38;
-    var phi_2662_: bool;
-    var phi_2663_: type_38;
-    var phi_2664_: bool;
-    var phi_2695_: type_9;
-    var phi_2698_: f32;
-    var phi_2700_: f32;
-    var phi_2702_: f32;
-    var phi_2812_: bool;
-    var phi_2819_: f32;
-    var phi_2820_: bool;
-    var phi_2699_: f32;
-    var phi_2701_: f32;
-    var phi_2703_: f32;
-    var phi_2821_: f32;
-    var phi_2822_: bool;
-    var phi_2823_: bool;
+    var phi_2569_: f32;
+    var phi_2600_: type_9;
+    var phi_2603_: u32;
+    var phi_2670_: u32;
+    var phi_2671_: u32;
+    var phi_2604_: u32;
+    var phi_2672_: u32;
+    var phi_2728_: type_9;
+    var phi_2884_: type_38;
+    var phi_2885_: bool;
+    var phi_2886_: type_38;
+    var phi_2887_: bool;
+    var phi_2918_: type_9;
+    var phi_2921_: f32;
+    var phi_2923_: f32;
+    var phi_2925_: f32;
+    var phi_3035_: bool;
+    var phi_3042_: f32;
+    var phi_3043_: bool;
+    var phi_2922_: f32;
+    var phi_2924_: f32;
+    var phi_2926_: f32;
+    var phi_3044_: f32;
+    var phi_3045_: bool;
+    var phi_3046_: bool;
     var local_10: bool;
     var local_11: f32;
     var local_12: f32;
-    var phi_2828_: f32;
-    var phi_2844_: type_9;
-    var phi_2847_: f32;
-    var phi_2912_: f32;
-    var phi_2913_: bool;
-    var phi_2914_: bool;
-    var phi_2915_: bool;
-    var phi_2916_: f32;
-    var phi_2848_: f32;
-    var phi_2917_: bool;
-    var phi_2918_: bool;
-    var phi_2919_: bool;
-    var phi_2920_: bool;
+    var phi_3051_: f32;
+    var phi_3067_: type_9;
+    var phi_3070_: f32;
+    var phi_3135_: f32;
+    var phi_3136_: bool;
+    var phi_3137_: bool;
+    var phi_3138_: bool;
+    var phi_3139_: f32;
+    var phi_3071_: f32;
+    var phi_3140_: bool;
+    var phi_3141_: bool;
+    var phi_3142_: bool;
+    var phi_3143_: bool;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
     var local_17: f32;
-    var phi_2934_: f32;
-    var phi_2936_: type_38;
-    var phi_3773_: array<type_16, 4>;
-    var phi_3793_: type_9;
-    var phi_3796_: bool;
-    var phi_3797_: bool;
-    var phi_3848_: bool;
-    var phi_3849_: bool;
+    var phi_3157_: f32;
+    var phi_3159_: type_38;
+    var phi_3996_: array<type_16, 4>;
+    var phi_4016_: type_9;
+    var phi_4019_: bool;
+    var phi_4020_: bool;
+    var phi_4071_: bool;
+    var phi_4072_: bool;
     var local_18: bool;
     var local_19: bool;
-    var phi_3863_: u32;
-    var phi_3864_: u32;
-    var phi_3865_: bool;
-    var phi_3896_: bool;
-    var phi_3897_: bool;
-    var phi_3898_: bool;
-    var phi_3899_: bool;
-    var phi_3900_: bool;
-    var phi_3901_: bool;
-    var phi_3902_: bool;
-    var phi_3903_: bool;
-    var phi_3904_: bool;
-    var phi_3905_: bool;
-    var phi_3906_: bool;
-    var phi_3907_: bool;
-    var phi_3908_: type_38;
-    var phi_3909_: bool;
-    var phi_3910_: type_38;
-    var phi_3911_: bool;
-    var phi_3912_: bool;
-    var phi_3913_: bool;
-    var phi_3914_: bool;
-    var phi_3915_: type_38;
-    var phi_3916_: bool;
-    var phi_3917_: type_38;
-    var phi_3918_: bool;
-    var phi_3919_: bool;
-    var phi_3920_: bool;
-    var phi_3921_: bool;
-    var phi_3922_: bool;
-    var phi_3930_: type_38;
-    var phi_3931_: bool;
-    var phi_3932_: type_38;
-    var phi_3933_: bool;
-    var phi_3934_: bool;
-    var phi_3935_: bool;
-    var phi_3936_: bool;
-    var phi_3937_: bool;
-    var phi_4360_: type_9;
-    var phi_4363_: f32;
-    var phi_4365_: f32;
-    var phi_4367_: f32;
-    var phi_4369_: f32;
-    var phi_4371_: bool;
-    var phi_4373_: u32;
-    var phi_4524_: array<f32, 3>;
-    var phi_4590_: type_14;
-    var phi_4593_: f32;
-    var phi_4591_: type_14;
-    var phi_4634_: type_15;
-    var phi_4594_: f32;
+    var phi_4086_: u32;
+    var phi_4087_: u32;
+    var phi_4088_: bool;
+    var phi_4119_: bool;
+    var phi_4120_: bool;
+    var phi_4121_: bool;
+    var phi_4122_: bool;
+    var phi_4123_: bool;
+    var phi_4124_: bool;
+    var phi_4125_: bool;
+    var phi_4126_: bool;
+    var phi_4127_: bool;
+    var phi_4128_: bool;
+    var phi_4129_: bool;
+    var phi_4130_: bool;
+    var phi_4131_: type_38;
+    var phi_4132_: bool;
+    var phi_4133_: type_38;
+    var phi_4134_: bool;
+    var phi_4135_: bool;
+    var phi_4136_: bool;
+    var phi_4137_: bool;
+    var phi_4138_: type_38;
+    var phi_4139_: bool;
+    var phi_4140_: type_38;
+    var phi_4141_: bool;
+    var phi_4142_: bool;
+    var phi_4143_: bool;
+    var phi_4144_: bool;
+    var phi_4145_: bool;
+    var phi_4153_: type_38;
+    var phi_4154_: bool;
+    var phi_4155_: type_38;
+    var phi_4156_: bool;
+    var phi_4157_: bool;
+    var phi_4158_: bool;
+    var phi_4159_: bool;
+    var phi_4160_: bool;
+    var phi_4583_: type_9;
+    var phi_4586_: f32;
+    var phi_4588_: f32;
+    var phi_4590_: f32;
+    var phi_4592_: f32;
+    var phi_4594_: bool;
+    var phi_4596_: u32;
+    var phi_4747_: array<f32, 3>;
+    var phi_4813_: type_14;
+    var phi_4816_: f32;
+    var phi_4814_: type_14;
+    var phi_4857_: type_15;
+    var phi_4817_: f32;
     var local_20: f32;
-    var phi_4647_: f32;
-    var phi_4770_: type_30;
-    var phi_4771_: bool;
-    var phi_4772_: type_30;
-    var phi_4773_: bool;
-    var phi_4781_: type_30;
-    var phi_4952_: bool;
-    var phi_4953_: bool;
-    var phi_4954_: bool;
-    var phi_4955_: bool;
-    var phi_4956_: bool;
-    var phi_4957_: bool;
-    var phi_5258_: bool;
-    var phi_5259_: bool;
-    var phi_5260_: bool;
-    var phi_5261_: bool;
-    var phi_5262_: bool;
-    var phi_5263_: bool;
-    var phi_5271_: bool;
-    var phi_5378_: f32;
-    var phi_5379_: bool;
-    var phi_5380_: f32;
-    var phi_5381_: bool;
-    var phi_5382_: f32;
-    var phi_5383_: bool;
-    var phi_5384_: bool;
-    var phi_5446_: f32;
-    var phi_5447_: bool;
-    var phi_5448_: f32;
-    var phi_5449_: bool;
-    var phi_5450_: f32;
-    var phi_5451_: bool;
-    var phi_5452_: bool;
-    var phi_5519_: f32;
-    var phi_5520_: bool;
-    var phi_5521_: f32;
-    var phi_5522_: bool;
-    var phi_5523_: f32;
-    var phi_5524_: bool;
-    var phi_5525_: bool;
-    var phi_5587_: f32;
-    var phi_5588_: bool;
-    var phi_5589_: f32;
-    var phi_5590_: bool;
-    var phi_5591_: f32;
-    var phi_5592_: bool;
-    var phi_5593_: bool;
-    var phi_6122_: f32;
-    var phi_6123_: f32;
-    var phi_6124_: bool;
-    var phi_6126_: f32;
-    var phi_6127_: f32;
-    var phi_6128_: f32;
-    var phi_6130_: bool;
-    var phi_6131_: bool;
-    var phi_6133_: bool;
-    var phi_6134_: f32;
-    var phi_6135_: f32;
-    var phi_6136_: f32;
-    var phi_6138_: bool;
-    var phi_6139_: bool;
-    var phi_6140_: bool;
-    var phi_6142_: bool;
-    var phi_6143_: f32;
-    var phi_6144_: f32;
-    var phi_6145_: f32;
-    var phi_6147_: bool;
-    var phi_6148_: bool;
-    var phi_6149_: bool;
-    var phi_6151_: bool;
-    var phi_6484_: f32;
-    var phi_6486_: u32;
-    var phi_6487_: f32;
-    var phi_6488_: bool;
-    var phi_6489_: bool;
-    var phi_6490_: bool;
-    var phi_6491_: u32;
-    var phi_6492_: f32;
-    var phi_6493_: f32;
-    var phi_6494_: f32;
-    var phi_6495_: f32;
-    var phi_6496_: bool;
-    var phi_6497_: u32;
-    var phi_6498_: bool;
-    var phi_6499_: bool;
-    var phi_6500_: bool;
-    var phi_6501_: bool;
-    var phi_6503_: bool;
-    var phi_6531_: f32;
-    var phi_6532_: f32;
-    var phi_6533_: f32;
-    var phi_6534_: f32;
-    var phi_6535_: bool;
-    var phi_6536_: u32;
-    var phi_6537_: bool;
-    var phi_6538_: bool;
-    var phi_6539_: bool;
-    var phi_6540_: bool;
-    var phi_6542_: bool;
-    var phi_4364_: f32;
-    var phi_4366_: f32;
-    var phi_4368_: f32;
-    var phi_4370_: f32;
-    var phi_4372_: bool;
-    var phi_4374_: u32;
-    var phi_6543_: f32;
-    var phi_6545_: bool;
-    var phi_6546_: bool;
-    var phi_6547_: bool;
-    var phi_6548_: bool;
-    var phi_6550_: bool;
-    var phi_6551_: bool;
+    var phi_4870_: f32;
+    var phi_4993_: type_30;
+    var phi_4994_: bool;
+    var phi_4995_: type_30;
+    var phi_4996_: bool;
+    var phi_5004_: type_30;
+    var phi_5175_: bool;
+    var phi_5176_: bool;
+    var phi_5177_: bool;
+    var phi_5178_: bool;
+    var phi_5179_: bool;
+    var phi_5180_: bool;
+    var phi_5481_: bool;
+    var phi_5482_: bool;
+    var phi_5483_: bool;
+    var phi_5484_: bool;
+    var phi_5485_: bool;
+    var phi_5486_: bool;
+    var phi_5494_: bool;
+    var phi_5601_: f32;
+    var phi_5602_: bool;
+    var phi_5603_: f32;
+    var phi_5604_: bool;
+    var phi_5605_: f32;
+    var phi_5606_: bool;
+    var phi_5607_: bool;
+    var phi_5669_: f32;
+    var phi_5670_: bool;
+    var phi_5671_: f32;
+    var phi_5672_: bool;
+    var phi_5673_: f32;
+    var phi_5674_: bool;
+    var phi_5675_: bool;
+    var phi_5742_: f32;
+    var phi_5743_: bool;
+    var phi_5744_: f32;
+    var phi_5745_: bool;
+    var phi_5746_: f32;
+    var phi_5747_: bool;
+    var phi_5748_: bool;
+    var phi_5810_: f32;
+    var phi_5811_: bool;
+    var phi_5812_: f32;
+    var phi_5813_: bool;
+    var phi_5814_: f32;
+    var phi_5815_: bool;
+    var phi_5816_: bool;
+    var phi_6345_: f32;
+    var phi_6346_: f32;
+    var phi_6347_: bool;
+    var phi_6349_: f32;
+    var phi_6350_: f32;
+    var phi_6351_: f32;
+    var phi_6353_: bool;
+    var phi_6354_: bool;
+    var phi_6356_: bool;
+    var phi_6357_: f32;
+    var phi_6358_: f32;
+    var phi_6359_: f32;
+    var phi_6361_: bool;
+    var phi_6362_: bool;
+    var phi_6363_: bool;
+    var phi_6365_: bool;
+    var phi_6366_: f32;
+    var phi_6367_: f32;
+    var phi_6368_: f32;
+    var phi_6370_: bool;
+    var phi_6371_: bool;
+    var phi_6372_: bool;
+    var phi_6374_: bool;
+    var phi_6707_: f32;
+    var phi_6709_: u32;
+    var phi_6710_: f32;
+    var phi_6711_: bool;
+    var phi_6712_: bool;
+    var phi_6713_: bool;
+    var phi_6714_: u32;
+    var phi_6715_: f32;
+    var phi_6716_: f32;
+    var phi_6717_: f32;
+    var phi_6718_: f32;
+    var phi_6719_: bool;
+    var phi_6720_: u32;
+    var phi_6721_: bool;
+    var phi_6722_: bool;
+    var phi_6723_: bool;
+    var phi_6724_: bool;
+    var phi_6726_: bool;
+    var phi_6754_: f32;
+    var phi_6755_: f32;
+    var phi_6756_: f32;
+    var phi_6757_: f32;
+    var phi_6758_: bool;
+    var phi_6759_: u32;
+    var phi_6760_: bool;
+    var phi_6761_: bool;
+    var phi_6762_: bool;
+    var phi_6763_: bool;
+    var phi_6765_: bool;
+    var phi_4587_: f32;
+    var phi_4589_: f32;
+    var phi_4591_: f32;
+    var phi_4593_: f32;
+    var phi_4595_: bool;
+    var phi_4597_: u32;
+    var phi_6766_: f32;
+    var phi_6768_: bool;
+    var phi_6769_: bool;
+    var phi_6770_: bool;
+    var phi_6771_: bool;
+    var phi_6773_: bool;
+    var phi_6774_: bool;
     var local_21: bool;
     var local_22: bool;
     var local_23: bool;
@@ -551,47 +551,47 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_30: bool;
     var local_31: f32;
     var local_32: f32;
-    var phi_6619_: f32;
-    var phi_6620_: bool;
-    var phi_6621_: bool;
-    var phi_6622_: bool;
-    var phi_6623_: bool;
-    var phi_6624_: bool;
-    var phi_6625_: type_38;
-    var phi_6626_: bool;
-    var phi_6627_: f32;
-    var phi_6628_: type_38;
-    var phi_6629_: bool;
-    var phi_6630_: bool;
-    var phi_6631_: bool;
-    var phi_6632_: bool;
-    var phi_6633_: bool;
-    var phi_6634_: bool;
+    var phi_6842_: f32;
+    var phi_6843_: bool;
+    var phi_6844_: bool;
+    var phi_6845_: bool;
+    var phi_6846_: bool;
+    var phi_6847_: bool;
+    var phi_6848_: type_38;
+    var phi_6849_: bool;
+    var phi_6850_: f32;
+    var phi_6851_: type_38;
+    var phi_6852_: bool;
+    var phi_6853_: bool;
+    var phi_6854_: bool;
+    var phi_6855_: bool;
+    var phi_6856_: bool;
+    var phi_6857_: bool;
     var local_33: bool;
     var local_34: bool;
     var local_35: type_38;
     var local_36: f32;
     var local_37: f32;
-    var phi_6650_: type_33;
-    var phi_6651_: bool;
+    var phi_6873_: type_33;
+    var phi_6874_: bool;
     var local_38: f32;
-    var phi_6657_: type_33;
-    var phi_6658_: bool;
-    var phi_6659_: bool;
-    var phi_6660_: bool;
-    var phi_6661_: bool;
+    var phi_6880_: type_33;
+    var phi_6881_: bool;
+    var phi_6882_: bool;
+    var phi_6883_: bool;
+    var phi_6884_: bool;
     var local_39: bool;
     var local_40: type_38;
-    var phi_6703_: type_33;
-    var phi_6704_: type_33;
-    var phi_6705_: bool;
-    var phi_6749_: type_31;
-    var phi_6789_: bool;
-    var phi_6805_: bool;
-    var phi_6832_: type_9;
-    var phi_6861_: bool;
-    var phi_6862_: bool;
-    var phi_6905_: u32;
+    var phi_6926_: type_33;
+    var phi_6927_: type_33;
+    var phi_6928_: bool;
+    var phi_6972_: type_31;
+    var phi_7012_: bool;
+    var phi_7028_: bool;
+    var phi_7055_: type_9;
+    var phi_7084_: bool;
+    var phi_7085_: bool;
+    var phi_7128_: u32;
     var local_41: u32;
     var local_42: bool;
     var local_43: bool;
@@ -719,1763 +719,1798 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e477 = (select(_e473, _e455, (_e455 > _e473)) + _e349.member_3);
                 let _e479 = select(_e437, _e397, (_e397 > _e437));
                 let _e481 = select(_e477, _e479, (_e479 > _e477));
-                if (_e481 <= 65536f) {
-                    phi_1410_ = (_e481 >= (1f / 65536f));
+                let _e487 = select(_e349.member[0][0], -(_e349.member[0][0]), (_e349.member[0][0] < 0f));
+                let _e491 = select(_e349.member[0][1], -(_e349.member[0][1]), (_e349.member[0][1] < 0f));
+                let _e493 = select(_e491, _e487, (_e487 > _e491));
+                let _e497 = select(_e349.member[0][2], -(_e349.member[0][2]), (_e349.member[0][2] < 0f));
+                let _e499 = select(_e497, _e493, (_e493 > _e497));
+                let _e505 = select(_e349.member[1][0], -(_e349.member[1][0]), (_e349.member[1][0] < 0f));
+                let _e509 = select(_e349.member[1][1], -(_e349.member[1][1]), (_e349.member[1][1] < 0f));
+                let _e511 = select(_e509, _e505, (_e505 > _e509));
+                let _e515 = select(_e349.member[1][2], -(_e349.member[1][2]), (_e349.member[1][2] < 0f));
+                let _e517 = select(_e515, _e511, (_e511 > _e515));
+                let _e521 = (select(_e517, _e499, (_e499 > _e517)) + _e349.member_3);
+                let _e527 = select(_e349.member_1[0][0], -(_e349.member_1[0][0]), (_e349.member_1[0][0] < 0f));
+                let _e531 = select(_e349.member_1[0][1], -(_e349.member_1[0][1]), (_e349.member_1[0][1] < 0f));
+                let _e533 = select(_e531, _e527, (_e527 > _e531));
+                let _e537 = select(_e349.member_1[0][2], -(_e349.member_1[0][2]), (_e349.member_1[0][2] < 0f));
+                let _e539 = select(_e537, _e533, (_e533 > _e537));
+                let _e545 = select(_e349.member_1[1][0], -(_e349.member_1[1][0]), (_e349.member_1[1][0] < 0f));
+                let _e549 = select(_e349.member_1[1][1], -(_e349.member_1[1][1]), (_e349.member_1[1][1] < 0f));
+                let _e551 = select(_e549, _e545, (_e545 > _e549));
+                let _e555 = select(_e349.member_1[1][2], -(_e349.member_1[1][2]), (_e349.member_1[1][2] < 0f));
+                let _e557 = select(_e555, _e551, (_e551 > _e555));
+                let _e561 = (select(_e557, _e539, (_e539 > _e557)) + _e349.member_3);
+                let _e567 = select(_e349.member_2[0][0], -(_e349.member_2[0][0]), (_e349.member_2[0][0] < 0f));
+                let _e571 = select(_e349.member_2[0][1], -(_e349.member_2[0][1]), (_e349.member_2[0][1] < 0f));
+                let _e573 = select(_e571, _e567, (_e567 > _e571));
+                let _e577 = select(_e349.member_2[0][2], -(_e349.member_2[0][2]), (_e349.member_2[0][2] < 0f));
+                let _e579 = select(_e577, _e573, (_e573 > _e577));
+                let _e585 = select(_e349.member_2[1][0], -(_e349.member_2[1][0]), (_e349.member_2[1][0] < 0f));
+                let _e589 = select(_e349.member_2[1][1], -(_e349.member_2[1][1]), (_e349.member_2[1][1] < 0f));
+                let _e591 = select(_e589, _e585, (_e585 > _e589));
+                let _e595 = select(_e349.member_2[1][2], -(_e349.member_2[1][2]), (_e349.member_2[1][2] < 0f));
+                let _e597 = select(_e595, _e591, (_e591 > _e595));
+                let _e601 = (select(_e597, _e579, (_e579 > _e597)) + _e349.member_3);
+                let _e603 = select(_e561, _e521, (_e521 > _e561));
+                let _e605 = select(_e601, _e603, (_e603 > _e601));
+                if (_e605 <= 65536f) {
+                    phi_1633_ = (_e605 >= (1f / 65536f));
                 } else {
-                    phi_1410_ = false;
+                    phi_1633_ = false;
                 }
-                let _e486 = phi_1410_;
-                if _e486 {
-                    phi_1508_ = type_32();
-                    phi_1509_ = true;
+                let _e610 = phi_1633_;
+                if _e610 {
+                    phi_1731_ = type_32();
+                    phi_1732_ = true;
                 } else {
                     if (_e481 >= 0.000000000000000000000000000000000000011754944f) {
                         if ((bitcast<u32>(_e481) & 2139095040u) != 2139095040u) {
-                            let _e493 = (2130706432u - (bitcast<u32>(_e481) & 2139095040u));
-                            let _e496 = bitcast<f32>(select(8388608u, _e493, (_e493 > 8388608u)));
-                            phi_1504_ = type_32(type_29(array<array<f32, 3>, 2>(array<f32, 3>((_e349.member[0][0] * _e496), (_e349.member[0][1] * _e496), (_e349.member[0][2] * _e496)), array<f32, 3>((_e349.member[1][0] * _e496), (_e349.member[1][1] * _e496), (_e349.member[1][2] * _e496))), array<array<f32, 3>, 2>(array<f32, 3>((_e349.member_1[0][0] * _e496), (_e349.member_1[0][1] * _e496), (_e349.member_1[0][2] * _e496)), array<f32, 3>((_e349.member_1[1][0] * _e496), (_e349.member_1[1][1] * _e496), (_e349.member_1[1][2] * _e496))), array<array<f32, 3>, 2>(array<f32, 3>((_e349.member_2[0][0] * _e496), (_e349.member_2[0][1] * _e496), (_e349.member_2[0][2] * _e496)), array<f32, 3>((_e349.member_2[1][0] * _e496), (_e349.member_2[1][1] * _e496), (_e349.member_2[1][2] * _e496))), ((_e349.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e496)), (0f * _e496));
-                            phi_1505_ = false;
+                            let _e617 = (2130706432u - (bitcast<u32>(_e481) & 2139095040u));
+                            let _e620 = bitcast<f32>(select(8388608u, _e617, (_e617 > 8388608u)));
+                            phi_1727_ = type_32(type_29(array<array<f32, 3>, 2>(array<f32, 3>((_e349.member[0][0] * _e620), (_e349.member[0][1] * _e620), (_e349.member[0][2] * _e620)), array<f32, 3>((_e349.member[1][0] * _e620), (_e349.member[1][1] * _e620), (_e349.member[1][2] * _e620))), array<array<f32, 3>, 2>(array<f32, 3>((_e349.member_1[0][0] * _e620), (_e349.member_1[0][1] * _e620), (_e349.member_1[0][2] * _e620)), array<f32, 3>((_e349.member_1[1][0] * _e620), (_e349.member_1[1][1] * _e620), (_e349.member_1[1][2] * _e620))), array<array<f32, 3>, 2>(array<f32, 3>((_e349.member_2[0][0] * _e620), (_e349.member_2[0][1] * _e620), (_e349.member_2[0][2] * _e620)), array<f32, 3>((_e349.member_2[1][0] * _e620), (_e349.member_2[1][1] * _e620), (_e349.member_2[1][2] * _e620))), ((_e349.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e620)), (0f * _e620));
+                            phi_1728_ = false;
                         } else {
-                            phi_1504_ = type_32();
-                            phi_1505_ = true;
+                            phi_1727_ = type_32();
+                            phi_1728_ = true;
                         }
-                        let _e562 = phi_1504_;
-                        let _e564 = phi_1505_;
-                        phi_1506_ = _e562;
-                        phi_1507_ = _e564;
+                        let _e686 = phi_1727_;
+                        let _e688 = phi_1728_;
+                        phi_1729_ = _e686;
+                        phi_1730_ = _e688;
                     } else {
-                        phi_1506_ = type_32();
-                        phi_1507_ = true;
+                        phi_1729_ = type_32();
+                        phi_1730_ = true;
                     }
-                    let _e566 = phi_1506_;
-                    let _e568 = phi_1507_;
-                    phi_1508_ = _e566;
-                    phi_1509_ = _e568;
+                    let _e690 = phi_1729_;
+                    let _e692 = phi_1730_;
+                    phi_1731_ = _e690;
+                    phi_1732_ = _e692;
                 }
-                let _e570 = phi_1508_;
-                let _e572 = phi_1509_;
-                if _e572 {
-                    phi_1514_ = type_32(_e349, 0f);
+                let _e694 = phi_1731_;
+                let _e696 = phi_1732_;
+                if _e696 {
+                    phi_1737_ = type_32(_e349, 0f);
                 } else {
-                    phi_1514_ = _e570;
+                    phi_1737_ = _e694;
                 }
-                let _e575 = phi_1514_;
-                local_7 = type_29(array<array<f32, 3>, 2>(array<f32, 3>(_e575.member.member[0][0], _e575.member.member[0][1], _e575.member.member[0][2]), array<f32, 3>(_e575.member.member[1][0], _e575.member.member[1][1], _e575.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e575.member.member_1[0][0], _e575.member.member_1[0][1], _e575.member.member_1[0][2]), array<f32, 3>(_e575.member.member_1[1][0], _e575.member.member_1[1][1], _e575.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e575.member.member_2[0][0], _e575.member.member_2[0][1], _e575.member.member_2[0][2]), array<f32, 3>(_e575.member.member_2[1][0], _e575.member.member_2[1][1], _e575.member.member_2[1][2])), _e575.member.member_3);
-                let _e617 = local_7.member_1[0u];
-                let _e623 = local_7.member_2[0u];
-                let _e629 = ((_e617[1] * _e623[2]) - (_e617[2] * _e623[1]));
-                let _e632 = ((_e617[2] * _e623[0]) - (_e617[0] * _e623[2]));
-                let _e635 = ((_e617[0] * _e623[1]) - (_e617[1] * _e623[0]));
-                let _e638 = local_7.member_1[1u];
-                let _e644 = local_7.member_2[1u];
-                let _e650 = ((_e638[1] * _e644[2]) - (_e638[2] * _e644[1]));
-                let _e653 = ((_e638[2] * _e644[0]) - (_e638[0] * _e644[2]));
-                let _e656 = ((_e638[0] * _e644[1]) - (_e638[1] * _e644[0]));
-                let _e659 = local_7.member_1[0u];
-                let _e665 = local_7.member_2[1u];
-                let _e680 = local_7.member_1[1u];
-                let _e686 = local_7.member_2[0u];
-                let _e699 = (((_e659[1] * _e665[2]) - (_e659[2] * _e665[1])) + ((_e680[1] * _e686[2]) - (_e680[2] * _e686[1])));
-                let _e700 = (((_e659[2] * _e665[0]) - (_e659[0] * _e665[2])) + ((_e680[2] * _e686[0]) - (_e680[0] * _e686[2])));
-                let _e701 = (((_e659[0] * _e665[1]) - (_e659[1] * _e665[0])) + ((_e680[0] * _e686[1]) - (_e680[1] * _e686[0])));
-                let _e704 = local_7.member[0u];
-                let _e712 = (((_e704[0] * _e629) + (_e704[1] * _e632)) + (_e704[2] * _e635));
-                let _e715 = local_7.member[1u];
-                let _e726 = local_7.member[0u];
-                let _e735 = ((((_e715[0] * _e629) + (_e715[1] * _e632)) + (_e715[2] * _e635)) + (((_e726[0] * _e699) + (_e726[1] * _e700)) + (_e726[2] * _e701)));
-                let _e738 = local_7.member[0u];
-                let _e749 = local_7.member[1u];
-                let _e758 = ((((_e738[0] * _e650) + (_e738[1] * _e653)) + (_e738[2] * _e656)) + (((_e749[0] * _e699) + (_e749[1] * _e700)) + (_e749[2] * _e701)));
-                let _e761 = local_7.member[1u];
-                let _e769 = (((_e761[0] * _e650) + (_e761[1] * _e653)) + (_e761[2] * _e656));
-                let _e772 = local_7.member[0u];
-                let _e778 = select(_e772[0], -(_e772[0]), (_e772[0] < 0f));
-                let _e781 = select(_e772[1], -(_e772[1]), (_e772[1] < 0f));
-                let _e783 = select(_e781, _e778, (_e778 > _e781));
-                let _e786 = select(_e772[2], -(_e772[2]), (_e772[2] < 0f));
-                let _e788 = select(_e786, _e783, (_e783 > _e786));
-                let _e791 = local_7.member[1u];
-                let _e797 = select(_e791[0], -(_e791[0]), (_e791[0] < 0f));
-                let _e800 = select(_e791[1], -(_e791[1]), (_e791[1] < 0f));
-                let _e802 = select(_e800, _e797, (_e797 > _e800));
-                let _e805 = select(_e791[2], -(_e791[2]), (_e791[2] < 0f));
-                let _e807 = select(_e805, _e802, (_e802 > _e805));
-                let _e811 = local_7.member_3;
-                let _e812 = (select(_e807, _e788, (_e788 > _e807)) + _e811);
-                let _e815 = local_7.member_1[0u];
-                let _e821 = select(_e815[0], -(_e815[0]), (_e815[0] < 0f));
-                let _e824 = select(_e815[1], -(_e815[1]), (_e815[1] < 0f));
-                let _e826 = select(_e824, _e821, (_e821 > _e824));
-                let _e829 = select(_e815[2], -(_e815[2]), (_e815[2] < 0f));
-                let _e831 = select(_e829, _e826, (_e826 > _e829));
-                let _e834 = local_7.member_1[1u];
-                let _e840 = select(_e834[0], -(_e834[0]), (_e834[0] < 0f));
-                let _e843 = select(_e834[1], -(_e834[1]), (_e834[1] < 0f));
-                let _e845 = select(_e843, _e840, (_e840 > _e843));
-                let _e848 = select(_e834[2], -(_e834[2]), (_e834[2] < 0f));
-                let _e850 = select(_e848, _e845, (_e845 > _e848));
-                let _e854 = local_7.member_3;
-                let _e855 = (select(_e850, _e831, (_e831 > _e850)) + _e854);
-                let _e858 = local_7.member_2[0u];
-                let _e864 = select(_e858[0], -(_e858[0]), (_e858[0] < 0f));
-                let _e867 = select(_e858[1], -(_e858[1]), (_e858[1] < 0f));
-                let _e869 = select(_e867, _e864, (_e864 > _e867));
-                let _e872 = select(_e858[2], -(_e858[2]), (_e858[2] < 0f));
-                let _e874 = select(_e872, _e869, (_e869 > _e872));
-                let _e877 = local_7.member_2[1u];
-                let _e883 = select(_e877[0], -(_e877[0]), (_e877[0] < 0f));
-                let _e886 = select(_e877[1], -(_e877[1]), (_e877[1] < 0f));
-                let _e888 = select(_e886, _e883, (_e883 > _e886));
-                let _e891 = select(_e877[2], -(_e877[2]), (_e877[2] < 0f));
-                let _e893 = select(_e891, _e888, (_e888 > _e891));
-                let _e897 = local_7.member_3;
-                let _e898 = (select(_e893, _e874, (_e874 > _e893)) + _e897);
-                let _e907 = local_7.member_3;
-                let _e922 = (((((_e812 * 8f) * ((_e855 * 8f) * _e898)) * (0.000000059604645f * (524f / 64f))) + ((_e907 * 19f) * ((_e812 * (_e855 + _e898)) + (_e855 * _e898)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e812) * ((1f + _e855) * (1f + _e898)))));
-                let _e923 = (_e712 * 3f);
-                let _e924 = (_e769 * 3f);
-                let _e926 = select(_e924, _e923, (_e923 < _e924));
-                let _e928 = select(_e758, _e735, (_e735 < _e758));
-                let _e930 = select(_e928, _e926, (_e926 < _e928));
-                let _e932 = select(_e924, _e923, (_e923 > _e924));
-                let _e934 = select(_e758, _e735, (_e735 > _e758));
-                let _e937 = -(select(_e934, _e932, (_e932 > _e934)));
-                if (select(_e937, _e930, (_e930 > _e937)) > _e922) {
-                    phi_6703_ = type_33(0u, type_33().member_1);
-                    phi_6704_ = type_33();
-                    phi_6705_ = true;
+                let _e699 = phi_1737_;
+                local_7 = type_29(array<array<f32, 3>, 2>(array<f32, 3>(_e699.member.member[0][0], _e699.member.member[0][1], _e699.member.member[0][2]), array<f32, 3>(_e699.member.member[1][0], _e699.member.member[1][1], _e699.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e699.member.member_1[0][0], _e699.member.member_1[0][1], _e699.member.member_1[0][2]), array<f32, 3>(_e699.member.member_1[1][0], _e699.member.member_1[1][1], _e699.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e699.member.member_2[0][0], _e699.member.member_2[0][1], _e699.member.member_2[0][2]), array<f32, 3>(_e699.member.member_2[1][0], _e699.member.member_2[1][1], _e699.member.member_2[1][2])), _e699.member.member_3);
+                let _e741 = local_7.member_1[0u];
+                let _e747 = local_7.member_2[0u];
+                let _e753 = ((_e741[1] * _e747[2]) - (_e741[2] * _e747[1]));
+                let _e756 = ((_e741[2] * _e747[0]) - (_e741[0] * _e747[2]));
+                let _e759 = ((_e741[0] * _e747[1]) - (_e741[1] * _e747[0]));
+                let _e762 = local_7.member_1[1u];
+                let _e768 = local_7.member_2[1u];
+                let _e774 = ((_e762[1] * _e768[2]) - (_e762[2] * _e768[1]));
+                let _e777 = ((_e762[2] * _e768[0]) - (_e762[0] * _e768[2]));
+                let _e780 = ((_e762[0] * _e768[1]) - (_e762[1] * _e768[0]));
+                let _e783 = local_7.member_1[0u];
+                let _e789 = local_7.member_2[1u];
+                let _e804 = local_7.member_1[1u];
+                let _e810 = local_7.member_2[0u];
+                let _e823 = (((_e783[1] * _e789[2]) - (_e783[2] * _e789[1])) + ((_e804[1] * _e810[2]) - (_e804[2] * _e810[1])));
+                let _e824 = (((_e783[2] * _e789[0]) - (_e783[0] * _e789[2])) + ((_e804[2] * _e810[0]) - (_e804[0] * _e810[2])));
+                let _e825 = (((_e783[0] * _e789[1]) - (_e783[1] * _e789[0])) + ((_e804[0] * _e810[1]) - (_e804[1] * _e810[0])));
+                let _e828 = local_7.member[0u];
+                let _e836 = (((_e828[0] * _e753) + (_e828[1] * _e756)) + (_e828[2] * _e759));
+                let _e839 = local_7.member[1u];
+                let _e850 = local_7.member[0u];
+                let _e859 = ((((_e839[0] * _e753) + (_e839[1] * _e756)) + (_e839[2] * _e759)) + (((_e850[0] * _e823) + (_e850[1] * _e824)) + (_e850[2] * _e825)));
+                let _e862 = local_7.member[0u];
+                let _e873 = local_7.member[1u];
+                let _e882 = ((((_e862[0] * _e774) + (_e862[1] * _e777)) + (_e862[2] * _e780)) + (((_e873[0] * _e823) + (_e873[1] * _e824)) + (_e873[2] * _e825)));
+                let _e885 = local_7.member[1u];
+                let _e893 = (((_e885[0] * _e774) + (_e885[1] * _e777)) + (_e885[2] * _e780));
+                let _e896 = local_7.member[0u];
+                let _e902 = select(_e896[0], -(_e896[0]), (_e896[0] < 0f));
+                let _e905 = select(_e896[1], -(_e896[1]), (_e896[1] < 0f));
+                let _e907 = select(_e905, _e902, (_e902 > _e905));
+                let _e910 = select(_e896[2], -(_e896[2]), (_e896[2] < 0f));
+                let _e912 = select(_e910, _e907, (_e907 > _e910));
+                let _e915 = local_7.member[1u];
+                let _e921 = select(_e915[0], -(_e915[0]), (_e915[0] < 0f));
+                let _e924 = select(_e915[1], -(_e915[1]), (_e915[1] < 0f));
+                let _e926 = select(_e924, _e921, (_e921 > _e924));
+                let _e929 = select(_e915[2], -(_e915[2]), (_e915[2] < 0f));
+                let _e931 = select(_e929, _e926, (_e926 > _e929));
+                let _e935 = local_7.member_3;
+                let _e936 = (select(_e931, _e912, (_e912 > _e931)) + _e935);
+                let _e939 = local_7.member_1[0u];
+                let _e945 = select(_e939[0], -(_e939[0]), (_e939[0] < 0f));
+                let _e948 = select(_e939[1], -(_e939[1]), (_e939[1] < 0f));
+                let _e950 = select(_e948, _e945, (_e945 > _e948));
+                let _e953 = select(_e939[2], -(_e939[2]), (_e939[2] < 0f));
+                let _e955 = select(_e953, _e950, (_e950 > _e953));
+                let _e958 = local_7.member_1[1u];
+                let _e964 = select(_e958[0], -(_e958[0]), (_e958[0] < 0f));
+                let _e967 = select(_e958[1], -(_e958[1]), (_e958[1] < 0f));
+                let _e969 = select(_e967, _e964, (_e964 > _e967));
+                let _e972 = select(_e958[2], -(_e958[2]), (_e958[2] < 0f));
+                let _e974 = select(_e972, _e969, (_e969 > _e972));
+                let _e978 = local_7.member_3;
+                let _e979 = (select(_e974, _e955, (_e955 > _e974)) + _e978);
+                let _e982 = local_7.member_2[0u];
+                let _e988 = select(_e982[0], -(_e982[0]), (_e982[0] < 0f));
+                let _e991 = select(_e982[1], -(_e982[1]), (_e982[1] < 0f));
+                let _e993 = select(_e991, _e988, (_e988 > _e991));
+                let _e996 = select(_e982[2], -(_e982[2]), (_e982[2] < 0f));
+                let _e998 = select(_e996, _e993, (_e993 > _e996));
+                let _e1001 = local_7.member_2[1u];
+                let _e1007 = select(_e1001[0], -(_e1001[0]), (_e1001[0] < 0f));
+                let _e1010 = select(_e1001[1], -(_e1001[1]), (_e1001[1] < 0f));
+                let _e1012 = select(_e1010, _e1007, (_e1007 > _e1010));
+                let _e1015 = select(_e1001[2], -(_e1001[2]), (_e1001[2] < 0f));
+                let _e1017 = select(_e1015, _e1012, (_e1012 > _e1015));
+                let _e1021 = local_7.member_3;
+                let _e1022 = (select(_e1017, _e998, (_e998 > _e1017)) + _e1021);
+                let _e1031 = local_7.member_3;
+                let _e1046 = (((((_e936 * 8f) * ((_e979 * 8f) * _e1022)) * (0.000000059604645f * (524f / 64f))) + ((_e1031 * 19f) * ((_e936 * (_e979 + _e1022)) + (_e979 * _e1022)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e936) * ((1f + _e979) * (1f + _e1022)))));
+                let _e1047 = (_e836 * 3f);
+                let _e1048 = (_e893 * 3f);
+                let _e1050 = select(_e1048, _e1047, (_e1047 < _e1048));
+                let _e1052 = select(_e882, _e859, (_e859 < _e882));
+                let _e1054 = select(_e1052, _e1050, (_e1050 < _e1052));
+                let _e1056 = select(_e1048, _e1047, (_e1047 > _e1048));
+                let _e1058 = select(_e882, _e859, (_e859 > _e882));
+                let _e1061 = -(select(_e1058, _e1056, (_e1056 > _e1058)));
+                if (select(_e1061, _e1054, (_e1054 > _e1061)) > _e1046) {
+                    phi_6926_ = type_33(0u, type_33().member_1);
+                    phi_6927_ = type_33();
+                    phi_6928_ = true;
                 } else {
-                    let _e944 = select(_e712, -(_e712), (_e712 < 0f));
-                    let _e947 = select(_e735, -(_e735), (_e735 < 0f));
-                    let _e949 = select(_e947, _e944, (_e944 > _e947));
-                    let _e952 = select(_e758, -(_e758), (_e758 < 0f));
-                    let _e955 = select(_e769, -(_e769), (_e769 < 0f));
-                    let _e957 = select(_e955, _e952, (_e952 > _e955));
-                    let _e959 = select(_e957, _e949, (_e949 > _e957));
-                    let _e960 = (0.000000000000000000000000000000000000011754944f * 67108864f);
-                    if (_e959 >= _e960) {
-                        phi_2206_ = (_e959 <= (1f / _e960));
+                    let _e1068 = select(_e836, -(_e836), (_e836 < 0f));
+                    let _e1071 = select(_e859, -(_e859), (_e859 < 0f));
+                    let _e1073 = select(_e1071, _e1068, (_e1068 > _e1071));
+                    let _e1076 = select(_e882, -(_e882), (_e882 < 0f));
+                    let _e1079 = select(_e893, -(_e893), (_e893 < 0f));
+                    let _e1081 = select(_e1079, _e1076, (_e1076 > _e1079));
+                    let _e1083 = select(_e1081, _e1073, (_e1073 > _e1081));
+                    let _e1084 = (0.000000000000000000000000000000000000011754944f * 67108864f);
+                    if (_e1083 >= _e1084) {
+                        phi_2429_ = (_e1083 <= (1f / _e1084));
                     } else {
-                        phi_2206_ = false;
+                        phi_2429_ = false;
                     }
-                    let _e965 = phi_2206_;
-                    if _e965 {
-                        phi_2218_ = (1f / _e959);
+                    let _e1089 = phi_2429_;
+                    if _e1089 {
+                        phi_2441_ = (1f / _e1083);
                     } else {
-                        phi_2218_ = 0f;
+                        phi_2441_ = 0f;
                     }
-                    let _e972 = phi_2218_;
-                    let _e973 = (_e351 * 0.0625f);
-                    local_5 = type_36(array<f32, 4>(_e712, _e735, _e758, _e769), ((_e922 * 0.34f) + (_e959 * select(2f, (0.000000059604645f * 256f), _e965))), _e972, select(_e973, 0.00000000000022737368f, (0.00000000000022737368f < _e973)));
-                    let _e980 = local_5.member[0u];
-                    let _e983 = local_5.member[1u];
-                    let _e986 = local_5.member[2u];
-                    let _e989 = local_5.member[3u];
-                    let _e996 = local_5.member_2;
-                    let _e997 = ((_e983 - (3f * _e980)) * _e996);
-                    let _e999 = local_5.member_2;
-                    let _e1000 = ((_e986 - _e983) * _e999);
-                    let _e1002 = local_5.member_2;
-                    let _e1003 = (((3f * _e989) - _e986) * _e1002);
+                    let _e1096 = phi_2441_;
+                    let _e1097 = (_e351 * 0.0625f);
+                    local_5 = type_36(array<f32, 4>(_e836, _e859, _e882, _e893), ((_e1046 * 0.34f) + (_e1083 * select(2f, (0.000000059604645f * 256f), _e1089))), _e1096, select(_e1097, 0.00000000000022737368f, (0.00000000000022737368f < _e1097)));
+                    let _e1104 = local_5.member[0u];
+                    let _e1107 = local_5.member[1u];
+                    let _e1110 = local_5.member[2u];
+                    let _e1113 = local_5.member[3u];
+                    let _e1120 = local_5.member_2;
+                    let _e1121 = ((_e1107 - (3f * _e1104)) * _e1120);
+                    let _e1123 = local_5.member_2;
+                    let _e1124 = ((_e1110 - _e1107) * _e1123);
+                    let _e1126 = local_5.member_2;
+                    let _e1127 = (((3f * _e1113) - _e1110) * _e1126);
                     local_3[0u] = 0f;
                     local_3[1u] = 1f;
                     local_3[2u] = 1f;
                     local_3[3u] = 1f;
-                    let _e1010 = ((_e1000 * _e1000) - (_e997 * _e1003));
-                    if (_e1010 > 0f) {
-                        if (_e1010 <= 0.000000000000000000000000000000000000011754944f) {
-                            phi_2346_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1010 > 0f));
+                    let _e1134 = ((_e1124 * _e1124) - (_e1121 * _e1127));
+                    if (_e1134 > 0f) {
+                        if (_e1134 <= 0.000000000000000000000000000000000000011754944f) {
+                            phi_2569_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1134 > 0f));
                         } else {
-                            phi_2289_ = type_14(0i, 5i);
-                            phi_2292_ = bitcast<f32>(((bitcast<u32>(_e1010) >> bitcast<u32>(1i)) + 532369198u));
+                            phi_2512_ = type_14(0i, 5i);
+                            phi_2515_ = bitcast<f32>(((bitcast<u32>(_e1134) >> bitcast<u32>(1i)) + 532369198u));
                             loop {
-                                let _e1019 = phi_2289_;
-                                let _e1021 = phi_2292_;
-                                local_9 = _e1021;
-                                if (_e1019.member < _e1019.member_1) {
-                                    let _e1028 = (_e1019.member + 1i);
-                                    phi_2290_ = type_14(select(_e1028, type_15().member_1, select(false, true, ((false == (_e1028 > _e1019.member)) != false))), _e1019.member_1);
-                                    phi_2333_ = type_15(1u, _e1019.member);
+                                let _e1143 = phi_2512_;
+                                let _e1145 = phi_2515_;
+                                local_9 = _e1145;
+                                if (_e1143.member < _e1143.member_1) {
+                                    let _e1152 = (_e1143.member + 1i);
+                                    phi_2513_ = type_14(select(_e1152, type_15().member_1, select(false, true, ((false == (_e1152 > _e1143.member)) != false))), _e1143.member_1);
+                                    phi_2556_ = type_15(1u, _e1143.member);
                                 } else {
-                                    phi_2290_ = _e1019;
-                                    phi_2333_ = type_15(0u, type_15().member_1);
+                                    phi_2513_ = _e1143;
+                                    phi_2556_ = type_15(0u, type_15().member_1);
                                 }
-                                let _e1039 = phi_2290_;
-                                let _e1041 = phi_2333_;
-                                let _e1044 = (bitcast<i32>(_e1041.member) != 0i);
-                                if _e1044 {
-                                    phi_2293_ = (0.5f * (_e1021 + (_e1010 / _e1021)));
+                                let _e1163 = phi_2513_;
+                                let _e1165 = phi_2556_;
+                                let _e1168 = (bitcast<i32>(_e1165.member) != 0i);
+                                if _e1168 {
+                                    phi_2516_ = (0.5f * (_e1145 + (_e1134 / _e1145)));
                                 } else {
-                                    phi_2293_ = f32();
+                                    phi_2516_ = f32();
                                 }
-                                let _e1049 = phi_2293_;
+                                let _e1173 = phi_2516_;
                                 continue;
                                 continuing {
-                                    phi_2289_ = _e1039;
-                                    phi_2292_ = _e1049;
-                                    break if !(_e1044);
+                                    phi_2512_ = _e1163;
+                                    phi_2515_ = _e1173;
+                                    break if !(_e1168);
                                 }
                             }
-                            let _e1054 = local_9;
-                            phi_2346_ = (_e1054 * (1f + (8f * 0.000000059604645f)));
+                            let _e1178 = local_9;
+                            phi_2569_ = (_e1178 * (1f + (8f * 0.000000059604645f)));
                         }
-                        let _e1060 = phi_2346_;
-                        let _e1065 = -((_e1000 + select(_e1060, -(_e1060), (_e1000 < 0f))));
-                        local_4[0u] = (_e1065 / (_e1065 + _e1003));
-                        local_4[1u] = (_e997 / (_e997 + _e1065));
-                        let _e1074 = local_4[1u];
-                        let _e1075 = local_4[0u];
-                        if (_e1074 < _e1075) {
-                            let _e1078 = local_4[1u];
-                            let _e1080 = local_4[0u];
-                            local_4[0u] = _e1078;
-                            local_4[1u] = _e1080;
+                        let _e1184 = phi_2569_;
+                        let _e1189 = -((_e1124 + select(_e1184, -(_e1184), (_e1124 < 0f))));
+                        local_4[0u] = (_e1189 / (_e1189 + _e1127));
+                        local_4[1u] = (_e1121 / (_e1121 + _e1189));
+                        let _e1198 = local_4[1u];
+                        let _e1199 = local_4[0u];
+                        if (_e1198 < _e1199) {
+                            let _e1202 = local_4[1u];
+                            let _e1204 = local_4[0u];
+                            local_4[0u] = _e1202;
+                            local_4[1u] = _e1204;
                         }
-                        phi_2377_ = type_9(0u, 2u);
-                        phi_2380_ = 1u;
+                        phi_2600_ = type_9(0u, 2u);
+                        phi_2603_ = 1u;
                         loop {
-                            let _e1084 = phi_2377_;
-                            let _e1086 = phi_2380_;
-                            local_41 = _e1086;
-                            let _e1089 = (_e1084.member < _e1084.member_1);
-                            let _e1100 = select(type_9().member_1, _e1084.member, _e1089);
-                            let _e1102 = (bitcast<i32>(select(0u, 1u, _e1089)) != 0i);
-                            if _e1102 {
-                                let _e1104 = local_4[_e1100];
-                                if (_e1104 > 0f) {
-                                    let _e1107 = local_4[_e1100];
-                                    if (_e1107 < 1f) {
-                                        let _e1110 = local_4[_e1100];
-                                        local_3[_e1086] = _e1110;
-                                        phi_2447_ = (_e1086 + 1u);
+                            let _e1208 = phi_2600_;
+                            let _e1210 = phi_2603_;
+                            local_41 = _e1210;
+                            let _e1213 = (_e1208.member < _e1208.member_1);
+                            let _e1224 = select(type_9().member_1, _e1208.member, _e1213);
+                            let _e1226 = (bitcast<i32>(select(0u, 1u, _e1213)) != 0i);
+                            if _e1226 {
+                                let _e1228 = local_4[_e1224];
+                                if (_e1228 > 0f) {
+                                    let _e1231 = local_4[_e1224];
+                                    if (_e1231 < 1f) {
+                                        let _e1234 = local_4[_e1224];
+                                        local_3[_e1210] = _e1234;
+                                        phi_2670_ = (_e1210 + 1u);
                                     } else {
-                                        phi_2447_ = _e1086;
+                                        phi_2670_ = _e1210;
                                     }
-                                    let _e1114 = phi_2447_;
-                                    phi_2448_ = _e1114;
+                                    let _e1238 = phi_2670_;
+                                    phi_2671_ = _e1238;
                                 } else {
-                                    phi_2448_ = _e1086;
+                                    phi_2671_ = _e1210;
                                 }
-                                let _e1116 = phi_2448_;
-                                phi_2381_ = _e1116;
+                                let _e1240 = phi_2671_;
+                                phi_2604_ = _e1240;
                             } else {
-                                phi_2381_ = u32();
+                                phi_2604_ = u32();
                             }
-                            let _e1118 = phi_2381_;
+                            let _e1242 = phi_2604_;
                             continue;
                             continuing {
-                                phi_2377_ = type_9(select(_e1084.member, (_e1084.member + 1u), _e1089), select(_e1084.member_1, _e1084.member_1, _e1089));
-                                phi_2380_ = _e1118;
-                                break if !(_e1102);
+                                phi_2600_ = type_9(select(_e1208.member, (_e1208.member + 1u), _e1213), select(_e1208.member_1, _e1208.member_1, _e1213));
+                                phi_2603_ = _e1242;
+                                break if !(_e1226);
                             }
                         }
-                        let _e3760 = local_41;
-                        phi_2449_ = _e3760;
+                        let _e3884 = local_41;
+                        phi_2672_ = _e3884;
                     } else {
-                        phi_2449_ = 1u;
+                        phi_2672_ = 1u;
                     }
-                    let _e1121 = phi_2449_;
-                    local_3[_e1121] = 1f;
-                    let _e1123 = local_3;
-                    local_6 = _e1123;
-                    let _e1124 = (_e351 * 0.99f);
-                    let _e1125 = (1f - _e353);
-                    let _e1128 = local_5.member[0u];
-                    let _e1131 = local_5.member[1u];
-                    let _e1134 = local_5.member[2u];
-                    let _e1137 = local_5.member[3u];
-                    let _e1148 = ((((_e1128 * _e1125) + (_e1131 * _e353)) * (_e1125 * _e1125)) + (((_e1134 * _e1125) + (_e1137 * _e353)) * (_e353 * _e353)));
-                    let _e1153 = local_5.member_1;
-                    phi_2505_ = type_9(select(1u, 0u, !((select(_e1148, -(_e1148), (_e1148 < 0f)) > _e1153))), (_e1121 + 1u));
+                    let _e1245 = phi_2672_;
+                    local_3[_e1245] = 1f;
+                    let _e1247 = local_3;
+                    local_6 = _e1247;
+                    let _e1248 = (_e351 * 0.99f);
+                    let _e1249 = (1f - _e353);
+                    let _e1252 = local_5.member[0u];
+                    let _e1255 = local_5.member[1u];
+                    let _e1258 = local_5.member[2u];
+                    let _e1261 = local_5.member[3u];
+                    let _e1272 = ((((_e1252 * _e1249) + (_e1255 * _e353)) * (_e1249 * _e1249)) + (((_e1258 * _e1249) + (_e1261 * _e353)) * (_e353 * _e353)));
+                    let _e1277 = local_5.member_1;
+                    phi_2728_ = type_9(select(1u, 0u, !((select(_e1272, -(_e1272), (_e1272 < 0f)) > _e1277))), (_e1245 + 1u));
                     loop {
-                        let _e1160 = phi_2505_;
-                        let _e1163 = (_e1160.member < _e1160.member_1);
-                        let _e1174 = select(type_9().member_1, _e1160.member, _e1163);
-                        if (bitcast<i32>(select(0u, 1u, _e1163)) != 0i) {
-                            if (_e1174 > 0u) {
-                                let _e1181 = local_6[(_e1174 - 1u)];
-                                let _e1183 = select(_e353, _e1181, (_e1181 > _e353));
-                                let _e1185 = local_6[_e1174];
-                                let _e1187 = select(_e355, _e1185, (_e1185 < _e355));
-                                if (_e1183 <= _e1187) {
-                                    let _e1189 = function_4((&local_5), _e357, _e1183, _e1187);
-                                    if _e1189 {
-                                        phi_3908_ = type_38();
-                                        phi_3909_ = bool();
-                                        phi_3910_ = type_38();
-                                        phi_3911_ = false;
-                                        phi_3912_ = false;
-                                        phi_3913_ = false;
-                                        phi_3914_ = false;
+                        let _e1284 = phi_2728_;
+                        let _e1287 = (_e1284.member < _e1284.member_1);
+                        let _e1298 = select(type_9().member_1, _e1284.member, _e1287);
+                        if (bitcast<i32>(select(0u, 1u, _e1287)) != 0i) {
+                            if (_e1298 > 0u) {
+                                let _e1305 = local_6[(_e1298 - 1u)];
+                                let _e1307 = select(_e353, _e1305, (_e1305 > _e353));
+                                let _e1309 = local_6[_e1298];
+                                let _e1311 = select(_e355, _e1309, (_e1309 < _e355));
+                                if (_e1307 <= _e1311) {
+                                    let _e1313 = function_4((&local_5), _e357, _e1307, _e1311);
+                                    if _e1313 {
+                                        phi_4131_ = type_38();
+                                        phi_4132_ = bool();
+                                        phi_4133_ = type_38();
+                                        phi_4134_ = false;
+                                        phi_4135_ = false;
+                                        phi_4136_ = false;
+                                        phi_4137_ = false;
                                     } else {
-                                        let _e1190 = (1f - _e1183);
-                                        let _e1193 = local_5.member[0u];
-                                        let _e1196 = local_5.member[1u];
-                                        let _e1199 = local_5.member[2u];
-                                        let _e1202 = local_5.member[3u];
-                                        let _e1213 = ((((_e1193 * _e1190) + (_e1196 * _e1183)) * (_e1190 * _e1190)) + (((_e1199 * _e1190) + (_e1202 * _e1183)) * (_e1183 * _e1183)));
-                                        let _e1214 = (1f - _e1187);
-                                        let _e1217 = local_5.member[0u];
-                                        let _e1220 = local_5.member[1u];
-                                        let _e1223 = local_5.member[2u];
-                                        let _e1226 = local_5.member[3u];
-                                        let _e1237 = ((((_e1217 * _e1214) + (_e1220 * _e1187)) * (_e1214 * _e1214)) + (((_e1223 * _e1214) + (_e1226 * _e1187)) * (_e1187 * _e1187)));
-                                        let _e1242 = local_5.member_1;
-                                        let _e1243 = (select(_e1213, -(_e1213), (_e1213 < 0f)) > _e1242);
-                                        let _e1248 = local_5.member_1;
-                                        let _e1249 = (select(_e1237, -(_e1237), (_e1237 < 0f)) > _e1248);
-                                        let _e1257 = select(select(bool(), select(bool(), ((_e1213 > 0f) != (_e1237 > 0f)), _e1249), _e1243), false, select(true, select(true, false, _e1249), _e1243));
-                                        if _e1243 {
-                                            if _e1249 {
-                                                phi_2661_ = type_38(select(1f, type_38().member, _e1257), select(0f, type_38().member_1, _e1257), select(_e1257, type_38().member_2, _e1257));
-                                                phi_2662_ = _e1257;
+                                        let _e1314 = (1f - _e1307);
+                                        let _e1317 = local_5.member[0u];
+                                        let _e1320 = local_5.member[1u];
+                                        let _e1323 = local_5.member[2u];
+                                        let _e1326 = local_5.member[3u];
+                                        let _e1337 = ((((_e1317 * _e1314) + (_e1320 * _e1307)) * (_e1314 * _e1314)) + (((_e1323 * _e1314) + (_e1326 * _e1307)) * (_e1307 * _e1307)));
+                                        let _e1338 = (1f - _e1311);
+                                        let _e1341 = local_5.member[0u];
+                                        let _e1344 = local_5.member[1u];
+                                        let _e1347 = local_5.member[2u];
+                                        let _e1350 = local_5.member[3u];
+                                        let _e1361 = ((((_e1341 * _e1338) + (_e1344 * _e1311)) * (_e1338 * _e1338)) + (((_e1347 * _e1338) + (_e1350 * _e1311)) * (_e1311 * _e1311)));
+                                        let _e1366 = local_5.member_1;
+                                        let _e1367 = (select(_e1337, -(_e1337), (_e1337 < 0f)) > _e1366);
+                                        let _e1372 = local_5.member_1;
+                                        let _e1373 = (select(_e1361, -(_e1361), (_e1361 < 0f)) > _e1372);
+                                        let _e1381 = select(select(bool(), select(bool(), ((_e1337 > 0f) != (_e1361 > 0f)), _e1373), _e1367), false, select(true, select(true, false, _e1373), _e1367));
+                                        if _e1367 {
+                                            if _e1373 {
+                                                phi_2884_ = type_38(select(1f, type_38().member, _e1381), select(0f, type_38().member_1, _e1381), select(_e1381, type_38().member_2, _e1381));
+                                                phi_2885_ = _e1381;
                                             } else {
-                                                phi_2661_ = type_38();
-                                                phi_2662_ = true;
+                                                phi_2884_ = type_38();
+                                                phi_2885_ = true;
                                             }
-                                            let _e1266 = phi_2661_;
-                                            let _e1268 = phi_2662_;
-                                            phi_2663_ = _e1266;
-                                            phi_2664_ = _e1268;
+                                            let _e1390 = phi_2884_;
+                                            let _e1392 = phi_2885_;
+                                            phi_2886_ = _e1390;
+                                            phi_2887_ = _e1392;
                                         } else {
-                                            phi_2663_ = type_38();
-                                            phi_2664_ = true;
+                                            phi_2886_ = type_38();
+                                            phi_2887_ = true;
                                         }
-                                        let _e1270 = phi_2663_;
-                                        let _e1272 = phi_2664_;
-                                        if _e1272 {
-                                            if _e1243 {
-                                                let _e1274 = select(1f, -1f, (_e1213 < 0f));
-                                                let _e1276 = local_5.member_3;
-                                                let _e1279 = local_5.member[0u];
-                                                let _e1282 = local_5.member[1u];
-                                                let _e1285 = local_5.member[2u];
-                                                let _e1288 = local_5.member[3u];
-                                                let _e1291 = (_e1285 - _e1282);
-                                                phi_2695_ = type_9(0u, 64u);
-                                                phi_2698_ = _e1187;
-                                                phi_2700_ = _e1183;
-                                                phi_2702_ = (0.5f * (_e1183 + _e1187));
+                                        let _e1394 = phi_2886_;
+                                        let _e1396 = phi_2887_;
+                                        if _e1396 {
+                                            if _e1367 {
+                                                let _e1398 = select(1f, -1f, (_e1337 < 0f));
+                                                let _e1400 = local_5.member_3;
+                                                let _e1403 = local_5.member[0u];
+                                                let _e1406 = local_5.member[1u];
+                                                let _e1409 = local_5.member[2u];
+                                                let _e1412 = local_5.member[3u];
+                                                let _e1415 = (_e1409 - _e1406);
+                                                phi_2918_ = type_9(0u, 64u);
+                                                phi_2921_ = _e1311;
+                                                phi_2923_ = _e1307;
+                                                phi_2925_ = (0.5f * (_e1307 + _e1311));
                                                 loop {
-                                                    let _e1297 = phi_2695_;
-                                                    let _e1299 = phi_2698_;
-                                                    let _e1301 = phi_2700_;
-                                                    let _e1303 = phi_2702_;
-                                                    local_12 = _e1301;
-                                                    let _e1306 = (_e1297.member < _e1297.member_1);
-                                                    if (bitcast<i32>(select(0u, 1u, _e1306)) != 0i) {
-                                                        let _e1318 = (1f - _e1303);
-                                                        let _e1321 = local_5.member[0u];
-                                                        let _e1324 = local_5.member[1u];
-                                                        let _e1327 = local_5.member[2u];
-                                                        let _e1330 = local_5.member[3u];
-                                                        let _e1344 = local_5.member_1;
-                                                        let _e1345 = ((_e1274 * ((((_e1321 * _e1318) + (_e1324 * _e1303)) * (_e1318 * _e1318)) + (((_e1327 * _e1318) + (_e1330 * _e1303)) * (_e1303 * _e1303)))) - _e1344);
-                                                        let _e1346 = (_e1345 > 0f);
-                                                        let _e1347 = select(_e1303, _e1299, _e1346);
-                                                        let _e1348 = select(_e1301, _e1303, _e1346);
-                                                        let _e1350 = ((_e1347 - _e1348) > _e1276);
-                                                        if _e1350 {
-                                                            let _e1351 = (1f - _e1303);
-                                                            let _e1363 = (-(_e1345) / (_e1274 * (((((_e1282 - (3f * _e1279)) * _e1351) + (_e1291 * _e1303)) * _e1351) + (((_e1291 * _e1351) + (((3f * _e1288) - _e1285) * _e1303)) * _e1303))));
-                                                            let _e1370 = ((_e1303 + _e1363) + select(-((0.5f * _e1276)), (0.5f * _e1276), (_e1345 > 0f)));
-                                                            if (_e1370 > _e1348) {
-                                                                phi_2812_ = select(true, select(true, false, (select(_e1363, -(_e1363), (_e1363 < 0f)) < (0.5f * (_e1347 - _e1348)))), (_e1370 < _e1347));
+                                                    let _e1421 = phi_2918_;
+                                                    let _e1423 = phi_2921_;
+                                                    let _e1425 = phi_2923_;
+                                                    let _e1427 = phi_2925_;
+                                                    local_12 = _e1425;
+                                                    let _e1430 = (_e1421.member < _e1421.member_1);
+                                                    if (bitcast<i32>(select(0u, 1u, _e1430)) != 0i) {
+                                                        let _e1442 = (1f - _e1427);
+                                                        let _e1445 = local_5.member[0u];
+                                                        let _e1448 = local_5.member[1u];
+                                                        let _e1451 = local_5.member[2u];
+                                                        let _e1454 = local_5.member[3u];
+                                                        let _e1468 = local_5.member_1;
+                                                        let _e1469 = ((_e1398 * ((((_e1445 * _e1442) + (_e1448 * _e1427)) * (_e1442 * _e1442)) + (((_e1451 * _e1442) + (_e1454 * _e1427)) * (_e1427 * _e1427)))) - _e1468);
+                                                        let _e1470 = (_e1469 > 0f);
+                                                        let _e1471 = select(_e1427, _e1423, _e1470);
+                                                        let _e1472 = select(_e1425, _e1427, _e1470);
+                                                        let _e1474 = ((_e1471 - _e1472) > _e1400);
+                                                        if _e1474 {
+                                                            let _e1475 = (1f - _e1427);
+                                                            let _e1487 = (-(_e1469) / (_e1398 * (((((_e1406 - (3f * _e1403)) * _e1475) + (_e1415 * _e1427)) * _e1475) + (((_e1415 * _e1475) + (((3f * _e1412) - _e1409) * _e1427)) * _e1427))));
+                                                            let _e1494 = ((_e1427 + _e1487) + select(-((0.5f * _e1400)), (0.5f * _e1400), (_e1469 > 0f)));
+                                                            if (_e1494 > _e1472) {
+                                                                phi_3035_ = select(true, select(true, false, (select(_e1487, -(_e1487), (_e1487 < 0f)) < (0.5f * (_e1471 - _e1472)))), (_e1494 < _e1471));
                                                             } else {
-                                                                phi_2812_ = true;
+                                                                phi_3035_ = true;
                                                             }
-                                                            let _e1382 = phi_2812_;
-                                                            phi_2819_ = select(_e1370, (0.5f * (_e1348 + _e1347)), _e1382);
-                                                            phi_2820_ = false;
+                                                            let _e1506 = phi_3035_;
+                                                            phi_3042_ = select(_e1494, (0.5f * (_e1472 + _e1471)), _e1506);
+                                                            phi_3043_ = false;
                                                         } else {
-                                                            phi_2819_ = f32();
-                                                            phi_2820_ = true;
+                                                            phi_3042_ = f32();
+                                                            phi_3043_ = true;
                                                         }
-                                                        let _e1387 = phi_2819_;
-                                                        let _e1389 = phi_2820_;
-                                                        phi_2699_ = _e1347;
-                                                        phi_2701_ = _e1348;
-                                                        phi_2703_ = _e1387;
-                                                        phi_2821_ = _e1348;
-                                                        phi_2822_ = _e1350;
-                                                        phi_2823_ = _e1389;
+                                                        let _e1511 = phi_3042_;
+                                                        let _e1513 = phi_3043_;
+                                                        phi_2922_ = _e1471;
+                                                        phi_2924_ = _e1472;
+                                                        phi_2926_ = _e1511;
+                                                        phi_3044_ = _e1472;
+                                                        phi_3045_ = _e1474;
+                                                        phi_3046_ = _e1513;
                                                     } else {
-                                                        phi_2699_ = f32();
-                                                        phi_2701_ = f32();
-                                                        phi_2703_ = f32();
-                                                        phi_2821_ = f32();
-                                                        phi_2822_ = false;
-                                                        phi_2823_ = false;
+                                                        phi_2922_ = f32();
+                                                        phi_2924_ = f32();
+                                                        phi_2926_ = f32();
+                                                        phi_3044_ = f32();
+                                                        phi_3045_ = false;
+                                                        phi_3046_ = false;
                                                     }
-                                                    let _e1391 = phi_2699_;
-                                                    let _e1393 = phi_2701_;
-                                                    let _e1395 = phi_2703_;
-                                                    let _e1397 = phi_2821_;
-                                                    let _e1399 = phi_2822_;
-                                                    let _e1401 = phi_2823_;
-                                                    local_10 = _e1401;
-                                                    local_11 = _e1397;
+                                                    let _e1515 = phi_2922_;
+                                                    let _e1517 = phi_2924_;
+                                                    let _e1519 = phi_2926_;
+                                                    let _e1521 = phi_3044_;
+                                                    let _e1523 = phi_3045_;
+                                                    let _e1525 = phi_3046_;
+                                                    local_10 = _e1525;
+                                                    local_11 = _e1521;
                                                     continue;
                                                     continuing {
-                                                        phi_2695_ = type_9(select(_e1297.member, (_e1297.member + 1u), _e1306), select(_e1297.member_1, _e1297.member_1, _e1306));
-                                                        phi_2698_ = _e1391;
-                                                        phi_2700_ = _e1393;
-                                                        phi_2702_ = _e1395;
-                                                        break if !(_e1399);
+                                                        phi_2918_ = type_9(select(_e1421.member, (_e1421.member + 1u), _e1430), select(_e1421.member_1, _e1421.member_1, _e1430));
+                                                        phi_2921_ = _e1515;
+                                                        phi_2923_ = _e1517;
+                                                        phi_2925_ = _e1519;
+                                                        break if !(_e1523);
                                                     }
                                                 }
-                                                let _e1404 = local_10;
-                                                let _e1406 = local_11;
-                                                let _e1408 = local_12;
-                                                phi_2828_ = select(_e1408, _e1406, _e1404);
+                                                let _e1528 = local_10;
+                                                let _e1530 = local_11;
+                                                let _e1532 = local_12;
+                                                phi_3051_ = select(_e1532, _e1530, _e1528);
                                             } else {
-                                                phi_2828_ = _e1183;
+                                                phi_3051_ = _e1307;
                                             }
-                                            let _e1411 = phi_2828_;
-                                            if _e1249 {
-                                                let _e1415 = local_5.member_3;
-                                                let _e1417 = local_5.member_3;
-                                                phi_2844_ = type_9(0u, 64u);
-                                                phi_2847_ = (_e1415 + _e1417);
+                                            let _e1535 = phi_3051_;
+                                            if _e1373 {
+                                                let _e1539 = local_5.member_3;
+                                                let _e1541 = local_5.member_3;
+                                                phi_3067_ = type_9(0u, 64u);
+                                                phi_3070_ = (_e1539 + _e1541);
                                                 loop {
-                                                    let _e1420 = phi_2844_;
-                                                    let _e1422 = phi_2847_;
-                                                    let _e1425 = (_e1420.member < _e1420.member_1);
-                                                    if (bitcast<i32>(select(0u, 1u, _e1425)) != 0i) {
-                                                        let _e1437 = (_e1411 + _e1422);
-                                                        if (_e1437 < _e1187) {
-                                                            let _e1439 = (1f - _e1437);
-                                                            let _e1442 = local_5.member[0u];
-                                                            let _e1445 = local_5.member[1u];
-                                                            let _e1448 = local_5.member[2u];
-                                                            let _e1451 = local_5.member[3u];
-                                                            let _e1465 = local_5.member_1;
-                                                            let _e1466 = ((select(1f, -1f, (_e1237 < 0f)) * ((((_e1442 * _e1439) + (_e1445 * _e1437)) * (_e1439 * _e1439)) + (((_e1448 * _e1439) + (_e1451 * _e1437)) * (_e1437 * _e1437)))) > _e1465);
-                                                            phi_2912_ = select((_e1422 + _e1422), f32(), _e1466);
-                                                            phi_2913_ = select(true, false, _e1466);
-                                                            phi_2914_ = _e1466;
-                                                            phi_2915_ = false;
+                                                    let _e1544 = phi_3067_;
+                                                    let _e1546 = phi_3070_;
+                                                    let _e1549 = (_e1544.member < _e1544.member_1);
+                                                    if (bitcast<i32>(select(0u, 1u, _e1549)) != 0i) {
+                                                        let _e1561 = (_e1535 + _e1546);
+                                                        if (_e1561 < _e1311) {
+                                                            let _e1563 = (1f - _e1561);
+                                                            let _e1566 = local_5.member[0u];
+                                                            let _e1569 = local_5.member[1u];
+                                                            let _e1572 = local_5.member[2u];
+                                                            let _e1575 = local_5.member[3u];
+                                                            let _e1589 = local_5.member_1;
+                                                            let _e1590 = ((select(1f, -1f, (_e1361 < 0f)) * ((((_e1566 * _e1563) + (_e1569 * _e1561)) * (_e1563 * _e1563)) + (((_e1572 * _e1563) + (_e1575 * _e1561)) * (_e1561 * _e1561)))) > _e1589);
+                                                            phi_3135_ = select((_e1546 + _e1546), f32(), _e1590);
+                                                            phi_3136_ = select(true, false, _e1590);
+                                                            phi_3137_ = _e1590;
+                                                            phi_3138_ = false;
                                                         } else {
-                                                            phi_2912_ = f32();
-                                                            phi_2913_ = false;
-                                                            phi_2914_ = false;
-                                                            phi_2915_ = true;
+                                                            phi_3135_ = f32();
+                                                            phi_3136_ = false;
+                                                            phi_3137_ = false;
+                                                            phi_3138_ = true;
                                                         }
-                                                        let _e1471 = phi_2912_;
-                                                        let _e1473 = phi_2913_;
-                                                        let _e1475 = phi_2914_;
-                                                        let _e1477 = phi_2915_;
-                                                        phi_2916_ = _e1437;
-                                                        phi_2848_ = _e1471;
-                                                        phi_2917_ = _e1473;
-                                                        phi_2918_ = _e1475;
-                                                        phi_2919_ = _e1477;
-                                                        phi_2920_ = false;
+                                                        let _e1595 = phi_3135_;
+                                                        let _e1597 = phi_3136_;
+                                                        let _e1599 = phi_3137_;
+                                                        let _e1601 = phi_3138_;
+                                                        phi_3139_ = _e1561;
+                                                        phi_3071_ = _e1595;
+                                                        phi_3140_ = _e1597;
+                                                        phi_3141_ = _e1599;
+                                                        phi_3142_ = _e1601;
+                                                        phi_3143_ = false;
                                                     } else {
-                                                        phi_2916_ = f32();
-                                                        phi_2848_ = f32();
-                                                        phi_2917_ = false;
-                                                        phi_2918_ = false;
-                                                        phi_2919_ = false;
-                                                        phi_2920_ = true;
+                                                        phi_3139_ = f32();
+                                                        phi_3071_ = f32();
+                                                        phi_3140_ = false;
+                                                        phi_3141_ = false;
+                                                        phi_3142_ = false;
+                                                        phi_3143_ = true;
                                                     }
-                                                    let _e1479 = phi_2916_;
-                                                    let _e1481 = phi_2848_;
-                                                    let _e1483 = phi_2917_;
-                                                    let _e1485 = phi_2918_;
-                                                    let _e1487 = phi_2919_;
-                                                    let _e1489 = phi_2920_;
-                                                    local_13 = _e1485;
-                                                    local_14 = _e1487;
-                                                    local_15 = _e1485;
-                                                    local_16 = _e1489;
-                                                    local_17 = _e1479;
+                                                    let _e1603 = phi_3139_;
+                                                    let _e1605 = phi_3071_;
+                                                    let _e1607 = phi_3140_;
+                                                    let _e1609 = phi_3141_;
+                                                    let _e1611 = phi_3142_;
+                                                    let _e1613 = phi_3143_;
+                                                    local_13 = _e1609;
+                                                    local_14 = _e1611;
+                                                    local_15 = _e1609;
+                                                    local_16 = _e1613;
+                                                    local_17 = _e1603;
                                                     continue;
                                                     continuing {
-                                                        phi_2844_ = type_9(select(_e1420.member, (_e1420.member + 1u), _e1425), select(_e1420.member_1, _e1420.member_1, _e1425));
-                                                        phi_2847_ = _e1481;
-                                                        break if !(_e1483);
+                                                        phi_3067_ = type_9(select(_e1544.member, (_e1544.member + 1u), _e1549), select(_e1544.member_1, _e1544.member_1, _e1549));
+                                                        phi_3070_ = _e1605;
+                                                        break if !(_e1607);
                                                     }
                                                 }
-                                                let _e1492 = local_13;
-                                                let _e1494 = local_14;
-                                                let _e1497 = local_15;
-                                                let _e1499 = local_16;
-                                                let _e1503 = local_17;
-                                                phi_2934_ = select(_e1503, _e1187, select(select(_e1499, false, _e1497), true, select(_e1494, false, _e1492)));
+                                                let _e1616 = local_13;
+                                                let _e1618 = local_14;
+                                                let _e1621 = local_15;
+                                                let _e1623 = local_16;
+                                                let _e1627 = local_17;
+                                                phi_3157_ = select(_e1627, _e1311, select(select(_e1623, false, _e1621), true, select(_e1618, false, _e1616)));
                                             } else {
-                                                phi_2934_ = _e1187;
+                                                phi_3157_ = _e1311;
                                             }
-                                            let _e1506 = phi_2934_;
-                                            phi_2936_ = type_38(_e1411, _e1506, _e1257);
+                                            let _e1630 = phi_3157_;
+                                            phi_3159_ = type_38(_e1535, _e1630, _e1381);
                                         } else {
-                                            phi_2936_ = _e1270;
+                                            phi_3159_ = _e1394;
                                         }
-                                        let _e1509 = phi_2936_;
-                                        if (_e1509.member > _e1509.member_1) {
-                                            phi_3903_ = bool();
-                                            phi_3904_ = true;
-                                            phi_3905_ = false;
-                                            phi_3906_ = false;
-                                            phi_3907_ = false;
+                                        let _e1633 = phi_3159_;
+                                        if (_e1633.member > _e1633.member_1) {
+                                            phi_4126_ = bool();
+                                            phi_4127_ = true;
+                                            phi_4128_ = false;
+                                            phi_4129_ = false;
+                                            phi_4130_ = false;
                                         } else {
-                                            let _e1514 = (_e1509.member > _e357);
-                                            if _e1514 {
-                                                phi_3899_ = bool();
-                                                phi_3900_ = false;
-                                                phi_3901_ = false;
-                                                phi_3902_ = false;
+                                            let _e1638 = (_e1633.member > _e357);
+                                            if _e1638 {
+                                                phi_4122_ = bool();
+                                                phi_4123_ = false;
+                                                phi_4124_ = false;
+                                                phi_4125_ = false;
                                             } else {
-                                                let _e1518 = ((_e1509.member_1 - _e1509.member) * 0.5f);
-                                                let _e1519 = (_e1509.member + _e1518);
-                                                let _e1521 = (_e1518 + (0.000000059604645f * 4f));
-                                                let _e1523 = local_7.member_3;
-                                                let _e1526 = local_7.member[0u];
-                                                let _e1532 = select(_e1526[0], -(_e1526[0]), (_e1526[0] < 0f));
-                                                let _e1535 = select(_e1526[1], -(_e1526[1]), (_e1526[1] < 0f));
-                                                let _e1537 = select(_e1535, _e1532, (_e1532 > _e1535));
-                                                let _e1540 = select(_e1526[2], -(_e1526[2]), (_e1526[2] < 0f));
-                                                let _e1542 = select(_e1540, _e1537, (_e1537 > _e1540));
-                                                let _e1544 = local_7.member[1u];
-                                                let _e1550 = select(_e1544[0], -(_e1544[0]), (_e1544[0] < 0f));
-                                                let _e1553 = select(_e1544[1], -(_e1544[1]), (_e1544[1] < 0f));
-                                                let _e1555 = select(_e1553, _e1550, (_e1550 > _e1553));
-                                                let _e1558 = select(_e1544[2], -(_e1544[2]), (_e1544[2] < 0f));
-                                                let _e1560 = select(_e1558, _e1555, (_e1555 > _e1558));
-                                                let _e1565 = local_7.member[0u];
-                                                let _e1570 = local_7.member[1u];
-                                                let _e1580 = (_e1565[0] + ((_e1570[0] - _e1565[0]) * _e1519));
-                                                let _e1581 = (_e1565[1] + ((_e1570[1] - _e1565[1]) * _e1519));
-                                                let _e1582 = (_e1565[2] + ((_e1570[2] - _e1565[2]) * _e1519));
-                                                let _e1584 = local_7.member[1u];
-                                                let _e1589 = local_7.member[0u];
-                                                let _e1593 = (_e1584[0] - _e1589[0]);
-                                                let _e1594 = (_e1584[1] - _e1589[1]);
-                                                let _e1595 = (_e1584[2] - _e1589[2]);
-                                                let _e1598 = select(_e1593, -(_e1593), (_e1593 < 0f));
-                                                let _e1601 = select(_e1594, -(_e1594), (_e1594 < 0f));
-                                                let _e1603 = select(_e1601, _e1598, (_e1598 > _e1601));
-                                                let _e1606 = select(_e1595, -(_e1595), (_e1595 < 0f));
-                                                let _e1614 = ((((_e1521 * select(_e1606, _e1603, (_e1603 > _e1606))) * 1.01f) + ((select(_e1560, _e1542, (_e1542 > _e1560)) + _e1523) * (0.000000059604645f * 8f))) + _e1523);
-                                                let _e1617 = select(_e1580, -(_e1580), (_e1580 < 0f));
-                                                let _e1620 = select(_e1581, -(_e1581), (_e1581 < 0f));
-                                                let _e1622 = select(_e1620, _e1617, (_e1617 > _e1620));
-                                                let _e1625 = select(_e1582, -(_e1582), (_e1582 < 0f));
-                                                let _e1628 = (select(_e1625, _e1622, (_e1622 > _e1625)) + _e1614);
-                                                let _e1631 = local_7.member_3;
-                                                let _e1633 = local_7.member_1[0u];
-                                                let _e1639 = select(_e1633[0], -(_e1633[0]), (_e1633[0] < 0f));
-                                                let _e1642 = select(_e1633[1], -(_e1633[1]), (_e1633[1] < 0f));
-                                                let _e1644 = select(_e1642, _e1639, (_e1639 > _e1642));
-                                                let _e1647 = select(_e1633[2], -(_e1633[2]), (_e1633[2] < 0f));
-                                                let _e1649 = select(_e1647, _e1644, (_e1644 > _e1647));
-                                                let _e1651 = local_7.member_1[1u];
-                                                let _e1657 = select(_e1651[0], -(_e1651[0]), (_e1651[0] < 0f));
-                                                let _e1660 = select(_e1651[1], -(_e1651[1]), (_e1651[1] < 0f));
-                                                let _e1662 = select(_e1660, _e1657, (_e1657 > _e1660));
-                                                let _e1665 = select(_e1651[2], -(_e1651[2]), (_e1651[2] < 0f));
-                                                let _e1667 = select(_e1665, _e1662, (_e1662 > _e1665));
-                                                let _e1672 = local_7.member_1[0u];
-                                                let _e1677 = local_7.member_1[1u];
-                                                let _e1687 = (_e1672[0] + ((_e1677[0] - _e1672[0]) * _e1519));
-                                                let _e1688 = (_e1672[1] + ((_e1677[1] - _e1672[1]) * _e1519));
-                                                let _e1689 = (_e1672[2] + ((_e1677[2] - _e1672[2]) * _e1519));
-                                                let _e1691 = local_7.member_1[1u];
-                                                let _e1696 = local_7.member_1[0u];
-                                                let _e1700 = (_e1691[0] - _e1696[0]);
-                                                let _e1701 = (_e1691[1] - _e1696[1]);
-                                                let _e1702 = (_e1691[2] - _e1696[2]);
-                                                let _e1705 = select(_e1700, -(_e1700), (_e1700 < 0f));
-                                                let _e1708 = select(_e1701, -(_e1701), (_e1701 < 0f));
-                                                let _e1710 = select(_e1708, _e1705, (_e1705 > _e1708));
-                                                let _e1713 = select(_e1702, -(_e1702), (_e1702 < 0f));
-                                                let _e1721 = ((((_e1521 * select(_e1713, _e1710, (_e1710 > _e1713))) * 1.01f) + ((select(_e1667, _e1649, (_e1649 > _e1667)) + _e1631) * (0.000000059604645f * 8f))) + _e1631);
-                                                let _e1724 = select(_e1687, -(_e1687), (_e1687 < 0f));
-                                                let _e1727 = select(_e1688, -(_e1688), (_e1688 < 0f));
-                                                let _e1729 = select(_e1727, _e1724, (_e1724 > _e1727));
-                                                let _e1732 = select(_e1689, -(_e1689), (_e1689 < 0f));
-                                                let _e1735 = (select(_e1732, _e1729, (_e1729 > _e1732)) + _e1721);
-                                                let _e1738 = local_7.member_3;
-                                                let _e1740 = local_7.member_2[0u];
-                                                let _e1746 = select(_e1740[0], -(_e1740[0]), (_e1740[0] < 0f));
-                                                let _e1749 = select(_e1740[1], -(_e1740[1]), (_e1740[1] < 0f));
-                                                let _e1751 = select(_e1749, _e1746, (_e1746 > _e1749));
-                                                let _e1754 = select(_e1740[2], -(_e1740[2]), (_e1740[2] < 0f));
-                                                let _e1756 = select(_e1754, _e1751, (_e1751 > _e1754));
-                                                let _e1758 = local_7.member_2[1u];
-                                                let _e1764 = select(_e1758[0], -(_e1758[0]), (_e1758[0] < 0f));
-                                                let _e1767 = select(_e1758[1], -(_e1758[1]), (_e1758[1] < 0f));
-                                                let _e1769 = select(_e1767, _e1764, (_e1764 > _e1767));
-                                                let _e1772 = select(_e1758[2], -(_e1758[2]), (_e1758[2] < 0f));
-                                                let _e1774 = select(_e1772, _e1769, (_e1769 > _e1772));
-                                                let _e1779 = local_7.member_2[0u];
-                                                let _e1784 = local_7.member_2[1u];
-                                                let _e1794 = (_e1779[0] + ((_e1784[0] - _e1779[0]) * _e1519));
-                                                let _e1795 = (_e1779[1] + ((_e1784[1] - _e1779[1]) * _e1519));
-                                                let _e1796 = (_e1779[2] + ((_e1784[2] - _e1779[2]) * _e1519));
-                                                let _e1798 = local_7.member_2[1u];
-                                                let _e1803 = local_7.member_2[0u];
-                                                let _e1807 = (_e1798[0] - _e1803[0]);
-                                                let _e1808 = (_e1798[1] - _e1803[1]);
-                                                let _e1809 = (_e1798[2] - _e1803[2]);
-                                                let _e1812 = select(_e1807, -(_e1807), (_e1807 < 0f));
-                                                let _e1815 = select(_e1808, -(_e1808), (_e1808 < 0f));
-                                                let _e1817 = select(_e1815, _e1812, (_e1812 > _e1815));
-                                                let _e1820 = select(_e1809, -(_e1809), (_e1809 < 0f));
-                                                let _e1828 = ((((_e1521 * select(_e1820, _e1817, (_e1817 > _e1820))) * 1.01f) + ((select(_e1774, _e1756, (_e1756 > _e1774)) + _e1738) * (0.000000059604645f * 8f))) + _e1738);
-                                                let _e1831 = select(_e1794, -(_e1794), (_e1794 < 0f));
-                                                let _e1834 = select(_e1795, -(_e1795), (_e1795 < 0f));
-                                                let _e1836 = select(_e1834, _e1831, (_e1831 > _e1834));
-                                                let _e1839 = select(_e1796, -(_e1796), (_e1796 < 0f));
-                                                let _e1842 = (select(_e1839, _e1836, (_e1836 > _e1839)) + _e1828);
-                                                let _e1845 = ((_e1688 * _e1796) - (_e1689 * _e1795));
-                                                let _e1848 = ((_e1689 * _e1794) - (_e1687 * _e1796));
-                                                let _e1851 = ((_e1687 * _e1795) - (_e1688 * _e1794));
-                                                let _e1866 = select(false, (select(_e1845, -(_e1845), (_e1845 < 0f)) > select(_e1851, -(_e1851), (_e1851 < 0f))), (select(_e1845, -(_e1845), (_e1845 < 0f)) > select(_e1848, -(_e1848), (_e1848 < 0f))));
-                                                let _e1881 = select((select(_e1848, -(_e1848), (_e1848 < 0f)) > select(_e1851, -(_e1851), (_e1851 < 0f))), false, (select(_e1845, -(_e1845), (_e1845 < 0f)) > select(_e1848, -(_e1848), (_e1848 < 0f))));
-                                                let _e1884 = select(select(_e1580, _e1581, _e1866), _e1582, _e1881);
-                                                let _e1885 = select(select(_e1581, _e1582, _e1866), _e1580, _e1881);
-                                                let _e1888 = select(select(_e1687, _e1688, _e1866), _e1689, _e1881);
-                                                let _e1889 = select(select(_e1688, _e1689, _e1866), _e1687, _e1881);
-                                                let _e1892 = select(select(_e1794, _e1795, _e1866), _e1796, _e1881);
-                                                let _e1893 = select(select(_e1795, _e1796, _e1866), _e1794, _e1881);
-                                                let _e1896 = ((_e1888 * _e1893) - (_e1889 * _e1892));
-                                                let _e1912 = (((((_e1721 * _e1842) + (_e1735 * _e1828)) * 2.01f) + (((_e1735 * 2f) * (_e1842 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1735) * (1f + _e1842))));
-                                                if (select(_e1896, -(_e1896), (_e1896 < 0f)) > _e1912) {
-                                                    let _e1918 = select(1f, -1f, (_e1896 < 0f));
-                                                    let _e1937 = (((((_e1614 * _e1842) + (_e1628 * _e1828)) * 2.01f) + (((_e1628 * 2f) * (_e1842 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1628) * (1f + _e1842))));
-                                                    let _e1956 = (((((_e1721 * _e1628) + (_e1735 * _e1614)) * 2.01f) + (((_e1735 * 2f) * (_e1628 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1735) * (1f + _e1628))));
-                                                    let _e1957 = (_e1896 * _e1918);
-                                                    let _e1958 = (((_e1884 * _e1893) - (_e1885 * _e1892)) * _e1918);
-                                                    let _e1959 = (((_e1888 * _e1885) - (_e1889 * _e1884)) * _e1918);
-                                                    let _e1972 = (((select(_e1957, -(_e1957), (_e1957 < 0f)) + select(_e1958, -(_e1958), (_e1958 < 0f))) + select(_e1959, -(_e1959), (_e1959 < 0f))) * (0.000000059604645f * 4f));
+                                                let _e1642 = ((_e1633.member_1 - _e1633.member) * 0.5f);
+                                                let _e1643 = (_e1633.member + _e1642);
+                                                let _e1645 = (_e1642 + (0.000000059604645f * 4f));
+                                                let _e1647 = local_7.member_3;
+                                                let _e1650 = local_7.member[0u];
+                                                let _e1656 = select(_e1650[0], -(_e1650[0]), (_e1650[0] < 0f));
+                                                let _e1659 = select(_e1650[1], -(_e1650[1]), (_e1650[1] < 0f));
+                                                let _e1661 = select(_e1659, _e1656, (_e1656 > _e1659));
+                                                let _e1664 = select(_e1650[2], -(_e1650[2]), (_e1650[2] < 0f));
+                                                let _e1666 = select(_e1664, _e1661, (_e1661 > _e1664));
+                                                let _e1668 = local_7.member[1u];
+                                                let _e1674 = select(_e1668[0], -(_e1668[0]), (_e1668[0] < 0f));
+                                                let _e1677 = select(_e1668[1], -(_e1668[1]), (_e1668[1] < 0f));
+                                                let _e1679 = select(_e1677, _e1674, (_e1674 > _e1677));
+                                                let _e1682 = select(_e1668[2], -(_e1668[2]), (_e1668[2] < 0f));
+                                                let _e1684 = select(_e1682, _e1679, (_e1679 > _e1682));
+                                                let _e1689 = local_7.member[0u];
+                                                let _e1694 = local_7.member[1u];
+                                                let _e1704 = (_e1689[0] + ((_e1694[0] - _e1689[0]) * _e1643));
+                                                let _e1705 = (_e1689[1] + ((_e1694[1] - _e1689[1]) * _e1643));
+                                                let _e1706 = (_e1689[2] + ((_e1694[2] - _e1689[2]) * _e1643));
+                                                let _e1708 = local_7.member[1u];
+                                                let _e1713 = local_7.member[0u];
+                                                let _e1717 = (_e1708[0] - _e1713[0]);
+                                                let _e1718 = (_e1708[1] - _e1713[1]);
+                                                let _e1719 = (_e1708[2] - _e1713[2]);
+                                                let _e1722 = select(_e1717, -(_e1717), (_e1717 < 0f));
+                                                let _e1725 = select(_e1718, -(_e1718), (_e1718 < 0f));
+                                                let _e1727 = select(_e1725, _e1722, (_e1722 > _e1725));
+                                                let _e1730 = select(_e1719, -(_e1719), (_e1719 < 0f));
+                                                let _e1738 = ((((_e1645 * select(_e1730, _e1727, (_e1727 > _e1730))) * 1.01f) + ((select(_e1684, _e1666, (_e1666 > _e1684)) + _e1647) * (0.000000059604645f * 8f))) + _e1647);
+                                                let _e1741 = select(_e1704, -(_e1704), (_e1704 < 0f));
+                                                let _e1744 = select(_e1705, -(_e1705), (_e1705 < 0f));
+                                                let _e1746 = select(_e1744, _e1741, (_e1741 > _e1744));
+                                                let _e1749 = select(_e1706, -(_e1706), (_e1706 < 0f));
+                                                let _e1752 = (select(_e1749, _e1746, (_e1746 > _e1749)) + _e1738);
+                                                let _e1755 = local_7.member_3;
+                                                let _e1757 = local_7.member_1[0u];
+                                                let _e1763 = select(_e1757[0], -(_e1757[0]), (_e1757[0] < 0f));
+                                                let _e1766 = select(_e1757[1], -(_e1757[1]), (_e1757[1] < 0f));
+                                                let _e1768 = select(_e1766, _e1763, (_e1763 > _e1766));
+                                                let _e1771 = select(_e1757[2], -(_e1757[2]), (_e1757[2] < 0f));
+                                                let _e1773 = select(_e1771, _e1768, (_e1768 > _e1771));
+                                                let _e1775 = local_7.member_1[1u];
+                                                let _e1781 = select(_e1775[0], -(_e1775[0]), (_e1775[0] < 0f));
+                                                let _e1784 = select(_e1775[1], -(_e1775[1]), (_e1775[1] < 0f));
+                                                let _e1786 = select(_e1784, _e1781, (_e1781 > _e1784));
+                                                let _e1789 = select(_e1775[2], -(_e1775[2]), (_e1775[2] < 0f));
+                                                let _e1791 = select(_e1789, _e1786, (_e1786 > _e1789));
+                                                let _e1796 = local_7.member_1[0u];
+                                                let _e1801 = local_7.member_1[1u];
+                                                let _e1811 = (_e1796[0] + ((_e1801[0] - _e1796[0]) * _e1643));
+                                                let _e1812 = (_e1796[1] + ((_e1801[1] - _e1796[1]) * _e1643));
+                                                let _e1813 = (_e1796[2] + ((_e1801[2] - _e1796[2]) * _e1643));
+                                                let _e1815 = local_7.member_1[1u];
+                                                let _e1820 = local_7.member_1[0u];
+                                                let _e1824 = (_e1815[0] - _e1820[0]);
+                                                let _e1825 = (_e1815[1] - _e1820[1]);
+                                                let _e1826 = (_e1815[2] - _e1820[2]);
+                                                let _e1829 = select(_e1824, -(_e1824), (_e1824 < 0f));
+                                                let _e1832 = select(_e1825, -(_e1825), (_e1825 < 0f));
+                                                let _e1834 = select(_e1832, _e1829, (_e1829 > _e1832));
+                                                let _e1837 = select(_e1826, -(_e1826), (_e1826 < 0f));
+                                                let _e1845 = ((((_e1645 * select(_e1837, _e1834, (_e1834 > _e1837))) * 1.01f) + ((select(_e1791, _e1773, (_e1773 > _e1791)) + _e1755) * (0.000000059604645f * 8f))) + _e1755);
+                                                let _e1848 = select(_e1811, -(_e1811), (_e1811 < 0f));
+                                                let _e1851 = select(_e1812, -(_e1812), (_e1812 < 0f));
+                                                let _e1853 = select(_e1851, _e1848, (_e1848 > _e1851));
+                                                let _e1856 = select(_e1813, -(_e1813), (_e1813 < 0f));
+                                                let _e1859 = (select(_e1856, _e1853, (_e1853 > _e1856)) + _e1845);
+                                                let _e1862 = local_7.member_3;
+                                                let _e1864 = local_7.member_2[0u];
+                                                let _e1870 = select(_e1864[0], -(_e1864[0]), (_e1864[0] < 0f));
+                                                let _e1873 = select(_e1864[1], -(_e1864[1]), (_e1864[1] < 0f));
+                                                let _e1875 = select(_e1873, _e1870, (_e1870 > _e1873));
+                                                let _e1878 = select(_e1864[2], -(_e1864[2]), (_e1864[2] < 0f));
+                                                let _e1880 = select(_e1878, _e1875, (_e1875 > _e1878));
+                                                let _e1882 = local_7.member_2[1u];
+                                                let _e1888 = select(_e1882[0], -(_e1882[0]), (_e1882[0] < 0f));
+                                                let _e1891 = select(_e1882[1], -(_e1882[1]), (_e1882[1] < 0f));
+                                                let _e1893 = select(_e1891, _e1888, (_e1888 > _e1891));
+                                                let _e1896 = select(_e1882[2], -(_e1882[2]), (_e1882[2] < 0f));
+                                                let _e1898 = select(_e1896, _e1893, (_e1893 > _e1896));
+                                                let _e1903 = local_7.member_2[0u];
+                                                let _e1908 = local_7.member_2[1u];
+                                                let _e1918 = (_e1903[0] + ((_e1908[0] - _e1903[0]) * _e1643));
+                                                let _e1919 = (_e1903[1] + ((_e1908[1] - _e1903[1]) * _e1643));
+                                                let _e1920 = (_e1903[2] + ((_e1908[2] - _e1903[2]) * _e1643));
+                                                let _e1922 = local_7.member_2[1u];
+                                                let _e1927 = local_7.member_2[0u];
+                                                let _e1931 = (_e1922[0] - _e1927[0]);
+                                                let _e1932 = (_e1922[1] - _e1927[1]);
+                                                let _e1933 = (_e1922[2] - _e1927[2]);
+                                                let _e1936 = select(_e1931, -(_e1931), (_e1931 < 0f));
+                                                let _e1939 = select(_e1932, -(_e1932), (_e1932 < 0f));
+                                                let _e1941 = select(_e1939, _e1936, (_e1936 > _e1939));
+                                                let _e1944 = select(_e1933, -(_e1933), (_e1933 < 0f));
+                                                let _e1952 = ((((_e1645 * select(_e1944, _e1941, (_e1941 > _e1944))) * 1.01f) + ((select(_e1898, _e1880, (_e1880 > _e1898)) + _e1862) * (0.000000059604645f * 8f))) + _e1862);
+                                                let _e1955 = select(_e1918, -(_e1918), (_e1918 < 0f));
+                                                let _e1958 = select(_e1919, -(_e1919), (_e1919 < 0f));
+                                                let _e1960 = select(_e1958, _e1955, (_e1955 > _e1958));
+                                                let _e1963 = select(_e1920, -(_e1920), (_e1920 < 0f));
+                                                let _e1966 = (select(_e1963, _e1960, (_e1960 > _e1963)) + _e1952);
+                                                let _e1969 = ((_e1812 * _e1920) - (_e1813 * _e1919));
+                                                let _e1972 = ((_e1813 * _e1918) - (_e1811 * _e1920));
+                                                let _e1975 = ((_e1811 * _e1919) - (_e1812 * _e1918));
+                                                let _e1990 = select(false, (select(_e1969, -(_e1969), (_e1969 < 0f)) > select(_e1975, -(_e1975), (_e1975 < 0f))), (select(_e1969, -(_e1969), (_e1969 < 0f)) > select(_e1972, -(_e1972), (_e1972 < 0f))));
+                                                let _e2005 = select((select(_e1972, -(_e1972), (_e1972 < 0f)) > select(_e1975, -(_e1975), (_e1975 < 0f))), false, (select(_e1969, -(_e1969), (_e1969 < 0f)) > select(_e1972, -(_e1972), (_e1972 < 0f))));
+                                                let _e2008 = select(select(_e1704, _e1705, _e1990), _e1706, _e2005);
+                                                let _e2009 = select(select(_e1705, _e1706, _e1990), _e1704, _e2005);
+                                                let _e2012 = select(select(_e1811, _e1812, _e1990), _e1813, _e2005);
+                                                let _e2013 = select(select(_e1812, _e1813, _e1990), _e1811, _e2005);
+                                                let _e2016 = select(select(_e1918, _e1919, _e1990), _e1920, _e2005);
+                                                let _e2017 = select(select(_e1919, _e1920, _e1990), _e1918, _e2005);
+                                                let _e2020 = ((_e2012 * _e2017) - (_e2013 * _e2016));
+                                                let _e2036 = (((((_e1845 * _e1966) + (_e1859 * _e1952)) * 2.01f) + (((_e1859 * 2f) * (_e1966 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1859) * (1f + _e1966))));
+                                                if (select(_e2020, -(_e2020), (_e2020 < 0f)) > _e2036) {
+                                                    let _e2042 = select(1f, -1f, (_e2020 < 0f));
+                                                    let _e2061 = (((((_e1738 * _e1966) + (_e1752 * _e1952)) * 2.01f) + (((_e1752 * 2f) * (_e1966 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1752) * (1f + _e1966))));
+                                                    let _e2080 = (((((_e1845 * _e1752) + (_e1859 * _e1738)) * 2.01f) + (((_e1859 * 2f) * (_e1752 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1859) * (1f + _e1752))));
+                                                    let _e2081 = (_e2020 * _e2042);
+                                                    let _e2082 = (((_e2008 * _e2017) - (_e2009 * _e2016)) * _e2042);
+                                                    let _e2083 = (((_e2012 * _e2009) - (_e2013 * _e2008)) * _e2042);
+                                                    let _e2096 = (((select(_e2081, -(_e2081), (_e2081 < 0f)) + select(_e2082, -(_e2082), (_e2082 < 0f))) + select(_e2083, -(_e2083), (_e2083 < 0f))) * (0.000000059604645f * 4f));
                                                     if (_e224.member != 0u) {
-                                                        phi_3773_ = array<type_16, 4>(type_16(_e1958, _e1937), type_16(_e1959, _e1956), type_16((_e1957 - _e1958), ((_e1912 + _e1937) + _e1972)), type_16((_e1957 - _e1959), ((_e1912 + _e1956) + _e1972)));
+                                                        phi_3996_ = array<type_16, 4>(type_16(_e2082, _e2061), type_16(_e2083, _e2080), type_16((_e2081 - _e2082), ((_e2036 + _e2061) + _e2096)), type_16((_e2081 - _e2083), ((_e2036 + _e2080) + _e2096)));
                                                     } else {
-                                                        let _e1975 = ((_e1957 - _e1958) - _e1959);
-                                                        let _e1978 = (((_e1912 + _e1937) + _e1956) + _e1972);
-                                                        phi_3773_ = array<type_16, 4>(type_16(_e1958, _e1937), type_16(_e1959, _e1956), type_16(_e1975, _e1978), type_16(_e1975, _e1978));
+                                                        let _e2099 = ((_e2081 - _e2082) - _e2083);
+                                                        let _e2102 = (((_e2036 + _e2061) + _e2080) + _e2096);
+                                                        phi_3996_ = array<type_16, 4>(type_16(_e2082, _e2061), type_16(_e2083, _e2080), type_16(_e2099, _e2102), type_16(_e2099, _e2102));
                                                     }
-                                                    let _e1996 = phi_3773_;
-                                                    local_2 = array<type_16, 4>(type_16(_e1996[0].member, _e1996[0].member_1), type_16(_e1996[1].member, _e1996[1].member_1), type_16(_e1996[2].member, _e1996[2].member_1), type_16(_e1996[3].member, _e1996[3].member_1));
-                                                    phi_3793_ = type_9(0u, 4u);
-                                                    phi_3796_ = true;
+                                                    let _e2120 = phi_3996_;
+                                                    local_2 = array<type_16, 4>(type_16(_e2120[0].member, _e2120[0].member_1), type_16(_e2120[1].member, _e2120[1].member_1), type_16(_e2120[2].member, _e2120[2].member_1), type_16(_e2120[3].member, _e2120[3].member_1));
+                                                    phi_4016_ = type_9(0u, 4u);
+                                                    phi_4019_ = true;
                                                     loop {
-                                                        let _e2015 = phi_3793_;
-                                                        let _e2017 = phi_3796_;
-                                                        local_19 = _e2017;
-                                                        let _e2020 = (_e2015.member < _e2015.member_1);
-                                                        let _e2031 = select(type_9().member_1, _e2015.member, _e2020);
-                                                        if (bitcast<i32>(select(0u, 1u, _e2020)) != 0i) {
-                                                            let _e2036 = local_2[_e2031].member;
-                                                            let _e2039 = local_2[_e2031].member_1;
-                                                            let _e2041 = (_e2036 < -(_e2039));
-                                                            phi_3797_ = select((_e2017 && (_e2036 > _e2039)), bool(), _e2041);
-                                                            phi_3848_ = select(true, false, _e2041);
-                                                            phi_3849_ = _e2041;
+                                                        let _e2139 = phi_4016_;
+                                                        let _e2141 = phi_4019_;
+                                                        local_19 = _e2141;
+                                                        let _e2144 = (_e2139.member < _e2139.member_1);
+                                                        let _e2155 = select(type_9().member_1, _e2139.member, _e2144);
+                                                        if (bitcast<i32>(select(0u, 1u, _e2144)) != 0i) {
+                                                            let _e2160 = local_2[_e2155].member;
+                                                            let _e2163 = local_2[_e2155].member_1;
+                                                            let _e2165 = (_e2160 < -(_e2163));
+                                                            phi_4020_ = select((_e2141 && (_e2160 > _e2163)), bool(), _e2165);
+                                                            phi_4071_ = select(true, false, _e2165);
+                                                            phi_4072_ = _e2165;
                                                         } else {
-                                                            phi_3797_ = bool();
-                                                            phi_3848_ = false;
-                                                            phi_3849_ = false;
+                                                            phi_4020_ = bool();
+                                                            phi_4071_ = false;
+                                                            phi_4072_ = false;
                                                         }
-                                                        let _e2047 = phi_3797_;
-                                                        let _e2049 = phi_3848_;
-                                                        let _e2051 = phi_3849_;
-                                                        local_18 = _e2051;
+                                                        let _e2171 = phi_4020_;
+                                                        let _e2173 = phi_4071_;
+                                                        let _e2175 = phi_4072_;
+                                                        local_18 = _e2175;
                                                         continue;
                                                         continuing {
-                                                            phi_3793_ = type_9(select(_e2015.member, (_e2015.member + 1u), _e2020), select(_e2015.member_1, _e2015.member_1, _e2020));
-                                                            phi_3796_ = _e2047;
-                                                            break if !(_e2049);
+                                                            phi_4016_ = type_9(select(_e2139.member, (_e2139.member + 1u), _e2144), select(_e2139.member_1, _e2139.member_1, _e2144));
+                                                            phi_4019_ = _e2171;
+                                                            break if !(_e2173);
                                                         }
                                                     }
-                                                    let _e2054 = local_18;
-                                                    let _e2055 = select(true, false, _e2054);
-                                                    let _e2057 = local_19;
-                                                    phi_3863_ = select(u32(), select(2u, 1u, _e2057), _e2055);
-                                                    phi_3864_ = 0u;
-                                                    phi_3865_ = select(true, false, _e2055);
+                                                    let _e2178 = local_18;
+                                                    let _e2179 = select(true, false, _e2178);
+                                                    let _e2181 = local_19;
+                                                    phi_4086_ = select(u32(), select(2u, 1u, _e2181), _e2179);
+                                                    phi_4087_ = 0u;
+                                                    phi_4088_ = select(true, false, _e2179);
                                                 } else {
-                                                    phi_3863_ = u32();
-                                                    phi_3864_ = 2u;
-                                                    phi_3865_ = true;
+                                                    phi_4086_ = u32();
+                                                    phi_4087_ = 2u;
+                                                    phi_4088_ = true;
                                                 }
-                                                let _e2062 = phi_3863_;
-                                                let _e2064 = phi_3864_;
-                                                let _e2066 = phi_3865_;
-                                                let _e2067 = select(_e2062, _e2064, _e2066);
-                                                let _e2068 = (_e2067 == 0u);
-                                                if _e2068 {
-                                                    phi_3896_ = bool();
-                                                    phi_3897_ = false;
-                                                    phi_3898_ = false;
+                                                let _e2186 = phi_4086_;
+                                                let _e2188 = phi_4087_;
+                                                let _e2190 = phi_4088_;
+                                                let _e2191 = select(_e2186, _e2188, _e2190);
+                                                let _e2192 = (_e2191 == 0u);
+                                                if _e2192 {
+                                                    phi_4119_ = bool();
+                                                    phi_4120_ = false;
+                                                    phi_4121_ = false;
                                                 } else {
-                                                    let _e2071 = select(false, _e1509.member_2, (_e2067 == 1u));
-                                                    let _e2077 = select(true, select(true, false, ((_e1509.member_1 - _e1509.member) <= _e1124)), _e2071);
-                                                    phi_3896_ = _e2071;
-                                                    phi_3897_ = _e2077;
-                                                    phi_3898_ = select(true, false, _e2077);
+                                                    let _e2195 = select(false, _e1633.member_2, (_e2191 == 1u));
+                                                    let _e2201 = select(true, select(true, false, ((_e1633.member_1 - _e1633.member) <= _e1248)), _e2195);
+                                                    phi_4119_ = _e2195;
+                                                    phi_4120_ = _e2201;
+                                                    phi_4121_ = select(true, false, _e2201);
                                                 }
-                                                let _e2080 = phi_3896_;
-                                                let _e2082 = phi_3897_;
-                                                let _e2084 = phi_3898_;
-                                                phi_3899_ = _e2080;
-                                                phi_3900_ = _e2068;
-                                                phi_3901_ = _e2082;
-                                                phi_3902_ = _e2084;
+                                                let _e2204 = phi_4119_;
+                                                let _e2206 = phi_4120_;
+                                                let _e2208 = phi_4121_;
+                                                phi_4122_ = _e2204;
+                                                phi_4123_ = _e2192;
+                                                phi_4124_ = _e2206;
+                                                phi_4125_ = _e2208;
                                             }
-                                            let _e2086 = phi_3899_;
-                                            let _e2088 = phi_3900_;
-                                            let _e2090 = phi_3901_;
-                                            let _e2092 = phi_3902_;
-                                            phi_3903_ = _e2086;
-                                            phi_3904_ = _e2088;
-                                            phi_3905_ = _e2090;
-                                            phi_3906_ = _e1514;
-                                            phi_3907_ = _e2092;
+                                            let _e2210 = phi_4122_;
+                                            let _e2212 = phi_4123_;
+                                            let _e2214 = phi_4124_;
+                                            let _e2216 = phi_4125_;
+                                            phi_4126_ = _e2210;
+                                            phi_4127_ = _e2212;
+                                            phi_4128_ = _e2214;
+                                            phi_4129_ = _e1638;
+                                            phi_4130_ = _e2216;
                                         }
-                                        let _e2094 = phi_3903_;
-                                        let _e2096 = phi_3904_;
-                                        let _e2098 = phi_3905_;
-                                        let _e2100 = phi_3906_;
-                                        let _e2102 = phi_3907_;
-                                        phi_3908_ = _e1509;
-                                        phi_3909_ = _e2094;
-                                        phi_3910_ = _e1509;
-                                        phi_3911_ = _e2096;
-                                        phi_3912_ = _e2098;
-                                        phi_3913_ = _e2100;
-                                        phi_3914_ = _e2102;
+                                        let _e2218 = phi_4126_;
+                                        let _e2220 = phi_4127_;
+                                        let _e2222 = phi_4128_;
+                                        let _e2224 = phi_4129_;
+                                        let _e2226 = phi_4130_;
+                                        phi_4131_ = _e1633;
+                                        phi_4132_ = _e2218;
+                                        phi_4133_ = _e1633;
+                                        phi_4134_ = _e2220;
+                                        phi_4135_ = _e2222;
+                                        phi_4136_ = _e2224;
+                                        phi_4137_ = _e2226;
                                     }
-                                    let _e2104 = phi_3908_;
-                                    let _e2106 = phi_3909_;
-                                    let _e2108 = phi_3910_;
-                                    let _e2110 = phi_3911_;
-                                    let _e2112 = phi_3912_;
-                                    let _e2114 = phi_3913_;
-                                    let _e2116 = phi_3914_;
-                                    phi_3915_ = _e2104;
-                                    phi_3916_ = _e2106;
-                                    phi_3917_ = _e2108;
-                                    phi_3918_ = _e2110;
-                                    phi_3919_ = _e2112;
-                                    phi_3920_ = _e1189;
-                                    phi_3921_ = _e2114;
-                                    phi_3922_ = _e2116;
+                                    let _e2228 = phi_4131_;
+                                    let _e2230 = phi_4132_;
+                                    let _e2232 = phi_4133_;
+                                    let _e2234 = phi_4134_;
+                                    let _e2236 = phi_4135_;
+                                    let _e2238 = phi_4136_;
+                                    let _e2240 = phi_4137_;
+                                    phi_4138_ = _e2228;
+                                    phi_4139_ = _e2230;
+                                    phi_4140_ = _e2232;
+                                    phi_4141_ = _e2234;
+                                    phi_4142_ = _e2236;
+                                    phi_4143_ = _e1313;
+                                    phi_4144_ = _e2238;
+                                    phi_4145_ = _e2240;
                                 } else {
-                                    phi_3915_ = type_38();
-                                    phi_3916_ = bool();
-                                    phi_3917_ = type_38();
-                                    phi_3918_ = true;
-                                    phi_3919_ = false;
-                                    phi_3920_ = false;
-                                    phi_3921_ = false;
-                                    phi_3922_ = false;
+                                    phi_4138_ = type_38();
+                                    phi_4139_ = bool();
+                                    phi_4140_ = type_38();
+                                    phi_4141_ = true;
+                                    phi_4142_ = false;
+                                    phi_4143_ = false;
+                                    phi_4144_ = false;
+                                    phi_4145_ = false;
                                 }
-                                let _e2118 = phi_3915_;
-                                let _e2120 = phi_3916_;
-                                let _e2122 = phi_3917_;
-                                let _e2124 = phi_3918_;
-                                let _e2126 = phi_3919_;
-                                let _e2128 = phi_3920_;
-                                let _e2130 = phi_3921_;
-                                let _e2132 = phi_3922_;
-                                phi_3930_ = _e2118;
-                                phi_3931_ = _e2120;
-                                phi_3932_ = _e2122;
-                                phi_3933_ = select(_e2126, false, _e2124);
-                                phi_3934_ = _e2124;
-                                phi_3935_ = select(_e2128, false, _e2124);
-                                phi_3936_ = select(_e2130, false, _e2124);
-                                phi_3937_ = select(_e2132, false, _e2124);
+                                let _e2242 = phi_4138_;
+                                let _e2244 = phi_4139_;
+                                let _e2246 = phi_4140_;
+                                let _e2248 = phi_4141_;
+                                let _e2250 = phi_4142_;
+                                let _e2252 = phi_4143_;
+                                let _e2254 = phi_4144_;
+                                let _e2256 = phi_4145_;
+                                phi_4153_ = _e2242;
+                                phi_4154_ = _e2244;
+                                phi_4155_ = _e2246;
+                                phi_4156_ = select(_e2250, false, _e2248);
+                                phi_4157_ = _e2248;
+                                phi_4158_ = select(_e2252, false, _e2248);
+                                phi_4159_ = select(_e2254, false, _e2248);
+                                phi_4160_ = select(_e2256, false, _e2248);
                             } else {
-                                phi_3930_ = type_38(_e353, _e353, false);
-                                phi_3931_ = false;
-                                phi_3932_ = type_38();
-                                phi_3933_ = true;
-                                phi_3934_ = false;
-                                phi_3935_ = false;
-                                phi_3936_ = false;
-                                phi_3937_ = false;
+                                phi_4153_ = type_38(_e353, _e353, false);
+                                phi_4154_ = false;
+                                phi_4155_ = type_38();
+                                phi_4156_ = true;
+                                phi_4157_ = false;
+                                phi_4158_ = false;
+                                phi_4159_ = false;
+                                phi_4160_ = false;
                             }
-                            let _e2138 = phi_3930_;
-                            let _e2140 = phi_3931_;
-                            let _e2142 = phi_3932_;
-                            let _e2144 = phi_3933_;
-                            let _e2146 = phi_3934_;
-                            let _e2148 = phi_3935_;
-                            let _e2150 = phi_3936_;
-                            let _e2152 = phi_3937_;
-                            if _e2144 {
-                                let _e2157 = local_7.member[0u];
-                                let _e2163 = local_7.member_1[0u];
-                                let _e2169 = local_7.member_2[0u];
-                                let _e2173 = (_e2157[0] - _e2163[0]);
-                                let _e2174 = (_e2157[1] - _e2163[1]);
-                                let _e2175 = (_e2157[2] - _e2163[2]);
-                                let _e2176 = (_e224.member == 0u);
-                                let _e2188 = local_7.member[1u];
-                                let _e2194 = local_7.member_1[1u];
-                                let _e2200 = local_7.member_2[1u];
-                                let _e2204 = (_e2188[0] - _e2194[0]);
-                                let _e2205 = (_e2188[1] - _e2194[1]);
-                                let _e2206 = (_e2188[2] - _e2194[2]);
-                                let _e2207 = (_e224.member == 0u);
-                                let _e2219 = local_7.member[0u];
-                                let _e2225 = select(_e2219[0], -(_e2219[0]), (_e2219[0] < 0f));
-                                let _e2228 = select(_e2219[1], -(_e2219[1]), (_e2219[1] < 0f));
-                                let _e2230 = select(_e2228, _e2225, (_e2225 > _e2228));
-                                let _e2233 = select(_e2219[2], -(_e2219[2]), (_e2219[2] < 0f));
-                                let _e2235 = select(_e2233, _e2230, (_e2230 > _e2233));
-                                let _e2238 = local_7.member[1u];
-                                let _e2244 = select(_e2238[0], -(_e2238[0]), (_e2238[0] < 0f));
-                                let _e2247 = select(_e2238[1], -(_e2238[1]), (_e2238[1] < 0f));
-                                let _e2249 = select(_e2247, _e2244, (_e2244 > _e2247));
-                                let _e2252 = select(_e2238[2], -(_e2238[2]), (_e2238[2] < 0f));
-                                let _e2254 = select(_e2252, _e2249, (_e2249 > _e2252));
-                                let _e2258 = local_7.member_3;
-                                let _e2262 = local_7.member_1[0u];
-                                let _e2268 = select(_e2262[0], -(_e2262[0]), (_e2262[0] < 0f));
-                                let _e2271 = select(_e2262[1], -(_e2262[1]), (_e2262[1] < 0f));
-                                let _e2273 = select(_e2271, _e2268, (_e2268 > _e2271));
-                                let _e2276 = select(_e2262[2], -(_e2262[2]), (_e2262[2] < 0f));
-                                let _e2278 = select(_e2276, _e2273, (_e2273 > _e2276));
-                                let _e2281 = local_7.member_1[1u];
-                                let _e2287 = select(_e2281[0], -(_e2281[0]), (_e2281[0] < 0f));
-                                let _e2290 = select(_e2281[1], -(_e2281[1]), (_e2281[1] < 0f));
-                                let _e2292 = select(_e2290, _e2287, (_e2287 > _e2290));
-                                let _e2295 = select(_e2281[2], -(_e2281[2]), (_e2281[2] < 0f));
-                                let _e2297 = select(_e2295, _e2292, (_e2292 > _e2295));
-                                let _e2301 = local_7.member_3;
-                                let _e2305 = local_7.member_2[0u];
-                                let _e2311 = select(_e2305[0], -(_e2305[0]), (_e2305[0] < 0f));
-                                let _e2314 = select(_e2305[1], -(_e2305[1]), (_e2305[1] < 0f));
-                                let _e2316 = select(_e2314, _e2311, (_e2311 > _e2314));
-                                let _e2319 = select(_e2305[2], -(_e2305[2]), (_e2305[2] < 0f));
-                                let _e2321 = select(_e2319, _e2316, (_e2316 > _e2319));
+                            let _e2262 = phi_4153_;
+                            let _e2264 = phi_4154_;
+                            let _e2266 = phi_4155_;
+                            let _e2268 = phi_4156_;
+                            let _e2270 = phi_4157_;
+                            let _e2272 = phi_4158_;
+                            let _e2274 = phi_4159_;
+                            let _e2276 = phi_4160_;
+                            if _e2268 {
+                                let _e2281 = local_7.member[0u];
+                                let _e2287 = local_7.member_1[0u];
+                                let _e2293 = local_7.member_2[0u];
+                                let _e2297 = (_e2281[0] - _e2287[0]);
+                                let _e2298 = (_e2281[1] - _e2287[1]);
+                                let _e2299 = (_e2281[2] - _e2287[2]);
+                                let _e2300 = (_e224.member == 0u);
+                                let _e2312 = local_7.member[1u];
+                                let _e2318 = local_7.member_1[1u];
                                 let _e2324 = local_7.member_2[1u];
-                                let _e2330 = select(_e2324[0], -(_e2324[0]), (_e2324[0] < 0f));
-                                let _e2333 = select(_e2324[1], -(_e2324[1]), (_e2324[1] < 0f));
-                                let _e2335 = select(_e2333, _e2330, (_e2330 > _e2333));
-                                let _e2338 = select(_e2324[2], -(_e2324[2]), (_e2324[2] < 0f));
-                                let _e2340 = select(_e2338, _e2335, (_e2335 > _e2338));
-                                let _e2344 = local_7.member_3;
-                                let _e2351 = local_7.member_3;
-                                let _e2356 = (_e351 * 0.00390625f);
+                                let _e2328 = (_e2312[0] - _e2318[0]);
+                                let _e2329 = (_e2312[1] - _e2318[1]);
+                                let _e2330 = (_e2312[2] - _e2318[2]);
+                                let _e2331 = (_e224.member == 0u);
+                                let _e2343 = local_7.member[0u];
+                                let _e2349 = select(_e2343[0], -(_e2343[0]), (_e2343[0] < 0f));
+                                let _e2352 = select(_e2343[1], -(_e2343[1]), (_e2343[1] < 0f));
+                                let _e2354 = select(_e2352, _e2349, (_e2349 > _e2352));
+                                let _e2357 = select(_e2343[2], -(_e2343[2]), (_e2343[2] < 0f));
+                                let _e2359 = select(_e2357, _e2354, (_e2354 > _e2357));
+                                let _e2362 = local_7.member[1u];
+                                let _e2368 = select(_e2362[0], -(_e2362[0]), (_e2362[0] < 0f));
+                                let _e2371 = select(_e2362[1], -(_e2362[1]), (_e2362[1] < 0f));
+                                let _e2373 = select(_e2371, _e2368, (_e2368 > _e2371));
+                                let _e2376 = select(_e2362[2], -(_e2362[2]), (_e2362[2] < 0f));
+                                let _e2378 = select(_e2376, _e2373, (_e2373 > _e2376));
+                                let _e2382 = local_7.member_3;
+                                let _e2386 = local_7.member_1[0u];
+                                let _e2392 = select(_e2386[0], -(_e2386[0]), (_e2386[0] < 0f));
+                                let _e2395 = select(_e2386[1], -(_e2386[1]), (_e2386[1] < 0f));
+                                let _e2397 = select(_e2395, _e2392, (_e2392 > _e2395));
+                                let _e2400 = select(_e2386[2], -(_e2386[2]), (_e2386[2] < 0f));
+                                let _e2402 = select(_e2400, _e2397, (_e2397 > _e2400));
+                                let _e2405 = local_7.member_1[1u];
+                                let _e2411 = select(_e2405[0], -(_e2405[0]), (_e2405[0] < 0f));
+                                let _e2414 = select(_e2405[1], -(_e2405[1]), (_e2405[1] < 0f));
+                                let _e2416 = select(_e2414, _e2411, (_e2411 > _e2414));
+                                let _e2419 = select(_e2405[2], -(_e2405[2]), (_e2405[2] < 0f));
+                                let _e2421 = select(_e2419, _e2416, (_e2416 > _e2419));
+                                let _e2425 = local_7.member_3;
+                                let _e2429 = local_7.member_2[0u];
+                                let _e2435 = select(_e2429[0], -(_e2429[0]), (_e2429[0] < 0f));
+                                let _e2438 = select(_e2429[1], -(_e2429[1]), (_e2429[1] < 0f));
+                                let _e2440 = select(_e2438, _e2435, (_e2435 > _e2438));
+                                let _e2443 = select(_e2429[2], -(_e2429[2]), (_e2429[2] < 0f));
+                                let _e2445 = select(_e2443, _e2440, (_e2440 > _e2443));
+                                let _e2448 = local_7.member_2[1u];
+                                let _e2454 = select(_e2448[0], -(_e2448[0]), (_e2448[0] < 0f));
+                                let _e2457 = select(_e2448[1], -(_e2448[1]), (_e2448[1] < 0f));
+                                let _e2459 = select(_e2457, _e2454, (_e2454 > _e2457));
+                                let _e2462 = select(_e2448[2], -(_e2448[2]), (_e2448[2] < 0f));
+                                let _e2464 = select(_e2462, _e2459, (_e2459 > _e2462));
+                                let _e2468 = local_7.member_3;
+                                let _e2475 = local_7.member_3;
+                                let _e2480 = (_e351 * 0.00390625f);
                                 local = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                                phi_4360_ = type_9(0u, 96u);
-                                phi_4363_ = _e2138.member;
-                                phi_4365_ = _e2138.member;
-                                phi_4367_ = (_e2138.member_1 - _e2138.member);
-                                phi_4369_ = _e2138.member;
-                                phi_4371_ = false;
-                                phi_4373_ = 0u;
+                                phi_4583_ = type_9(0u, 96u);
+                                phi_4586_ = _e2262.member;
+                                phi_4588_ = _e2262.member;
+                                phi_4590_ = (_e2262.member_1 - _e2262.member);
+                                phi_4592_ = _e2262.member;
+                                phi_4594_ = false;
+                                phi_4596_ = 0u;
                                 loop {
-                                    let _e2359 = phi_4360_;
-                                    let _e2361 = phi_4363_;
-                                    let _e2363 = phi_4365_;
-                                    let _e2365 = phi_4367_;
-                                    let _e2367 = phi_4369_;
-                                    let _e2369 = phi_4371_;
-                                    let _e2371 = phi_4373_;
-                                    local_29 = _e2361;
-                                    local_32 = _e2363;
-                                    let _e2374 = (_e2359.member < _e2359.member_1);
-                                    if (bitcast<i32>(select(0u, 1u, _e2374)) != 0i) {
-                                        let _e2388 = local_7.member[0u];
-                                        let _e2394 = local_7.member[1u];
-                                        let _e2410 = local_7.member_1[0u];
-                                        let _e2416 = local_7.member_1[1u];
-                                        let _e2432 = local_7.member_2[0u];
-                                        let _e2438 = local_7.member_2[1u];
-                                        let _e2452 = function_2(array<f32, 3>((_e2388[0] + ((_e2394[0] - _e2388[0]) * _e2361)), (_e2388[1] + ((_e2394[1] - _e2388[1]) * _e2361)), (_e2388[2] + ((_e2394[2] - _e2388[2]) * _e2361))), array<f32, 3>((_e2410[0] + ((_e2416[0] - _e2410[0]) * _e2361)), (_e2410[1] + ((_e2416[1] - _e2410[1]) * _e2361)), (_e2410[2] + ((_e2416[2] - _e2410[2]) * _e2361))), array<f32, 3>((_e2432[0] + ((_e2438[0] - _e2432[0]) * _e2361)), (_e2432[1] + ((_e2438[1] - _e2432[1]) * _e2361)), (_e2432[2] + ((_e2438[2] - _e2432[2]) * _e2361))), _e224.member);
-                                        if (_e2371 == 0u) {
-                                            phi_4524_ = _e2452;
+                                    let _e2483 = phi_4583_;
+                                    let _e2485 = phi_4586_;
+                                    let _e2487 = phi_4588_;
+                                    let _e2489 = phi_4590_;
+                                    let _e2491 = phi_4592_;
+                                    let _e2493 = phi_4594_;
+                                    let _e2495 = phi_4596_;
+                                    local_29 = _e2485;
+                                    local_32 = _e2487;
+                                    let _e2498 = (_e2483.member < _e2483.member_1);
+                                    if (bitcast<i32>(select(0u, 1u, _e2498)) != 0i) {
+                                        let _e2512 = local_7.member[0u];
+                                        let _e2518 = local_7.member[1u];
+                                        let _e2534 = local_7.member_1[0u];
+                                        let _e2540 = local_7.member_1[1u];
+                                        let _e2556 = local_7.member_2[0u];
+                                        let _e2562 = local_7.member_2[1u];
+                                        let _e2576 = function_2(array<f32, 3>((_e2512[0] + ((_e2518[0] - _e2512[0]) * _e2485)), (_e2512[1] + ((_e2518[1] - _e2512[1]) * _e2485)), (_e2512[2] + ((_e2518[2] - _e2512[2]) * _e2485))), array<f32, 3>((_e2534[0] + ((_e2540[0] - _e2534[0]) * _e2485)), (_e2534[1] + ((_e2540[1] - _e2534[1]) * _e2485)), (_e2534[2] + ((_e2540[2] - _e2534[2]) * _e2485))), array<f32, 3>((_e2556[0] + ((_e2562[0] - _e2556[0]) * _e2485)), (_e2556[1] + ((_e2562[1] - _e2556[1]) * _e2485)), (_e2556[2] + ((_e2562[2] - _e2556[2]) * _e2485))), _e224.member);
+                                        if (_e2495 == 0u) {
+                                            phi_4747_ = _e2576;
                                         } else {
-                                            phi_4524_ = array<f32, 3>(select(0f, _e2452[0], (_e2371 == 1u)), select(0f, _e2452[1], (_e2371 == 2u)), select(0f, _e2452[2], (_e2371 == 3u)));
+                                            phi_4747_ = array<f32, 3>(select(0f, _e2576[0], (_e2495 == 1u)), select(0f, _e2576[1], (_e2495 == 2u)), select(0f, _e2576[2], (_e2495 == 3u)));
                                         }
-                                        let _e2465 = phi_4524_;
-                                        let _e2479 = ((select(_e2465[0], -(_e2465[0]), (_e2465[0] < 0f)) + select(_e2465[1], -(_e2465[1]), (_e2465[1] < 0f))) + select(_e2465[2], -(_e2465[2]), (_e2465[2] < 0f)));
-                                        if (_e2479 > 0f) {
-                                            if ((bitcast<u32>(_e2479) & 2139095040u) != 2139095040u) {
-                                                let _e2484 = (1f / _e2479);
-                                                let _e2486 = (_e2465[0] * _e2484);
-                                                let _e2488 = (_e2465[1] * _e2484);
-                                                let _e2490 = (_e2465[2] * _e2484);
-                                                let _e2495 = (((_e2486 * _e2486) + (_e2488 * _e2488)) + (_e2490 * _e2490));
-                                                if (_e2495 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_4647_ = select(0f, (0.000000000000000000106433627f * 2f), (_e2495 > 0f));
+                                        let _e2589 = phi_4747_;
+                                        let _e2603 = ((select(_e2589[0], -(_e2589[0]), (_e2589[0] < 0f)) + select(_e2589[1], -(_e2589[1]), (_e2589[1] < 0f))) + select(_e2589[2], -(_e2589[2]), (_e2589[2] < 0f)));
+                                        if (_e2603 > 0f) {
+                                            if ((bitcast<u32>(_e2603) & 2139095040u) != 2139095040u) {
+                                                let _e2608 = (1f / _e2603);
+                                                let _e2610 = (_e2589[0] * _e2608);
+                                                let _e2612 = (_e2589[1] * _e2608);
+                                                let _e2614 = (_e2589[2] * _e2608);
+                                                let _e2619 = (((_e2610 * _e2610) + (_e2612 * _e2612)) + (_e2614 * _e2614));
+                                                if (_e2619 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_4870_ = select(0f, (0.000000000000000000106433627f * 2f), (_e2619 > 0f));
                                                 } else {
-                                                    phi_4590_ = type_14(0i, 5i);
-                                                    phi_4593_ = bitcast<f32>(((bitcast<u32>(_e2495) >> bitcast<u32>(1i)) + 532369198u));
+                                                    phi_4813_ = type_14(0i, 5i);
+                                                    phi_4816_ = bitcast<f32>(((bitcast<u32>(_e2619) >> bitcast<u32>(1i)) + 532369198u));
                                                     loop {
-                                                        let _e2503 = phi_4590_;
-                                                        let _e2505 = phi_4593_;
-                                                        local_20 = _e2505;
-                                                        if (_e2503.member < _e2503.member_1) {
-                                                            let _e2512 = (_e2503.member + 1i);
-                                                            phi_4591_ = type_14(select(_e2512, type_15().member_1, select(false, true, ((false == (_e2512 > _e2503.member)) != false))), _e2503.member_1);
-                                                            phi_4634_ = type_15(1u, _e2503.member);
+                                                        let _e2627 = phi_4813_;
+                                                        let _e2629 = phi_4816_;
+                                                        local_20 = _e2629;
+                                                        if (_e2627.member < _e2627.member_1) {
+                                                            let _e2636 = (_e2627.member + 1i);
+                                                            phi_4814_ = type_14(select(_e2636, type_15().member_1, select(false, true, ((false == (_e2636 > _e2627.member)) != false))), _e2627.member_1);
+                                                            phi_4857_ = type_15(1u, _e2627.member);
                                                         } else {
-                                                            phi_4591_ = _e2503;
-                                                            phi_4634_ = type_15(0u, type_15().member_1);
+                                                            phi_4814_ = _e2627;
+                                                            phi_4857_ = type_15(0u, type_15().member_1);
                                                         }
-                                                        let _e2523 = phi_4591_;
-                                                        let _e2525 = phi_4634_;
-                                                        let _e2528 = (bitcast<i32>(_e2525.member) != 0i);
-                                                        if _e2528 {
-                                                            phi_4594_ = (0.5f * (_e2505 + (_e2495 / _e2505)));
+                                                        let _e2647 = phi_4814_;
+                                                        let _e2649 = phi_4857_;
+                                                        let _e2652 = (bitcast<i32>(_e2649.member) != 0i);
+                                                        if _e2652 {
+                                                            phi_4817_ = (0.5f * (_e2629 + (_e2619 / _e2629)));
                                                         } else {
-                                                            phi_4594_ = f32();
+                                                            phi_4817_ = f32();
                                                         }
-                                                        let _e2533 = phi_4594_;
+                                                        let _e2657 = phi_4817_;
                                                         continue;
                                                         continuing {
-                                                            phi_4590_ = _e2523;
-                                                            phi_4593_ = _e2533;
-                                                            break if !(_e2528);
+                                                            phi_4813_ = _e2647;
+                                                            phi_4816_ = _e2657;
+                                                            break if !(_e2652);
                                                         }
                                                     }
-                                                    let _e2538 = local_20;
-                                                    phi_4647_ = (_e2538 * (1f + (8f * 0.000000059604645f)));
+                                                    let _e2662 = local_20;
+                                                    phi_4870_ = (_e2662 * (1f + (8f * 0.000000059604645f)));
                                                 }
-                                                let _e2544 = phi_4647_;
-                                                let _e2545 = (0.000000059604645f * 12f);
-                                                let _e2550 = ((((((((select(_e2254, _e2235, (_e2235 > _e2254)) + _e2258) + (select(_e2297, _e2278, (_e2278 > _e2297)) + _e2301)) + (select(_e2340, _e2321, (_e2321 > _e2340)) + _e2344)) * (0.000000059604645f * 16f)) + (_e2351 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2544) * (1f + _e2545)));
-                                                let _e2555 = (((_e2486 * _e2157[0]) + (_e2488 * _e2157[1])) + (_e2490 * _e2157[2]));
-                                                let _e2560 = (((_e2486 * _e2173) + (_e2488 * _e2174)) + (_e2490 * _e2175));
-                                                let _e2565 = (((_e2486 * (_e2157[0] - _e2169[0])) + (_e2488 * (_e2157[1] - _e2169[1]))) + (_e2490 * (_e2157[2] - _e2169[2])));
-                                                let _e2570 = (((_e2486 * select((_e2173 - _e2169[0]), _e2157[0], _e2176)) + (_e2488 * select((_e2174 - _e2169[1]), _e2157[1], _e2176))) + (_e2490 * select((_e2175 - _e2169[2]), _e2157[2], _e2176)));
-                                                let _e2576 = (((_e2486 * _e2188[0]) + (_e2488 * _e2188[1])) + (_e2490 * _e2188[2]));
-                                                let _e2581 = (((_e2486 * _e2204) + (_e2488 * _e2205)) + (_e2490 * _e2206));
-                                                let _e2586 = (((_e2486 * (_e2188[0] - _e2200[0])) + (_e2488 * (_e2188[1] - _e2200[1]))) + (_e2490 * (_e2188[2] - _e2200[2])));
-                                                let _e2591 = (((_e2486 * select((_e2204 - _e2200[0]), _e2188[0], _e2207)) + (_e2488 * select((_e2205 - _e2200[1]), _e2188[1], _e2207))) + (_e2490 * select((_e2206 - _e2200[2]), _e2188[2], _e2207)));
-                                                phi_4770_ = type_30(array<f32, 4>(_e2555, _e2560, _e2565, _e2570), array<f32, 4>(_e2576, _e2581, _e2586, _e2591), array<f32, 4>((_e2550 + ((select(_e2555, -(_e2555), (_e2555 < 0f)) + select(_e2576, -(_e2576), (_e2576 < 0f))) * _e2545)), (_e2550 + ((select(_e2560, -(_e2560), (_e2560 < 0f)) + select(_e2581, -(_e2581), (_e2581 < 0f))) * _e2545)), (_e2550 + ((select(_e2565, -(_e2565), (_e2565 < 0f)) + select(_e2586, -(_e2586), (_e2586 < 0f))) * _e2545)), (_e2550 + ((select(_e2570, -(_e2570), (_e2570 < 0f)) + select(_e2591, -(_e2591), (_e2591 < 0f))) * _e2545))));
-                                                phi_4771_ = false;
+                                                let _e2668 = phi_4870_;
+                                                let _e2669 = (0.000000059604645f * 12f);
+                                                let _e2674 = ((((((((select(_e2378, _e2359, (_e2359 > _e2378)) + _e2382) + (select(_e2421, _e2402, (_e2402 > _e2421)) + _e2425)) + (select(_e2464, _e2445, (_e2445 > _e2464)) + _e2468)) * (0.000000059604645f * 16f)) + (_e2475 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2668) * (1f + _e2669)));
+                                                let _e2679 = (((_e2610 * _e2281[0]) + (_e2612 * _e2281[1])) + (_e2614 * _e2281[2]));
+                                                let _e2684 = (((_e2610 * _e2297) + (_e2612 * _e2298)) + (_e2614 * _e2299));
+                                                let _e2689 = (((_e2610 * (_e2281[0] - _e2293[0])) + (_e2612 * (_e2281[1] - _e2293[1]))) + (_e2614 * (_e2281[2] - _e2293[2])));
+                                                let _e2694 = (((_e2610 * select((_e2297 - _e2293[0]), _e2281[0], _e2300)) + (_e2612 * select((_e2298 - _e2293[1]), _e2281[1], _e2300))) + (_e2614 * select((_e2299 - _e2293[2]), _e2281[2], _e2300)));
+                                                let _e2700 = (((_e2610 * _e2312[0]) + (_e2612 * _e2312[1])) + (_e2614 * _e2312[2]));
+                                                let _e2705 = (((_e2610 * _e2328) + (_e2612 * _e2329)) + (_e2614 * _e2330));
+                                                let _e2710 = (((_e2610 * (_e2312[0] - _e2324[0])) + (_e2612 * (_e2312[1] - _e2324[1]))) + (_e2614 * (_e2312[2] - _e2324[2])));
+                                                let _e2715 = (((_e2610 * select((_e2328 - _e2324[0]), _e2312[0], _e2331)) + (_e2612 * select((_e2329 - _e2324[1]), _e2312[1], _e2331))) + (_e2614 * select((_e2330 - _e2324[2]), _e2312[2], _e2331)));
+                                                phi_4993_ = type_30(array<f32, 4>(_e2679, _e2684, _e2689, _e2694), array<f32, 4>(_e2700, _e2705, _e2710, _e2715), array<f32, 4>((_e2674 + ((select(_e2679, -(_e2679), (_e2679 < 0f)) + select(_e2700, -(_e2700), (_e2700 < 0f))) * _e2669)), (_e2674 + ((select(_e2684, -(_e2684), (_e2684 < 0f)) + select(_e2705, -(_e2705), (_e2705 < 0f))) * _e2669)), (_e2674 + ((select(_e2689, -(_e2689), (_e2689 < 0f)) + select(_e2710, -(_e2710), (_e2710 < 0f))) * _e2669)), (_e2674 + ((select(_e2694, -(_e2694), (_e2694 < 0f)) + select(_e2715, -(_e2715), (_e2715 < 0f))) * _e2669))));
+                                                phi_4994_ = false;
                                             } else {
-                                                phi_4770_ = type_30();
-                                                phi_4771_ = true;
+                                                phi_4993_ = type_30();
+                                                phi_4994_ = true;
                                             }
-                                            let _e2632 = phi_4770_;
-                                            let _e2634 = phi_4771_;
-                                            phi_4772_ = _e2632;
-                                            phi_4773_ = _e2634;
+                                            let _e2756 = phi_4993_;
+                                            let _e2758 = phi_4994_;
+                                            phi_4995_ = _e2756;
+                                            phi_4996_ = _e2758;
                                         } else {
-                                            phi_4772_ = type_30();
-                                            phi_4773_ = true;
+                                            phi_4995_ = type_30();
+                                            phi_4996_ = true;
                                         }
-                                        let _e2636 = phi_4772_;
-                                        let _e2638 = phi_4773_;
-                                        if _e2638 {
-                                            phi_4781_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                        let _e2760 = phi_4995_;
+                                        let _e2762 = phi_4996_;
+                                        if _e2762 {
+                                            phi_5004_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                         } else {
-                                            phi_4781_ = _e2636;
+                                            phi_5004_ = _e2760;
                                         }
-                                        let _e2640 = phi_4781_;
-                                        local_1 = type_30(array<f32, 4>(_e2640.member[0], _e2640.member[1], _e2640.member[2], _e2640.member[3]), array<f32, 4>(_e2640.member_1[0], _e2640.member_1[1], _e2640.member_1[2], _e2640.member_1[3]), array<f32, 4>(_e2640.member_2[0], _e2640.member_2[1], _e2640.member_2[2], _e2640.member_2[3]));
-                                        let _e2660 = (_e2361 - _e2367);
-                                        let _e2664 = local_1.member[0u];
-                                        let _e2667 = local_1.member_1[0u];
-                                        let _e2670 = local_1.member[0u];
-                                        let _e2676 = local_1.member_2[0u];
-                                        if (((_e2664 + ((_e2667 - _e2670) * _e2361)) - _e2676) > 0f) {
-                                            let _e2681 = local_1.member[1u];
-                                            let _e2684 = local_1.member_1[1u];
-                                            let _e2687 = local_1.member[1u];
-                                            let _e2693 = local_1.member_2[1u];
-                                            if (((_e2681 + ((_e2684 - _e2687) * _e2361)) - _e2693) > 0f) {
-                                                let _e2698 = local_1.member[2u];
-                                                let _e2701 = local_1.member_1[2u];
-                                                let _e2704 = local_1.member[2u];
-                                                let _e2710 = local_1.member_2[2u];
-                                                if (((_e2698 + ((_e2701 - _e2704) * _e2361)) - _e2710) > 0f) {
-                                                    let _e2715 = local_1.member[3u];
-                                                    let _e2718 = local_1.member_1[3u];
-                                                    let _e2721 = local_1.member[3u];
-                                                    let _e2727 = local_1.member_2[3u];
-                                                    phi_4952_ = (((_e2715 + ((_e2718 - _e2721) * _e2361)) - _e2727) > 0f);
-                                                    phi_4953_ = false;
+                                        let _e2764 = phi_5004_;
+                                        local_1 = type_30(array<f32, 4>(_e2764.member[0], _e2764.member[1], _e2764.member[2], _e2764.member[3]), array<f32, 4>(_e2764.member_1[0], _e2764.member_1[1], _e2764.member_1[2], _e2764.member_1[3]), array<f32, 4>(_e2764.member_2[0], _e2764.member_2[1], _e2764.member_2[2], _e2764.member_2[3]));
+                                        let _e2784 = (_e2485 - _e2491);
+                                        let _e2788 = local_1.member[0u];
+                                        let _e2791 = local_1.member_1[0u];
+                                        let _e2794 = local_1.member[0u];
+                                        let _e2800 = local_1.member_2[0u];
+                                        if (((_e2788 + ((_e2791 - _e2794) * _e2485)) - _e2800) > 0f) {
+                                            let _e2805 = local_1.member[1u];
+                                            let _e2808 = local_1.member_1[1u];
+                                            let _e2811 = local_1.member[1u];
+                                            let _e2817 = local_1.member_2[1u];
+                                            if (((_e2805 + ((_e2808 - _e2811) * _e2485)) - _e2817) > 0f) {
+                                                let _e2822 = local_1.member[2u];
+                                                let _e2825 = local_1.member_1[2u];
+                                                let _e2828 = local_1.member[2u];
+                                                let _e2834 = local_1.member_2[2u];
+                                                if (((_e2822 + ((_e2825 - _e2828) * _e2485)) - _e2834) > 0f) {
+                                                    let _e2839 = local_1.member[3u];
+                                                    let _e2842 = local_1.member_1[3u];
+                                                    let _e2845 = local_1.member[3u];
+                                                    let _e2851 = local_1.member_2[3u];
+                                                    phi_5175_ = (((_e2839 + ((_e2842 - _e2845) * _e2485)) - _e2851) > 0f);
+                                                    phi_5176_ = false;
                                                 } else {
-                                                    phi_4952_ = bool();
-                                                    phi_4953_ = true;
+                                                    phi_5175_ = bool();
+                                                    phi_5176_ = true;
                                                 }
-                                                let _e2731 = phi_4952_;
-                                                let _e2733 = phi_4953_;
-                                                phi_4954_ = _e2731;
-                                                phi_4955_ = _e2733;
+                                                let _e2855 = phi_5175_;
+                                                let _e2857 = phi_5176_;
+                                                phi_5177_ = _e2855;
+                                                phi_5178_ = _e2857;
                                             } else {
-                                                phi_4954_ = bool();
-                                                phi_4955_ = true;
+                                                phi_5177_ = bool();
+                                                phi_5178_ = true;
                                             }
-                                            let _e2735 = phi_4954_;
-                                            let _e2737 = phi_4955_;
-                                            phi_4956_ = _e2735;
-                                            phi_4957_ = _e2737;
+                                            let _e2859 = phi_5177_;
+                                            let _e2861 = phi_5178_;
+                                            phi_5179_ = _e2859;
+                                            phi_5180_ = _e2861;
                                         } else {
-                                            phi_4956_ = bool();
-                                            phi_4957_ = true;
+                                            phi_5179_ = bool();
+                                            phi_5180_ = true;
                                         }
-                                        let _e2739 = phi_4956_;
-                                        let _e2741 = phi_4957_;
-                                        if select(_e2739, false, _e2741) {
-                                            if (_e2361 <= _e2363) {
-                                                phi_5271_ = true;
+                                        let _e2863 = phi_5179_;
+                                        let _e2865 = phi_5180_;
+                                        if select(_e2863, false, _e2865) {
+                                            if (_e2485 <= _e2487) {
+                                                phi_5494_ = true;
                                             } else {
-                                                let _e2746 = local.member[0u];
-                                                let _e2749 = local.member_1[0u];
-                                                let _e2752 = local.member[0u];
-                                                let _e2758 = local.member_2[0u];
-                                                let _e2762 = local_1.member[0u];
-                                                let _e2765 = local_1.member_1[0u];
-                                                let _e2768 = local_1.member[0u];
-                                                let _e2774 = local_1.member_2[0u];
-                                                if ((((_e2746 + ((_e2749 - _e2752) * _e2361)) - _e2758) + ((_e2762 + ((_e2765 - _e2768) * _e2367)) - _e2774)) > 0f) {
-                                                    let _e2780 = local.member[1u];
-                                                    let _e2783 = local.member_1[1u];
-                                                    let _e2786 = local.member[1u];
-                                                    let _e2792 = local.member_2[1u];
-                                                    let _e2796 = local_1.member[1u];
-                                                    let _e2799 = local_1.member_1[1u];
-                                                    let _e2802 = local_1.member[1u];
-                                                    let _e2808 = local_1.member_2[1u];
-                                                    if ((((_e2780 + ((_e2783 - _e2786) * _e2361)) - _e2792) + ((_e2796 + ((_e2799 - _e2802) * _e2367)) - _e2808)) > 0f) {
-                                                        let _e2814 = local.member[2u];
-                                                        let _e2817 = local.member_1[2u];
-                                                        let _e2820 = local.member[2u];
-                                                        let _e2826 = local.member_2[2u];
-                                                        let _e2830 = local_1.member[2u];
-                                                        let _e2833 = local_1.member_1[2u];
-                                                        let _e2836 = local_1.member[2u];
-                                                        let _e2842 = local_1.member_2[2u];
-                                                        if ((((_e2814 + ((_e2817 - _e2820) * _e2361)) - _e2826) + ((_e2830 + ((_e2833 - _e2836) * _e2367)) - _e2842)) > 0f) {
-                                                            let _e2848 = local.member[3u];
-                                                            let _e2851 = local.member_1[3u];
-                                                            let _e2854 = local.member[3u];
-                                                            let _e2860 = local.member_2[3u];
-                                                            let _e2864 = local_1.member[3u];
-                                                            let _e2867 = local_1.member_1[3u];
-                                                            let _e2870 = local_1.member[3u];
-                                                            let _e2876 = local_1.member_2[3u];
-                                                            phi_5258_ = ((((_e2848 + ((_e2851 - _e2854) * _e2361)) - _e2860) + ((_e2864 + ((_e2867 - _e2870) * _e2367)) - _e2876)) > 0f);
-                                                            phi_5259_ = false;
+                                                let _e2870 = local.member[0u];
+                                                let _e2873 = local.member_1[0u];
+                                                let _e2876 = local.member[0u];
+                                                let _e2882 = local.member_2[0u];
+                                                let _e2886 = local_1.member[0u];
+                                                let _e2889 = local_1.member_1[0u];
+                                                let _e2892 = local_1.member[0u];
+                                                let _e2898 = local_1.member_2[0u];
+                                                if ((((_e2870 + ((_e2873 - _e2876) * _e2485)) - _e2882) + ((_e2886 + ((_e2889 - _e2892) * _e2491)) - _e2898)) > 0f) {
+                                                    let _e2904 = local.member[1u];
+                                                    let _e2907 = local.member_1[1u];
+                                                    let _e2910 = local.member[1u];
+                                                    let _e2916 = local.member_2[1u];
+                                                    let _e2920 = local_1.member[1u];
+                                                    let _e2923 = local_1.member_1[1u];
+                                                    let _e2926 = local_1.member[1u];
+                                                    let _e2932 = local_1.member_2[1u];
+                                                    if ((((_e2904 + ((_e2907 - _e2910) * _e2485)) - _e2916) + ((_e2920 + ((_e2923 - _e2926) * _e2491)) - _e2932)) > 0f) {
+                                                        let _e2938 = local.member[2u];
+                                                        let _e2941 = local.member_1[2u];
+                                                        let _e2944 = local.member[2u];
+                                                        let _e2950 = local.member_2[2u];
+                                                        let _e2954 = local_1.member[2u];
+                                                        let _e2957 = local_1.member_1[2u];
+                                                        let _e2960 = local_1.member[2u];
+                                                        let _e2966 = local_1.member_2[2u];
+                                                        if ((((_e2938 + ((_e2941 - _e2944) * _e2485)) - _e2950) + ((_e2954 + ((_e2957 - _e2960) * _e2491)) - _e2966)) > 0f) {
+                                                            let _e2972 = local.member[3u];
+                                                            let _e2975 = local.member_1[3u];
+                                                            let _e2978 = local.member[3u];
+                                                            let _e2984 = local.member_2[3u];
+                                                            let _e2988 = local_1.member[3u];
+                                                            let _e2991 = local_1.member_1[3u];
+                                                            let _e2994 = local_1.member[3u];
+                                                            let _e3000 = local_1.member_2[3u];
+                                                            phi_5481_ = ((((_e2972 + ((_e2975 - _e2978) * _e2485)) - _e2984) + ((_e2988 + ((_e2991 - _e2994) * _e2491)) - _e3000)) > 0f);
+                                                            phi_5482_ = false;
                                                         } else {
-                                                            phi_5258_ = bool();
-                                                            phi_5259_ = true;
+                                                            phi_5481_ = bool();
+                                                            phi_5482_ = true;
                                                         }
-                                                        let _e2881 = phi_5258_;
-                                                        let _e2883 = phi_5259_;
-                                                        phi_5260_ = _e2881;
-                                                        phi_5261_ = _e2883;
+                                                        let _e3005 = phi_5481_;
+                                                        let _e3007 = phi_5482_;
+                                                        phi_5483_ = _e3005;
+                                                        phi_5484_ = _e3007;
                                                     } else {
-                                                        phi_5260_ = bool();
-                                                        phi_5261_ = true;
+                                                        phi_5483_ = bool();
+                                                        phi_5484_ = true;
                                                     }
-                                                    let _e2885 = phi_5260_;
-                                                    let _e2887 = phi_5261_;
-                                                    phi_5262_ = _e2885;
-                                                    phi_5263_ = _e2887;
+                                                    let _e3009 = phi_5483_;
+                                                    let _e3011 = phi_5484_;
+                                                    phi_5485_ = _e3009;
+                                                    phi_5486_ = _e3011;
                                                 } else {
-                                                    phi_5262_ = bool();
-                                                    phi_5263_ = true;
+                                                    phi_5485_ = bool();
+                                                    phi_5486_ = true;
                                                 }
-                                                let _e2889 = phi_5262_;
-                                                let _e2891 = phi_5263_;
-                                                phi_5271_ = select(_e2889, false, _e2891);
+                                                let _e3013 = phi_5485_;
+                                                let _e3015 = phi_5486_;
+                                                phi_5494_ = select(_e3013, false, _e3015);
                                             }
-                                            let _e2894 = phi_5271_;
-                                            if _e2894 {
-                                                if select(true, select(true, false, (_e2361 >= _e2138.member_1)), _e2369) {
-                                                    local = type_30(array<f32, 4>(_e2640.member[0], _e2640.member[1], _e2640.member[2], _e2640.member[3]), array<f32, 4>(_e2640.member_1[0], _e2640.member_1[1], _e2640.member_1[2], _e2640.member_1[3]), array<f32, 4>(_e2640.member_2[0], _e2640.member_2[1], _e2640.member_2[2], _e2640.member_2[3]));
-                                                    let _e2919 = local.member[0u];
-                                                    let _e2922 = local.member_1[0u];
-                                                    let _e2925 = local.member_2[0u];
-                                                    if select(true, select(true, false, (_e2922 > _e2925)), (_e2919 > _e2925)) {
-                                                        let _e2930 = (_e2922 >= _e2919);
-                                                        if _e2930 {
-                                                            phi_5380_ = f32();
-                                                            phi_5381_ = false;
+                                            let _e3018 = phi_5494_;
+                                            if _e3018 {
+                                                if select(true, select(true, false, (_e2485 >= _e2262.member_1)), _e2493) {
+                                                    local = type_30(array<f32, 4>(_e2764.member[0], _e2764.member[1], _e2764.member[2], _e2764.member[3]), array<f32, 4>(_e2764.member_1[0], _e2764.member_1[1], _e2764.member_1[2], _e2764.member_1[3]), array<f32, 4>(_e2764.member_2[0], _e2764.member_2[1], _e2764.member_2[2], _e2764.member_2[3]));
+                                                    let _e3043 = local.member[0u];
+                                                    let _e3046 = local.member_1[0u];
+                                                    let _e3049 = local.member_2[0u];
+                                                    if select(true, select(true, false, (_e3046 > _e3049)), (_e3043 > _e3049)) {
+                                                        let _e3054 = (_e3046 >= _e3043);
+                                                        if _e3054 {
+                                                            phi_5603_ = f32();
+                                                            phi_5604_ = false;
                                                         } else {
-                                                            if ((_e2919 - _e2922) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_5378_ = (((_e2919 - _e2925) / (_e2919 - _e2922)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_5379_ = false;
+                                                            if ((_e3043 - _e3046) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_5601_ = (((_e3043 - _e3049) / (_e3043 - _e3046)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_5602_ = false;
                                                             } else {
-                                                                phi_5378_ = f32();
-                                                                phi_5379_ = true;
+                                                                phi_5601_ = f32();
+                                                                phi_5602_ = true;
                                                             }
-                                                            let _e2941 = phi_5378_;
-                                                            let _e2943 = phi_5379_;
-                                                            phi_5380_ = _e2941;
-                                                            phi_5381_ = _e2943;
+                                                            let _e3065 = phi_5601_;
+                                                            let _e3067 = phi_5602_;
+                                                            phi_5603_ = _e3065;
+                                                            phi_5604_ = _e3067;
                                                         }
-                                                        let _e2945 = phi_5380_;
-                                                        let _e2947 = phi_5381_;
-                                                        phi_5382_ = _e2945;
-                                                        phi_5383_ = _e2930;
-                                                        phi_5384_ = _e2947;
+                                                        let _e3069 = phi_5603_;
+                                                        let _e3071 = phi_5604_;
+                                                        phi_5605_ = _e3069;
+                                                        phi_5606_ = _e3054;
+                                                        phi_5607_ = _e3071;
                                                     } else {
-                                                        phi_5382_ = f32();
-                                                        phi_5383_ = true;
-                                                        phi_5384_ = false;
+                                                        phi_5605_ = f32();
+                                                        phi_5606_ = true;
+                                                        phi_5607_ = false;
                                                     }
-                                                    let _e2949 = phi_5382_;
-                                                    let _e2951 = phi_5383_;
-                                                    let _e2953 = phi_5384_;
-                                                    let _e2956 = select(_e2949, select(_e2361, 2f, _e2951), select(_e2953, true, _e2951));
-                                                    let _e2959 = local.member[1u];
-                                                    let _e2962 = local.member_1[1u];
-                                                    let _e2965 = local.member_2[1u];
-                                                    if select(true, select(true, false, (_e2962 > _e2965)), (_e2959 > _e2965)) {
-                                                        let _e2970 = (_e2962 >= _e2959);
-                                                        if _e2970 {
-                                                            phi_5448_ = f32();
-                                                            phi_5449_ = false;
+                                                    let _e3073 = phi_5605_;
+                                                    let _e3075 = phi_5606_;
+                                                    let _e3077 = phi_5607_;
+                                                    let _e3080 = select(_e3073, select(_e2485, 2f, _e3075), select(_e3077, true, _e3075));
+                                                    let _e3083 = local.member[1u];
+                                                    let _e3086 = local.member_1[1u];
+                                                    let _e3089 = local.member_2[1u];
+                                                    if select(true, select(true, false, (_e3086 > _e3089)), (_e3083 > _e3089)) {
+                                                        let _e3094 = (_e3086 >= _e3083);
+                                                        if _e3094 {
+                                                            phi_5671_ = f32();
+                                                            phi_5672_ = false;
                                                         } else {
-                                                            if ((_e2959 - _e2962) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_5446_ = (((_e2959 - _e2965) / (_e2959 - _e2962)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_5447_ = false;
+                                                            if ((_e3083 - _e3086) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_5669_ = (((_e3083 - _e3089) / (_e3083 - _e3086)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_5670_ = false;
                                                             } else {
-                                                                phi_5446_ = f32();
-                                                                phi_5447_ = true;
+                                                                phi_5669_ = f32();
+                                                                phi_5670_ = true;
                                                             }
-                                                            let _e2981 = phi_5446_;
-                                                            let _e2983 = phi_5447_;
-                                                            phi_5448_ = _e2981;
-                                                            phi_5449_ = _e2983;
+                                                            let _e3105 = phi_5669_;
+                                                            let _e3107 = phi_5670_;
+                                                            phi_5671_ = _e3105;
+                                                            phi_5672_ = _e3107;
                                                         }
-                                                        let _e2985 = phi_5448_;
-                                                        let _e2987 = phi_5449_;
-                                                        phi_5450_ = _e2985;
-                                                        phi_5451_ = _e2970;
-                                                        phi_5452_ = _e2987;
+                                                        let _e3109 = phi_5671_;
+                                                        let _e3111 = phi_5672_;
+                                                        phi_5673_ = _e3109;
+                                                        phi_5674_ = _e3094;
+                                                        phi_5675_ = _e3111;
                                                     } else {
-                                                        phi_5450_ = f32();
-                                                        phi_5451_ = true;
-                                                        phi_5452_ = false;
+                                                        phi_5673_ = f32();
+                                                        phi_5674_ = true;
+                                                        phi_5675_ = false;
                                                     }
-                                                    let _e2989 = phi_5450_;
-                                                    let _e2991 = phi_5451_;
-                                                    let _e2993 = phi_5452_;
-                                                    let _e2996 = select(_e2989, select(_e2361, 2f, _e2991), select(_e2993, true, _e2991));
-                                                    let _e2998 = select(_e2996, _e2956, (_e2956 < _e2996));
-                                                    let _e3001 = local.member[2u];
-                                                    let _e3004 = local.member_1[2u];
-                                                    let _e3007 = local.member_2[2u];
-                                                    if select(true, select(true, false, (_e3004 > _e3007)), (_e3001 > _e3007)) {
-                                                        let _e3012 = (_e3004 >= _e3001);
-                                                        if _e3012 {
-                                                            phi_5521_ = f32();
-                                                            phi_5522_ = false;
+                                                    let _e3113 = phi_5673_;
+                                                    let _e3115 = phi_5674_;
+                                                    let _e3117 = phi_5675_;
+                                                    let _e3120 = select(_e3113, select(_e2485, 2f, _e3115), select(_e3117, true, _e3115));
+                                                    let _e3122 = select(_e3120, _e3080, (_e3080 < _e3120));
+                                                    let _e3125 = local.member[2u];
+                                                    let _e3128 = local.member_1[2u];
+                                                    let _e3131 = local.member_2[2u];
+                                                    if select(true, select(true, false, (_e3128 > _e3131)), (_e3125 > _e3131)) {
+                                                        let _e3136 = (_e3128 >= _e3125);
+                                                        if _e3136 {
+                                                            phi_5744_ = f32();
+                                                            phi_5745_ = false;
                                                         } else {
-                                                            if ((_e3001 - _e3004) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_5519_ = (((_e3001 - _e3007) / (_e3001 - _e3004)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_5520_ = false;
+                                                            if ((_e3125 - _e3128) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_5742_ = (((_e3125 - _e3131) / (_e3125 - _e3128)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_5743_ = false;
                                                             } else {
-                                                                phi_5519_ = f32();
-                                                                phi_5520_ = true;
+                                                                phi_5742_ = f32();
+                                                                phi_5743_ = true;
                                                             }
-                                                            let _e3023 = phi_5519_;
-                                                            let _e3025 = phi_5520_;
-                                                            phi_5521_ = _e3023;
-                                                            phi_5522_ = _e3025;
+                                                            let _e3147 = phi_5742_;
+                                                            let _e3149 = phi_5743_;
+                                                            phi_5744_ = _e3147;
+                                                            phi_5745_ = _e3149;
                                                         }
-                                                        let _e3027 = phi_5521_;
-                                                        let _e3029 = phi_5522_;
-                                                        phi_5523_ = _e3027;
-                                                        phi_5524_ = _e3012;
-                                                        phi_5525_ = _e3029;
+                                                        let _e3151 = phi_5744_;
+                                                        let _e3153 = phi_5745_;
+                                                        phi_5746_ = _e3151;
+                                                        phi_5747_ = _e3136;
+                                                        phi_5748_ = _e3153;
                                                     } else {
-                                                        phi_5523_ = f32();
-                                                        phi_5524_ = true;
-                                                        phi_5525_ = false;
+                                                        phi_5746_ = f32();
+                                                        phi_5747_ = true;
+                                                        phi_5748_ = false;
                                                     }
-                                                    let _e3031 = phi_5523_;
-                                                    let _e3033 = phi_5524_;
-                                                    let _e3035 = phi_5525_;
-                                                    let _e3038 = select(_e3031, select(_e2361, 2f, _e3033), select(_e3035, true, _e3033));
-                                                    let _e3041 = local.member[3u];
-                                                    let _e3044 = local.member_1[3u];
-                                                    let _e3047 = local.member_2[3u];
-                                                    if select(true, select(true, false, (_e3044 > _e3047)), (_e3041 > _e3047)) {
-                                                        let _e3052 = (_e3044 >= _e3041);
-                                                        if _e3052 {
-                                                            phi_5589_ = f32();
-                                                            phi_5590_ = false;
+                                                    let _e3155 = phi_5746_;
+                                                    let _e3157 = phi_5747_;
+                                                    let _e3159 = phi_5748_;
+                                                    let _e3162 = select(_e3155, select(_e2485, 2f, _e3157), select(_e3159, true, _e3157));
+                                                    let _e3165 = local.member[3u];
+                                                    let _e3168 = local.member_1[3u];
+                                                    let _e3171 = local.member_2[3u];
+                                                    if select(true, select(true, false, (_e3168 > _e3171)), (_e3165 > _e3171)) {
+                                                        let _e3176 = (_e3168 >= _e3165);
+                                                        if _e3176 {
+                                                            phi_5812_ = f32();
+                                                            phi_5813_ = false;
                                                         } else {
-                                                            if ((_e3041 - _e3044) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_5587_ = (((_e3041 - _e3047) / (_e3041 - _e3044)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_5588_ = false;
+                                                            if ((_e3165 - _e3168) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_5810_ = (((_e3165 - _e3171) / (_e3165 - _e3168)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_5811_ = false;
                                                             } else {
-                                                                phi_5587_ = f32();
-                                                                phi_5588_ = true;
+                                                                phi_5810_ = f32();
+                                                                phi_5811_ = true;
                                                             }
-                                                            let _e3063 = phi_5587_;
-                                                            let _e3065 = phi_5588_;
-                                                            phi_5589_ = _e3063;
-                                                            phi_5590_ = _e3065;
+                                                            let _e3187 = phi_5810_;
+                                                            let _e3189 = phi_5811_;
+                                                            phi_5812_ = _e3187;
+                                                            phi_5813_ = _e3189;
                                                         }
-                                                        let _e3067 = phi_5589_;
-                                                        let _e3069 = phi_5590_;
-                                                        phi_5591_ = _e3067;
-                                                        phi_5592_ = _e3052;
-                                                        phi_5593_ = _e3069;
+                                                        let _e3191 = phi_5812_;
+                                                        let _e3193 = phi_5813_;
+                                                        phi_5814_ = _e3191;
+                                                        phi_5815_ = _e3176;
+                                                        phi_5816_ = _e3193;
                                                     } else {
-                                                        phi_5591_ = f32();
-                                                        phi_5592_ = true;
-                                                        phi_5593_ = false;
+                                                        phi_5814_ = f32();
+                                                        phi_5815_ = true;
+                                                        phi_5816_ = false;
                                                     }
-                                                    let _e3071 = phi_5591_;
-                                                    let _e3073 = phi_5592_;
-                                                    let _e3075 = phi_5593_;
-                                                    let _e3078 = select(_e3071, select(_e2361, 2f, _e3073), select(_e3075, true, _e3073));
-                                                    let _e3080 = select(_e3078, _e3038, (_e3038 < _e3078));
-                                                    let _e3082 = select(_e3080, _e2998, (_e2998 < _e3080));
-                                                    let _e3084 = select(_e2361, _e3082, (_e3082 > _e2361));
-                                                    let _e3085 = (_e3084 > _e2138.member_1);
-                                                    if _e3085 {
-                                                        phi_6122_ = f32();
-                                                        phi_6123_ = f32();
-                                                        phi_6124_ = false;
+                                                    let _e3195 = phi_5814_;
+                                                    let _e3197 = phi_5815_;
+                                                    let _e3199 = phi_5816_;
+                                                    let _e3202 = select(_e3195, select(_e2485, 2f, _e3197), select(_e3199, true, _e3197));
+                                                    let _e3204 = select(_e3202, _e3162, (_e3162 < _e3202));
+                                                    let _e3206 = select(_e3204, _e3122, (_e3122 < _e3204));
+                                                    let _e3208 = select(_e2485, _e3206, (_e3206 > _e2485));
+                                                    let _e3209 = (_e3208 > _e2262.member_1);
+                                                    if _e3209 {
+                                                        phi_6345_ = f32();
+                                                        phi_6346_ = f32();
+                                                        phi_6347_ = false;
                                                     } else {
-                                                        let _e3086 = (_e3084 - _e2361);
-                                                        phi_6122_ = select((_e2138.member_1 - _e2361), select(0f, (_e2660 + _e2660), select(select(true, false, (_e3086 <= (_e2365 * 0.25f))), true, (_e3086 <= _e2356))), _e2369);
-                                                        phi_6123_ = _e3086;
-                                                        phi_6124_ = true;
+                                                        let _e3210 = (_e3208 - _e2485);
+                                                        phi_6345_ = select((_e2262.member_1 - _e2485), select(0f, (_e2784 + _e2784), select(select(true, false, (_e3210 <= (_e2489 * 0.25f))), true, (_e3210 <= _e2480))), _e2493);
+                                                        phi_6346_ = _e3210;
+                                                        phi_6347_ = true;
                                                     }
-                                                    let _e3097 = phi_6122_;
-                                                    let _e3099 = phi_6123_;
-                                                    let _e3101 = phi_6124_;
-                                                    phi_6126_ = _e3084;
-                                                    phi_6127_ = _e3097;
-                                                    phi_6128_ = _e3099;
-                                                    phi_6130_ = _e3101;
-                                                    phi_6131_ = _e3085;
-                                                    phi_6133_ = false;
+                                                    let _e3221 = phi_6345_;
+                                                    let _e3223 = phi_6346_;
+                                                    let _e3225 = phi_6347_;
+                                                    phi_6349_ = _e3208;
+                                                    phi_6350_ = _e3221;
+                                                    phi_6351_ = _e3223;
+                                                    phi_6353_ = _e3225;
+                                                    phi_6354_ = _e3209;
+                                                    phi_6356_ = false;
                                                 } else {
-                                                    phi_6126_ = f32();
-                                                    phi_6127_ = f32();
-                                                    phi_6128_ = f32();
-                                                    phi_6130_ = false;
-                                                    phi_6131_ = false;
-                                                    phi_6133_ = true;
+                                                    phi_6349_ = f32();
+                                                    phi_6350_ = f32();
+                                                    phi_6351_ = f32();
+                                                    phi_6353_ = false;
+                                                    phi_6354_ = false;
+                                                    phi_6356_ = true;
                                                 }
-                                                let _e3103 = phi_6126_;
-                                                let _e3105 = phi_6127_;
-                                                let _e3107 = phi_6128_;
-                                                let _e3109 = phi_6130_;
-                                                let _e3111 = phi_6131_;
-                                                let _e3113 = phi_6133_;
-                                                phi_6134_ = _e3103;
-                                                phi_6135_ = _e3105;
-                                                phi_6136_ = _e3107;
-                                                phi_6138_ = false;
-                                                phi_6139_ = _e3109;
-                                                phi_6140_ = _e3111;
-                                                phi_6142_ = _e3113;
+                                                let _e3227 = phi_6349_;
+                                                let _e3229 = phi_6350_;
+                                                let _e3231 = phi_6351_;
+                                                let _e3233 = phi_6353_;
+                                                let _e3235 = phi_6354_;
+                                                let _e3237 = phi_6356_;
+                                                phi_6357_ = _e3227;
+                                                phi_6358_ = _e3229;
+                                                phi_6359_ = _e3231;
+                                                phi_6361_ = false;
+                                                phi_6362_ = _e3233;
+                                                phi_6363_ = _e3235;
+                                                phi_6365_ = _e3237;
                                             } else {
-                                                phi_6134_ = f32();
-                                                phi_6135_ = f32();
-                                                phi_6136_ = f32();
-                                                phi_6138_ = true;
-                                                phi_6139_ = false;
-                                                phi_6140_ = false;
-                                                phi_6142_ = false;
+                                                phi_6357_ = f32();
+                                                phi_6358_ = f32();
+                                                phi_6359_ = f32();
+                                                phi_6361_ = true;
+                                                phi_6362_ = false;
+                                                phi_6363_ = false;
+                                                phi_6365_ = false;
                                             }
-                                            let _e3115 = phi_6134_;
-                                            let _e3117 = phi_6135_;
-                                            let _e3119 = phi_6136_;
-                                            let _e3121 = phi_6138_;
-                                            let _e3123 = phi_6139_;
-                                            let _e3125 = phi_6140_;
-                                            let _e3127 = phi_6142_;
-                                            phi_6143_ = _e3115;
-                                            phi_6144_ = _e3117;
-                                            phi_6145_ = _e3119;
-                                            phi_6147_ = _e3121;
-                                            phi_6148_ = _e3123;
-                                            phi_6149_ = _e3125;
-                                            phi_6151_ = _e3127;
+                                            let _e3239 = phi_6357_;
+                                            let _e3241 = phi_6358_;
+                                            let _e3243 = phi_6359_;
+                                            let _e3245 = phi_6361_;
+                                            let _e3247 = phi_6362_;
+                                            let _e3249 = phi_6363_;
+                                            let _e3251 = phi_6365_;
+                                            phi_6366_ = _e3239;
+                                            phi_6367_ = _e3241;
+                                            phi_6368_ = _e3243;
+                                            phi_6370_ = _e3245;
+                                            phi_6371_ = _e3247;
+                                            phi_6372_ = _e3249;
+                                            phi_6374_ = _e3251;
                                         } else {
-                                            phi_6143_ = f32();
-                                            phi_6144_ = f32();
-                                            phi_6145_ = f32();
-                                            phi_6147_ = true;
-                                            phi_6148_ = false;
-                                            phi_6149_ = false;
-                                            phi_6151_ = false;
+                                            phi_6366_ = f32();
+                                            phi_6367_ = f32();
+                                            phi_6368_ = f32();
+                                            phi_6370_ = true;
+                                            phi_6371_ = false;
+                                            phi_6372_ = false;
+                                            phi_6374_ = false;
                                         }
-                                        let _e3129 = phi_6143_;
-                                        let _e3131 = phi_6144_;
-                                        let _e3133 = phi_6145_;
-                                        let _e3135 = phi_6147_;
-                                        let _e3137 = phi_6148_;
-                                        let _e3139 = phi_6149_;
-                                        let _e3141 = phi_6151_;
-                                        if _e3135 {
-                                            if (_e2361 <= _e2363) {
-                                                let _e3294 = (_e2371 + 1u);
-                                                let _e3295 = (_e3294 > 3u);
-                                                phi_6486_ = _e3294;
-                                                phi_6487_ = f32();
-                                                phi_6488_ = false;
-                                                phi_6489_ = select(true, false, _e3295);
-                                                phi_6490_ = _e3295;
+                                        let _e3253 = phi_6366_;
+                                        let _e3255 = phi_6367_;
+                                        let _e3257 = phi_6368_;
+                                        let _e3259 = phi_6370_;
+                                        let _e3261 = phi_6371_;
+                                        let _e3263 = phi_6372_;
+                                        let _e3265 = phi_6374_;
+                                        if _e3259 {
+                                            if (_e2485 <= _e2487) {
+                                                let _e3418 = (_e2495 + 1u);
+                                                let _e3419 = (_e3418 > 3u);
+                                                phi_6709_ = _e3418;
+                                                phi_6710_ = f32();
+                                                phi_6711_ = false;
+                                                phi_6712_ = select(true, false, _e3419);
+                                                phi_6713_ = _e3419;
                                             } else {
-                                                let _e3145 = local.member[0u];
-                                                let _e3148 = local.member_1[0u];
-                                                let _e3151 = local.member[0u];
-                                                let _e3157 = local.member_2[0u];
-                                                let _e3158 = ((_e3145 + ((_e3148 - _e3151) * _e2367)) - _e3157);
-                                                let _e3161 = local.member[1u];
-                                                let _e3164 = local.member_1[1u];
-                                                let _e3167 = local.member[1u];
-                                                let _e3173 = local.member_2[1u];
-                                                let _e3174 = ((_e3161 + ((_e3164 - _e3167) * _e2367)) - _e3173);
-                                                let _e3176 = select(_e3174, _e3158, (_e3158 < _e3174));
-                                                let _e3179 = local.member[2u];
-                                                let _e3182 = local.member_1[2u];
-                                                let _e3185 = local.member[2u];
-                                                let _e3191 = local.member_2[2u];
-                                                let _e3192 = ((_e3179 + ((_e3182 - _e3185) * _e2367)) - _e3191);
-                                                let _e3195 = local.member[3u];
-                                                let _e3198 = local.member_1[3u];
-                                                let _e3201 = local.member[3u];
-                                                let _e3207 = local.member_2[3u];
-                                                let _e3208 = ((_e3195 + ((_e3198 - _e3201) * _e2367)) - _e3207);
-                                                let _e3210 = select(_e3208, _e3192, (_e3192 < _e3208));
-                                                let _e3212 = select(_e3210, _e3176, (_e3176 < _e3210));
-                                                let _e3215 = local_1.member[0u];
-                                                let _e3218 = local_1.member_1[0u];
-                                                let _e3221 = local_1.member[0u];
-                                                let _e3227 = local_1.member_2[0u];
-                                                let _e3228 = ((_e3215 + ((_e3218 - _e3221) * _e2361)) - _e3227);
-                                                let _e3231 = local_1.member[1u];
-                                                let _e3234 = local_1.member_1[1u];
-                                                let _e3237 = local_1.member[1u];
-                                                let _e3243 = local_1.member_2[1u];
-                                                let _e3244 = ((_e3231 + ((_e3234 - _e3237) * _e2361)) - _e3243);
-                                                let _e3246 = select(_e3244, _e3228, (_e3228 < _e3244));
-                                                let _e3249 = local_1.member[2u];
-                                                let _e3252 = local_1.member_1[2u];
-                                                let _e3255 = local_1.member[2u];
-                                                let _e3261 = local_1.member_2[2u];
-                                                let _e3262 = ((_e3249 + ((_e3252 - _e3255) * _e2361)) - _e3261);
-                                                let _e3265 = local_1.member[3u];
-                                                let _e3268 = local_1.member_1[3u];
-                                                let _e3271 = local_1.member[3u];
-                                                let _e3277 = local_1.member_2[3u];
-                                                let _e3278 = ((_e3265 + ((_e3268 - _e3271) * _e2361)) - _e3277);
-                                                let _e3280 = select(_e3278, _e3262, (_e3262 < _e3278));
-                                                let _e3282 = select(_e3280, _e3246, (_e3246 < _e3280));
-                                                if (_e3282 > 0f) {
-                                                    phi_6484_ = 0.5f;
+                                                let _e3269 = local.member[0u];
+                                                let _e3272 = local.member_1[0u];
+                                                let _e3275 = local.member[0u];
+                                                let _e3281 = local.member_2[0u];
+                                                let _e3282 = ((_e3269 + ((_e3272 - _e3275) * _e2491)) - _e3281);
+                                                let _e3285 = local.member[1u];
+                                                let _e3288 = local.member_1[1u];
+                                                let _e3291 = local.member[1u];
+                                                let _e3297 = local.member_2[1u];
+                                                let _e3298 = ((_e3285 + ((_e3288 - _e3291) * _e2491)) - _e3297);
+                                                let _e3300 = select(_e3298, _e3282, (_e3282 < _e3298));
+                                                let _e3303 = local.member[2u];
+                                                let _e3306 = local.member_1[2u];
+                                                let _e3309 = local.member[2u];
+                                                let _e3315 = local.member_2[2u];
+                                                let _e3316 = ((_e3303 + ((_e3306 - _e3309) * _e2491)) - _e3315);
+                                                let _e3319 = local.member[3u];
+                                                let _e3322 = local.member_1[3u];
+                                                let _e3325 = local.member[3u];
+                                                let _e3331 = local.member_2[3u];
+                                                let _e3332 = ((_e3319 + ((_e3322 - _e3325) * _e2491)) - _e3331);
+                                                let _e3334 = select(_e3332, _e3316, (_e3316 < _e3332));
+                                                let _e3336 = select(_e3334, _e3300, (_e3300 < _e3334));
+                                                let _e3339 = local_1.member[0u];
+                                                let _e3342 = local_1.member_1[0u];
+                                                let _e3345 = local_1.member[0u];
+                                                let _e3351 = local_1.member_2[0u];
+                                                let _e3352 = ((_e3339 + ((_e3342 - _e3345) * _e2485)) - _e3351);
+                                                let _e3355 = local_1.member[1u];
+                                                let _e3358 = local_1.member_1[1u];
+                                                let _e3361 = local_1.member[1u];
+                                                let _e3367 = local_1.member_2[1u];
+                                                let _e3368 = ((_e3355 + ((_e3358 - _e3361) * _e2485)) - _e3367);
+                                                let _e3370 = select(_e3368, _e3352, (_e3352 < _e3368));
+                                                let _e3373 = local_1.member[2u];
+                                                let _e3376 = local_1.member_1[2u];
+                                                let _e3379 = local_1.member[2u];
+                                                let _e3385 = local_1.member_2[2u];
+                                                let _e3386 = ((_e3373 + ((_e3376 - _e3379) * _e2485)) - _e3385);
+                                                let _e3389 = local_1.member[3u];
+                                                let _e3392 = local_1.member_1[3u];
+                                                let _e3395 = local_1.member[3u];
+                                                let _e3401 = local_1.member_2[3u];
+                                                let _e3402 = ((_e3389 + ((_e3392 - _e3395) * _e2485)) - _e3401);
+                                                let _e3404 = select(_e3402, _e3386, (_e3386 < _e3402));
+                                                let _e3406 = select(_e3404, _e3370, (_e3370 < _e3404));
+                                                if (_e3406 > 0f) {
+                                                    phi_6707_ = 0.5f;
                                                 } else {
-                                                    let _e3286 = (0.95f * (_e3212 / (_e3212 - _e3282)));
-                                                    phi_6484_ = select(0.0625f, select(0.9f, _e3286, (_e3286 < 0.9f)), (_e3286 > 0.0625f));
+                                                    let _e3410 = (0.95f * (_e3336 / (_e3336 - _e3406)));
+                                                    phi_6707_ = select(0.0625f, select(0.9f, _e3410, (_e3410 < 0.9f)), (_e3410 > 0.0625f));
                                                 }
-                                                let _e3292 = phi_6484_;
-                                                phi_6486_ = u32();
-                                                phi_6487_ = (_e2660 * _e3292);
-                                                phi_6488_ = true;
-                                                phi_6489_ = false;
-                                                phi_6490_ = false;
+                                                let _e3416 = phi_6707_;
+                                                phi_6709_ = u32();
+                                                phi_6710_ = (_e2784 * _e3416);
+                                                phi_6711_ = true;
+                                                phi_6712_ = false;
+                                                phi_6713_ = false;
                                             }
-                                            let _e3298 = phi_6486_;
-                                            let _e3300 = phi_6487_;
-                                            let _e3302 = phi_6488_;
-                                            let _e3304 = phi_6489_;
-                                            let _e3306 = phi_6490_;
-                                            phi_6491_ = _e3298;
-                                            phi_6492_ = _e2363;
-                                            phi_6493_ = _e3300;
-                                            phi_6494_ = _e2365;
-                                            phi_6495_ = _e2367;
-                                            phi_6496_ = _e2369;
-                                            phi_6497_ = _e2371;
-                                            phi_6498_ = _e3302;
-                                            phi_6499_ = _e3304;
-                                            phi_6500_ = _e3306;
-                                            phi_6501_ = false;
-                                            phi_6503_ = false;
+                                            let _e3422 = phi_6709_;
+                                            let _e3424 = phi_6710_;
+                                            let _e3426 = phi_6711_;
+                                            let _e3428 = phi_6712_;
+                                            let _e3430 = phi_6713_;
+                                            phi_6714_ = _e3422;
+                                            phi_6715_ = _e2487;
+                                            phi_6716_ = _e3424;
+                                            phi_6717_ = _e2489;
+                                            phi_6718_ = _e2491;
+                                            phi_6719_ = _e2493;
+                                            phi_6720_ = _e2495;
+                                            phi_6721_ = _e3426;
+                                            phi_6722_ = _e3428;
+                                            phi_6723_ = _e3430;
+                                            phi_6724_ = false;
+                                            phi_6726_ = false;
                                         } else {
-                                            phi_6491_ = u32();
-                                            phi_6492_ = _e3129;
-                                            phi_6493_ = _e3131;
-                                            phi_6494_ = _e3133;
-                                            phi_6495_ = _e2361;
-                                            phi_6496_ = true;
-                                            phi_6497_ = 0u;
-                                            phi_6498_ = _e3137;
-                                            phi_6499_ = false;
-                                            phi_6500_ = false;
-                                            phi_6501_ = _e3139;
-                                            phi_6503_ = _e3141;
+                                            phi_6714_ = u32();
+                                            phi_6715_ = _e3253;
+                                            phi_6716_ = _e3255;
+                                            phi_6717_ = _e3257;
+                                            phi_6718_ = _e2485;
+                                            phi_6719_ = true;
+                                            phi_6720_ = 0u;
+                                            phi_6721_ = _e3261;
+                                            phi_6722_ = false;
+                                            phi_6723_ = false;
+                                            phi_6724_ = _e3263;
+                                            phi_6726_ = _e3265;
                                         }
-                                        let _e3308 = phi_6491_;
-                                        let _e3310 = phi_6492_;
-                                        let _e3312 = phi_6493_;
-                                        let _e3314 = phi_6494_;
-                                        let _e3316 = phi_6495_;
-                                        let _e3318 = phi_6496_;
-                                        let _e3320 = phi_6497_;
-                                        let _e3322 = phi_6498_;
-                                        let _e3324 = phi_6499_;
-                                        let _e3326 = phi_6500_;
-                                        let _e3328 = phi_6501_;
-                                        let _e3330 = phi_6503_;
-                                        if _e3322 {
-                                            let _e3331 = (_e3316 + _e3312);
-                                            let _e3333 = select(_e3310, _e3331, (_e3331 > _e3310));
-                                            let _e3335 = select(_e2138.member_1, _e3333, (_e3333 < _e2138.member_1));
-                                            let _e3338 = select(((_e3335 - _e3316) > _e2356), true, !(_e2369));
-                                            phi_6531_ = _e3335;
-                                            phi_6532_ = _e3310;
-                                            phi_6533_ = _e3314;
-                                            phi_6534_ = _e3316;
-                                            phi_6535_ = _e3318;
-                                            phi_6536_ = _e3320;
-                                            phi_6537_ = _e3338;
-                                            phi_6538_ = select(true, false, _e3338);
-                                            phi_6539_ = false;
-                                            phi_6540_ = false;
-                                            phi_6542_ = false;
+                                        let _e3432 = phi_6714_;
+                                        let _e3434 = phi_6715_;
+                                        let _e3436 = phi_6716_;
+                                        let _e3438 = phi_6717_;
+                                        let _e3440 = phi_6718_;
+                                        let _e3442 = phi_6719_;
+                                        let _e3444 = phi_6720_;
+                                        let _e3446 = phi_6721_;
+                                        let _e3448 = phi_6722_;
+                                        let _e3450 = phi_6723_;
+                                        let _e3452 = phi_6724_;
+                                        let _e3454 = phi_6726_;
+                                        if _e3446 {
+                                            let _e3455 = (_e3440 + _e3436);
+                                            let _e3457 = select(_e3434, _e3455, (_e3455 > _e3434));
+                                            let _e3459 = select(_e2262.member_1, _e3457, (_e3457 < _e2262.member_1));
+                                            let _e3462 = select(((_e3459 - _e3440) > _e2480), true, !(_e2493));
+                                            phi_6754_ = _e3459;
+                                            phi_6755_ = _e3434;
+                                            phi_6756_ = _e3438;
+                                            phi_6757_ = _e3440;
+                                            phi_6758_ = _e3442;
+                                            phi_6759_ = _e3444;
+                                            phi_6760_ = _e3462;
+                                            phi_6761_ = select(true, false, _e3462);
+                                            phi_6762_ = false;
+                                            phi_6763_ = false;
+                                            phi_6765_ = false;
                                         } else {
-                                            phi_6531_ = _e2361;
-                                            phi_6532_ = _e2363;
-                                            phi_6533_ = _e2365;
-                                            phi_6534_ = _e2367;
-                                            phi_6535_ = _e2369;
-                                            phi_6536_ = _e3308;
-                                            phi_6537_ = _e3324;
-                                            phi_6538_ = false;
-                                            phi_6539_ = _e3326;
-                                            phi_6540_ = _e3328;
-                                            phi_6542_ = _e3330;
+                                            phi_6754_ = _e2485;
+                                            phi_6755_ = _e2487;
+                                            phi_6756_ = _e2489;
+                                            phi_6757_ = _e2491;
+                                            phi_6758_ = _e2493;
+                                            phi_6759_ = _e3432;
+                                            phi_6760_ = _e3448;
+                                            phi_6761_ = false;
+                                            phi_6762_ = _e3450;
+                                            phi_6763_ = _e3452;
+                                            phi_6765_ = _e3454;
                                         }
-                                        let _e3341 = phi_6531_;
-                                        let _e3343 = phi_6532_;
-                                        let _e3345 = phi_6533_;
-                                        let _e3347 = phi_6534_;
-                                        let _e3349 = phi_6535_;
-                                        let _e3351 = phi_6536_;
-                                        let _e3353 = phi_6537_;
-                                        let _e3355 = phi_6538_;
-                                        let _e3357 = phi_6539_;
-                                        let _e3359 = phi_6540_;
-                                        let _e3361 = phi_6542_;
-                                        phi_4364_ = _e3341;
-                                        phi_4366_ = _e3343;
-                                        phi_4368_ = _e3345;
-                                        phi_4370_ = _e3347;
-                                        phi_4372_ = _e3349;
-                                        phi_4374_ = _e3351;
-                                        phi_6543_ = _e3310;
-                                        phi_6545_ = _e3353;
-                                        phi_6546_ = _e3355;
-                                        phi_6547_ = _e3357;
-                                        phi_6548_ = _e3359;
-                                        phi_6550_ = false;
-                                        phi_6551_ = _e3361;
+                                        let _e3465 = phi_6754_;
+                                        let _e3467 = phi_6755_;
+                                        let _e3469 = phi_6756_;
+                                        let _e3471 = phi_6757_;
+                                        let _e3473 = phi_6758_;
+                                        let _e3475 = phi_6759_;
+                                        let _e3477 = phi_6760_;
+                                        let _e3479 = phi_6761_;
+                                        let _e3481 = phi_6762_;
+                                        let _e3483 = phi_6763_;
+                                        let _e3485 = phi_6765_;
+                                        phi_4587_ = _e3465;
+                                        phi_4589_ = _e3467;
+                                        phi_4591_ = _e3469;
+                                        phi_4593_ = _e3471;
+                                        phi_4595_ = _e3473;
+                                        phi_4597_ = _e3475;
+                                        phi_6766_ = _e3434;
+                                        phi_6768_ = _e3477;
+                                        phi_6769_ = _e3479;
+                                        phi_6770_ = _e3481;
+                                        phi_6771_ = _e3483;
+                                        phi_6773_ = false;
+                                        phi_6774_ = _e3485;
                                     } else {
-                                        phi_4364_ = f32();
-                                        phi_4366_ = f32();
-                                        phi_4368_ = f32();
-                                        phi_4370_ = f32();
-                                        phi_4372_ = bool();
-                                        phi_4374_ = u32();
-                                        phi_6543_ = f32();
-                                        phi_6545_ = false;
-                                        phi_6546_ = false;
-                                        phi_6547_ = false;
-                                        phi_6548_ = false;
-                                        phi_6550_ = true;
-                                        phi_6551_ = false;
+                                        phi_4587_ = f32();
+                                        phi_4589_ = f32();
+                                        phi_4591_ = f32();
+                                        phi_4593_ = f32();
+                                        phi_4595_ = bool();
+                                        phi_4597_ = u32();
+                                        phi_6766_ = f32();
+                                        phi_6768_ = false;
+                                        phi_6769_ = false;
+                                        phi_6770_ = false;
+                                        phi_6771_ = false;
+                                        phi_6773_ = true;
+                                        phi_6774_ = false;
                                     }
-                                    let _e3363 = phi_4364_;
-                                    let _e3365 = phi_4366_;
-                                    let _e3367 = phi_4368_;
-                                    let _e3369 = phi_4370_;
-                                    let _e3371 = phi_4372_;
-                                    let _e3373 = phi_4374_;
-                                    let _e3375 = phi_6543_;
-                                    let _e3377 = phi_6545_;
-                                    let _e3379 = phi_6546_;
-                                    let _e3381 = phi_6547_;
-                                    let _e3383 = phi_6548_;
-                                    let _e3385 = phi_6550_;
-                                    let _e3387 = phi_6551_;
-                                    local_21 = _e3379;
-                                    local_22 = _e3381;
-                                    local_23 = _e3379;
-                                    local_24 = _e3383;
-                                    local_25 = _e3379;
-                                    local_26 = _e3385;
-                                    local_27 = _e3379;
-                                    local_28 = _e3387;
-                                    local_30 = _e3379;
-                                    local_31 = _e3375;
+                                    let _e3487 = phi_4587_;
+                                    let _e3489 = phi_4589_;
+                                    let _e3491 = phi_4591_;
+                                    let _e3493 = phi_4593_;
+                                    let _e3495 = phi_4595_;
+                                    let _e3497 = phi_4597_;
+                                    let _e3499 = phi_6766_;
+                                    let _e3501 = phi_6768_;
+                                    let _e3503 = phi_6769_;
+                                    let _e3505 = phi_6770_;
+                                    let _e3507 = phi_6771_;
+                                    let _e3509 = phi_6773_;
+                                    let _e3511 = phi_6774_;
+                                    local_21 = _e3503;
+                                    local_22 = _e3505;
+                                    local_23 = _e3503;
+                                    local_24 = _e3507;
+                                    local_25 = _e3503;
+                                    local_26 = _e3509;
+                                    local_27 = _e3503;
+                                    local_28 = _e3511;
+                                    local_30 = _e3503;
+                                    local_31 = _e3499;
                                     continue;
                                     continuing {
-                                        phi_4360_ = type_9(select(_e2359.member, (_e2359.member + 1u), _e2374), select(_e2359.member_1, _e2359.member_1, _e2374));
-                                        phi_4363_ = _e3363;
-                                        phi_4365_ = _e3365;
-                                        phi_4367_ = _e3367;
-                                        phi_4369_ = _e3369;
-                                        phi_4371_ = _e3371;
-                                        phi_4373_ = _e3373;
-                                        break if !(_e3377);
+                                        phi_4583_ = type_9(select(_e2483.member, (_e2483.member + 1u), _e2498), select(_e2483.member_1, _e2483.member_1, _e2498));
+                                        phi_4586_ = _e3487;
+                                        phi_4588_ = _e3489;
+                                        phi_4590_ = _e3491;
+                                        phi_4592_ = _e3493;
+                                        phi_4594_ = _e3495;
+                                        phi_4596_ = _e3497;
+                                        break if !(_e3501);
                                     }
                                 }
-                                let _e3390 = local_21;
-                                let _e3392 = local_22;
-                                let _e3393 = select(_e3392, false, _e3390);
-                                let _e3395 = local_23;
-                                let _e3397 = local_24;
-                                let _e3400 = local_25;
-                                let _e3402 = local_26;
-                                let _e3405 = local_27;
-                                let _e3407 = local_28;
-                                let _e3413 = local_29;
-                                let _e3415 = select(select(_e3397, false, _e3395), false, _e3393);
-                                let _e3417 = local_30;
-                                let _e3424 = select(select(_e3417, false, _e3393), false, _e3415);
-                                let _e3429 = local_31;
-                                let _e3431 = local_32;
-                                let _e3433 = select(select(select(select(_e3402, false, _e3400), false, _e3393), false, _e3415), true, _e3424);
-                                let _e3440 = select(select(select(select(select(_e3407, false, _e3405), false, _e3393), false, _e3415), false, _e3424), false, _e3433);
-                                let _e3445 = select(select(select(select(_e3393, true, _e3415), false, _e3424), false, _e3433), true, _e3440);
-                                let _e3448 = (select(select(type_33().member, 1u, _e3433), select(select(select(type_33().member, 1u, _e3393), 0u, _e3415), 0u, _e3440), _e3445) != 0u);
-                                phi_6619_ = select(select(type_33().member_1, select(_e3431, _e3429, _e3424), _e3433), select(select(select(type_33().member_1, _e3413, _e3393), type_33().member_1, _e3415), type_33().member_1, _e3440), _e3445);
-                                phi_6620_ = select(true, false, _e3448);
-                                phi_6621_ = _e3448;
-                                phi_6622_ = false;
-                                phi_6623_ = false;
-                                phi_6624_ = false;
+                                let _e3514 = local_21;
+                                let _e3516 = local_22;
+                                let _e3517 = select(_e3516, false, _e3514);
+                                let _e3519 = local_23;
+                                let _e3521 = local_24;
+                                let _e3524 = local_25;
+                                let _e3526 = local_26;
+                                let _e3529 = local_27;
+                                let _e3531 = local_28;
+                                let _e3537 = local_29;
+                                let _e3539 = select(select(_e3521, false, _e3519), false, _e3517);
+                                let _e3541 = local_30;
+                                let _e3548 = select(select(_e3541, false, _e3517), false, _e3539);
+                                let _e3553 = local_31;
+                                let _e3555 = local_32;
+                                let _e3557 = select(select(select(select(_e3526, false, _e3524), false, _e3517), false, _e3539), true, _e3548);
+                                let _e3564 = select(select(select(select(select(_e3531, false, _e3529), false, _e3517), false, _e3539), false, _e3548), false, _e3557);
+                                let _e3569 = select(select(select(select(_e3517, true, _e3539), false, _e3548), false, _e3557), true, _e3564);
+                                let _e3572 = (select(select(type_33().member, 1u, _e3557), select(select(select(type_33().member, 1u, _e3517), 0u, _e3539), 0u, _e3564), _e3569) != 0u);
+                                phi_6842_ = select(select(type_33().member_1, select(_e3555, _e3553, _e3548), _e3557), select(select(select(type_33().member_1, _e3537, _e3517), type_33().member_1, _e3539), type_33().member_1, _e3564), _e3569);
+                                phi_6843_ = select(true, false, _e3572);
+                                phi_6844_ = _e3572;
+                                phi_6845_ = false;
+                                phi_6846_ = false;
+                                phi_6847_ = false;
                             } else {
-                                phi_6619_ = f32();
-                                phi_6620_ = _e2146;
-                                phi_6621_ = false;
-                                phi_6622_ = _e2148;
-                                phi_6623_ = _e2150;
-                                phi_6624_ = _e2152;
+                                phi_6842_ = f32();
+                                phi_6843_ = _e2270;
+                                phi_6844_ = false;
+                                phi_6845_ = _e2272;
+                                phi_6846_ = _e2274;
+                                phi_6847_ = _e2276;
                             }
-                            let _e3451 = phi_6619_;
-                            let _e3453 = phi_6620_;
-                            let _e3455 = phi_6621_;
-                            let _e3457 = phi_6622_;
-                            let _e3459 = phi_6623_;
-                            let _e3461 = phi_6624_;
-                            phi_6625_ = _e2138;
-                            phi_6626_ = _e2140;
-                            phi_6627_ = _e3451;
-                            phi_6628_ = _e2142;
-                            phi_6629_ = _e3453;
-                            phi_6630_ = _e3455;
-                            phi_6631_ = false;
-                            phi_6632_ = _e3457;
-                            phi_6633_ = _e3459;
-                            phi_6634_ = _e3461;
+                            let _e3575 = phi_6842_;
+                            let _e3577 = phi_6843_;
+                            let _e3579 = phi_6844_;
+                            let _e3581 = phi_6845_;
+                            let _e3583 = phi_6846_;
+                            let _e3585 = phi_6847_;
+                            phi_6848_ = _e2262;
+                            phi_6849_ = _e2264;
+                            phi_6850_ = _e3575;
+                            phi_6851_ = _e2266;
+                            phi_6852_ = _e3577;
+                            phi_6853_ = _e3579;
+                            phi_6854_ = false;
+                            phi_6855_ = _e3581;
+                            phi_6856_ = _e3583;
+                            phi_6857_ = _e3585;
                         } else {
-                            phi_6625_ = type_38();
-                            phi_6626_ = bool();
-                            phi_6627_ = f32();
-                            phi_6628_ = type_38();
-                            phi_6629_ = false;
-                            phi_6630_ = false;
-                            phi_6631_ = true;
-                            phi_6632_ = false;
-                            phi_6633_ = false;
-                            phi_6634_ = false;
+                            phi_6848_ = type_38();
+                            phi_6849_ = bool();
+                            phi_6850_ = f32();
+                            phi_6851_ = type_38();
+                            phi_6852_ = false;
+                            phi_6853_ = false;
+                            phi_6854_ = true;
+                            phi_6855_ = false;
+                            phi_6856_ = false;
+                            phi_6857_ = false;
                         }
-                        let _e3463 = phi_6625_;
-                        let _e3465 = phi_6626_;
-                        let _e3467 = phi_6627_;
-                        let _e3469 = phi_6628_;
-                        let _e3471 = phi_6629_;
-                        let _e3473 = phi_6630_;
-                        let _e3475 = phi_6631_;
-                        let _e3477 = phi_6632_;
-                        let _e3479 = phi_6633_;
-                        let _e3481 = phi_6634_;
-                        local_33 = _e3473;
-                        local_34 = _e3465;
-                        local_35 = _e3463;
-                        local_36 = _e3467;
-                        local_37 = _e3467;
-                        local_38 = _e3467;
-                        local_42 = _e3475;
-                        local_43 = _e3477;
-                        local_44 = _e3479;
-                        local_45 = _e3481;
-                        local_39 = _e3473;
-                        local_40 = _e3469;
+                        let _e3587 = phi_6848_;
+                        let _e3589 = phi_6849_;
+                        let _e3591 = phi_6850_;
+                        let _e3593 = phi_6851_;
+                        let _e3595 = phi_6852_;
+                        let _e3597 = phi_6853_;
+                        let _e3599 = phi_6854_;
+                        let _e3601 = phi_6855_;
+                        let _e3603 = phi_6856_;
+                        let _e3605 = phi_6857_;
+                        local_33 = _e3597;
+                        local_34 = _e3589;
+                        local_35 = _e3587;
+                        local_36 = _e3591;
+                        local_37 = _e3591;
+                        local_38 = _e3591;
+                        local_42 = _e3599;
+                        local_43 = _e3601;
+                        local_44 = _e3603;
+                        local_45 = _e3605;
+                        local_39 = _e3597;
+                        local_40 = _e3593;
                         continue;
                         continuing {
-                            phi_2505_ = type_9(select(_e1160.member, (_e1160.member + 1u), _e1163), select(_e1160.member_1, _e1160.member_1, _e1163));
-                            break if !(_e3471);
+                            phi_2728_ = type_9(select(_e1284.member, (_e1284.member + 1u), _e1287), select(_e1284.member_1, _e1284.member_1, _e1287));
+                            break if !(_e3595);
                         }
                     }
-                    let _e3484 = local_33;
-                    if _e3484 {
-                        let _e3486 = local_34;
-                        if _e3486 {
-                            let _e3488 = local_35;
-                            let _e3491 = local_36;
-                            let _e3493 = ((_e3488.member_1 - _e3491) <= _e1124);
-                            let _e3498 = local_37;
-                            phi_6650_ = type_33(select(type_33().member, 1u, _e3493), select(type_33().member_1, _e3498, _e3493));
-                            phi_6651_ = select(true, false, _e3493);
+                    let _e3608 = local_33;
+                    if _e3608 {
+                        let _e3610 = local_34;
+                        if _e3610 {
+                            let _e3612 = local_35;
+                            let _e3615 = local_36;
+                            let _e3617 = ((_e3612.member_1 - _e3615) <= _e1248);
+                            let _e3622 = local_37;
+                            phi_6873_ = type_33(select(type_33().member, 1u, _e3617), select(type_33().member_1, _e3622, _e3617));
+                            phi_6874_ = select(true, false, _e3617);
                         } else {
-                            phi_6650_ = type_33();
-                            phi_6651_ = true;
+                            phi_6873_ = type_33();
+                            phi_6874_ = true;
                         }
-                        let _e3503 = phi_6650_;
-                        let _e3505 = phi_6651_;
-                        let _e3510 = local_38;
-                        phi_6657_ = type_33(select(_e3503.member, 2u, _e3505), select(_e3503.member_1, _e3510, _e3505));
-                        phi_6658_ = false;
-                        phi_6659_ = false;
-                        phi_6660_ = false;
-                        phi_6661_ = false;
+                        let _e3627 = phi_6873_;
+                        let _e3629 = phi_6874_;
+                        let _e3634 = local_38;
+                        phi_6880_ = type_33(select(_e3627.member, 2u, _e3629), select(_e3627.member_1, _e3634, _e3629));
+                        phi_6881_ = false;
+                        phi_6882_ = false;
+                        phi_6883_ = false;
+                        phi_6884_ = false;
                     } else {
-                        phi_6657_ = type_33();
-                        let _e4013 = local_42;
-                        phi_6658_ = _e4013;
-                        let _e4016 = local_43;
-                        phi_6659_ = _e4016;
-                        let _e4019 = local_44;
-                        phi_6660_ = _e4019;
-                        let _e4022 = local_45;
-                        phi_6661_ = _e4022;
+                        phi_6880_ = type_33();
+                        let _e4137 = local_42;
+                        phi_6881_ = _e4137;
+                        let _e4140 = local_43;
+                        phi_6882_ = _e4140;
+                        let _e4143 = local_44;
+                        phi_6883_ = _e4143;
+                        let _e4146 = local_45;
+                        phi_6884_ = _e4146;
                     }
-                    let _e3514 = phi_6657_;
-                    let _e3516 = phi_6658_;
-                    let _e3518 = phi_6659_;
-                    let _e3520 = phi_6660_;
-                    let _e3522 = phi_6661_;
-                    let _e3529 = select(_e3518, false, _e3516);
-                    let _e3533 = local_39;
-                    let _e3540 = select(select(_e3520, false, _e3516), false, _e3529);
-                    let _e3546 = select(select(select(_e3522, false, _e3516), false, _e3529), false, _e3540);
-                    let _e3550 = local_40;
-                    let _e3554 = select(select(_e3529, true, _e3540), true, _e3546);
-                    phi_6703_ = type_33(select(_e3514.member, select(select(select(type_33().member, 0u, _e3529), 0u, _e3540), 1u, _e3546), _e3554), select(_e3514.member_1, select(select(select(type_33().member_1, type_33().member_1, _e3529), type_33().member_1, _e3540), _e3550.member, _e3546), _e3554));
-                    phi_6704_ = type_33(select(type_33().member, 0u, _e3516), select(type_33().member_1, type_33().member_1, _e3516));
-                    phi_6705_ = select(select(select(select(select(_e3533, false, _e3516), false, _e3529), false, _e3540), false, _e3546), true, _e3554);
+                    let _e3638 = phi_6880_;
+                    let _e3640 = phi_6881_;
+                    let _e3642 = phi_6882_;
+                    let _e3644 = phi_6883_;
+                    let _e3646 = phi_6884_;
+                    let _e3653 = select(_e3642, false, _e3640);
+                    let _e3657 = local_39;
+                    let _e3664 = select(select(_e3644, false, _e3640), false, _e3653);
+                    let _e3670 = select(select(select(_e3646, false, _e3640), false, _e3653), false, _e3664);
+                    let _e3674 = local_40;
+                    let _e3678 = select(select(_e3653, true, _e3664), true, _e3670);
+                    phi_6926_ = type_33(select(_e3638.member, select(select(select(type_33().member, 0u, _e3653), 0u, _e3664), 1u, _e3670), _e3678), select(_e3638.member_1, select(select(select(type_33().member_1, type_33().member_1, _e3653), type_33().member_1, _e3664), _e3674.member, _e3670), _e3678));
+                    phi_6927_ = type_33(select(type_33().member, 0u, _e3640), select(type_33().member_1, type_33().member_1, _e3640));
+                    phi_6928_ = select(select(select(select(select(_e3657, false, _e3640), false, _e3653), false, _e3664), false, _e3670), true, _e3678);
                 }
-                let _e3565 = phi_6703_;
-                let _e3567 = phi_6704_;
-                let _e3569 = phi_6705_;
-                let _e3572 = select(_e3567.member, _e3565.member, _e3569);
-                let _e3575 = select(_e3567.member_1, _e3565.member_1, _e3569);
-                let _e3581 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e3575 > _e353)), (_e3572 == 1u))));
-                switch bitcast<i32>(_e3572) {
+                let _e3689 = phi_6926_;
+                let _e3691 = phi_6927_;
+                let _e3693 = phi_6928_;
+                let _e3696 = select(_e3691.member, _e3689.member, _e3693);
+                let _e3699 = select(_e3691.member_1, _e3689.member_1, _e3693);
+                let _e3705 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e3699 > _e353)), (_e3696 == 1u))));
+                switch bitcast<i32>(_e3696) {
                     case 0: {
-                        phi_6749_ = type_31(0u, _e3581, array<u32, 2>(0u, 0u), false);
+                        phi_6972_ = type_31(0u, _e3705, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e3585 = function_3(_e3575);
-                        phi_6749_ = type_31(0u, _e3581, _e3585, true);
+                        let _e3709 = function_3(_e3699);
+                        phi_6972_ = type_31(0u, _e3705, _e3709, true);
                         break;
                     }
                     case 2: {
-                        let _e3583 = function_3(_e3575);
-                        phi_6749_ = type_31(1u, _e3581, _e3583, true);
+                        let _e3707 = function_3(_e3699);
+                        phi_6972_ = type_31(1u, _e3705, _e3707, true);
                         break;
                     }
                     default: {
-                        phi_6749_ = type_31();
+                        phi_6972_ = type_31();
                         break;
                     }
                 }
-                let _e3589 = phi_6749_;
-                let _e3593 = params.member.member.member_12;
-                let _e3594 = bitcast<u32>(_e3593);
-                if (_e3589.member_2[0] == select((_e3594 << bitcast<u32>(29i)), 0u, ((_e3594 & 2147483647u) < 8388608u))) {
-                    let _e3604 = params.member.member.member_12;
-                    let _e3605 = bitcast<u32>(_e3604);
-                    let _e3606 = (_e3605 & 2147483647u);
-                    phi_6789_ = (_e3589.member_2[1] == select(((_e3605 ^ _e3606) | ((_e3606 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e3606 < 8388608u)));
+                let _e3713 = phi_6972_;
+                let _e3717 = params.member.member.member_12;
+                let _e3718 = bitcast<u32>(_e3717);
+                if (_e3713.member_2[0] == select((_e3718 << bitcast<u32>(29i)), 0u, ((_e3718 & 2147483647u) < 8388608u))) {
+                    let _e3728 = params.member.member.member_12;
+                    let _e3729 = bitcast<u32>(_e3728);
+                    let _e3730 = (_e3729 & 2147483647u);
+                    phi_7012_ = (_e3713.member_2[1] == select(((_e3729 ^ _e3730) | ((_e3730 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e3730 < 8388608u)));
                 } else {
-                    phi_6789_ = false;
+                    phi_7012_ = false;
                 }
-                let _e3616 = phi_6789_;
-                let _e3618 = params.member.member.member_1;
-                if ((_e3618 & 128u) != 0u) {
-                    phi_6805_ = true;
+                let _e3740 = phi_7012_;
+                let _e3742 = params.member.member.member_1;
+                if ((_e3742 & 128u) != 0u) {
+                    phi_7028_ = true;
                 } else {
-                    let _e3622 = params.member.member.member_1;
-                    phi_6805_ = select(false, _e3616, ((_e3622 & 64u) != 0u));
+                    let _e3746 = params.member.member.member_1;
+                    phi_7028_ = select(false, _e3740, ((_e3746 & 64u) != 0u));
                 }
-                let _e3627 = phi_6805_;
-                local_8 = type_31(select(1u, _e3589.member, select(true, select(true, false, _e3627), _e3589.member_3)), _e3589.member_1, array<u32, 2>(_e3589.member_2[0], _e3589.member_2[1]), _e3589.member_3);
-                phi_6832_ = type_9(_e182, _e185);
+                let _e3751 = phi_7028_;
+                local_8 = type_31(select(1u, _e3713.member, select(true, select(true, false, _e3751), _e3713.member_3)), _e3713.member_1, array<u32, 2>(_e3713.member_2[0], _e3713.member_2[1]), _e3713.member_3);
+                phi_7055_ = type_9(_e182, _e185);
             } else {
-                phi_6832_ = type_9(0u, 0u);
+                phi_7055_ = type_9(0u, 0u);
             }
-            let _e3641 = phi_6832_;
-            let _e3647 = local_8.member;
-            let _e3649 = select(true, false, (_e3647 == 0u));
-            let _e3651 = local_8.member_3;
-            if _e3651 {
-                if _e3649 {
-                    phi_6861_ = true;
+            let _e3765 = phi_7055_;
+            let _e3771 = local_8.member;
+            let _e3773 = select(true, false, (_e3771 == 0u));
+            let _e3775 = local_8.member_3;
+            if _e3775 {
+                if _e3773 {
+                    phi_7084_ = true;
                 } else {
-                    let _e3653 = params.member.member.member_1;
-                    phi_6861_ = ((_e3653 & 16u) != 0u);
+                    let _e3777 = params.member.member.member_1;
+                    phi_7084_ = ((_e3777 & 16u) != 0u);
                 }
-                let _e3657 = phi_6861_;
-                phi_6862_ = _e3657;
+                let _e3781 = phi_7084_;
+                phi_7085_ = _e3781;
             } else {
-                phi_6862_ = false;
+                phi_7085_ = false;
             }
-            let _e3659 = phi_6862_;
-            let _e3661 = local_8.member_3;
-            if _e3661 {
-                if _e3649 {
+            let _e3783 = phi_7085_;
+            let _e3785 = local_8.member_3;
+            if _e3785 {
+                if _e3773 {
                 } else {
-                    let _e3663 = local_8.member_2;
-                    let _e3667 = (_e3663[1] >> bitcast<u32>(20i));
-                    let _e3681 = atomicMin((&earliest.member[0u]), select(((((_e3667 - 896u) << bitcast<u32>(23i)) | ((_e3663[1] & 1048575u) << bitcast<u32>(3i))) | (_e3663[0] >> bitcast<u32>(29i))), 0u, (_e3667 <= 896u)));
+                    let _e3787 = local_8.member_2;
+                    let _e3791 = (_e3787[1] >> bitcast<u32>(20i));
+                    let _e3805 = atomicMin((&earliest.member[0u]), select(((((_e3791 - 896u) << bitcast<u32>(23i)) | ((_e3787[1] & 1048575u) << bitcast<u32>(3i))) | (_e3787[0] >> bitcast<u32>(29i))), 0u, (_e3791 <= 896u)));
                 }
             }
             if (_e101 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e3659 {
-                let _e3685 = atomicAdd((&counters[0u]), 1u);
-                phi_6905_ = _e3685;
+            if _e3783 {
+                let _e3809 = atomicAdd((&counters[0u]), 1u);
+                phi_7128_ = _e3809;
             } else {
-                phi_6905_ = 0u;
+                phi_7128_ = 0u;
             }
-            let _e3687 = phi_6905_;
+            let _e3811 = phi_7128_;
             workgroupBarrier();
             if (_e101 == 0u) {
-                let _e3690 = atomicLoad((&counters[0u]));
-                if (_e3690 > 0u) {
-                    let _e3693 = atomicAdd((&contacts.member[0u]), _e3690);
-                    atomicStore((&counters[1u]), _e3693);
+                let _e3814 = atomicLoad((&counters[0u]));
+                if (_e3814 > 0u) {
+                    let _e3817 = atomicAdd((&contacts.member[0u]), _e3814);
+                    atomicStore((&counters[1u]), _e3817);
                 }
             }
             workgroupBarrier();
-            let _e3696 = atomicLoad((&counters[1u]));
-            let _e3697 = (_e3696 + _e3687);
-            if _e3659 {
-                let _e3699 = params.member.member_1.member_3;
-                if (_e3697 < _e3699) {
-                    let _e3705 = (7u * _e3697);
-                    atomicStore((&contacts.member[(4u + _e3705)]), select(1u, 0u, ((_e3641.member_1 & 2147483648u) == 0u)));
-                    let _e3710 = local_8.member;
-                    atomicStore((&contacts.member[(_e3705 + 5u)]), _e3710);
-                    atomicStore((&contacts.member[(_e3705 + 6u)]), _e3641.member);
-                    atomicStore((&contacts.member[(_e3705 + 7u)]), (_e3641.member_1 & 2147483647u));
-                    let _e3719 = local_8.member_2[0u];
-                    atomicStore((&contacts.member[(_e3705 + 8u)]), _e3719);
-                    let _e3724 = local_8.member_2[1u];
-                    atomicStore((&contacts.member[(_e3705 + 9u)]), _e3724);
-                    let _e3728 = local_8.member_1;
-                    atomicStore((&contacts.member[(_e3705 + 10u)]), _e3728);
+            let _e3820 = atomicLoad((&counters[1u]));
+            let _e3821 = (_e3820 + _e3811);
+            if _e3783 {
+                let _e3823 = params.member.member_1.member_3;
+                if (_e3821 < _e3823) {
+                    let _e3829 = (7u * _e3821);
+                    atomicStore((&contacts.member[(4u + _e3829)]), select(1u, 0u, ((_e3765.member_1 & 2147483648u) == 0u)));
+                    let _e3834 = local_8.member;
+                    atomicStore((&contacts.member[(_e3829 + 5u)]), _e3834);
+                    atomicStore((&contacts.member[(_e3829 + 6u)]), _e3765.member);
+                    atomicStore((&contacts.member[(_e3829 + 7u)]), (_e3765.member_1 & 2147483647u));
+                    let _e3843 = local_8.member_2[0u];
+                    atomicStore((&contacts.member[(_e3829 + 8u)]), _e3843);
+                    let _e3848 = local_8.member_2[1u];
+                    atomicStore((&contacts.member[(_e3829 + 9u)]), _e3848);
+                    let _e3852 = local_8.member_1;
+                    atomicStore((&contacts.member[(_e3829 + 10u)]), _e3852);
                 }
             }
         }

@@ -151,7 +151,7 @@ fn function_1(param_1: array<f32, 3>, param_2: array<f32, 3>) -> array<f32, 3> {
 }
 
 fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32, 3>, param_6: u32) -> array<f32, 3> {
-    var phi_8408_: array<array<f32, 3>, 4>;
+    var phi_8631_: array<array<f32, 3>, 4>;
 
     let _e9 = (param_3[0] - param_4[0]);
     let _e12 = (param_3[1] - param_4[1]);
@@ -168,7 +168,7 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         let _e251 = (param_3[2] - param_5[2]);
         let _e271 = ((((_e245 * param_4[0]) + (_e248 * param_4[1])) + (_e251 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
         let _e275 = select(0f, select(1f, _e271, (_e271 < 1f)), (_e271 > 0f));
-        phi_8408_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e155)), (param_3[1] - (param_4[1] * _e155)), (param_3[2] - (param_4[2] * _e155))), array<f32, 3>((param_3[0] - (param_5[0] * _e195)), (param_3[1] - (param_5[1] * _e195)), (param_3[2] - (param_5[2] * _e195))), array<f32, 3>((_e9 - (param_5[0] * _e232)), (_e12 - (param_5[1] * _e232)), (_e15 - (param_5[2] * _e232))), array<f32, 3>((_e245 - (param_4[0] * _e275)), (_e248 - (param_4[1] * _e275)), (_e251 - (param_4[2] * _e275))));
+        phi_8631_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e155)), (param_3[1] - (param_4[1] * _e155)), (param_3[2] - (param_4[2] * _e155))), array<f32, 3>((param_3[0] - (param_5[0] * _e195)), (param_3[1] - (param_5[1] * _e195)), (param_3[2] - (param_5[2] * _e195))), array<f32, 3>((_e9 - (param_5[0] * _e232)), (_e12 - (param_5[1] * _e232)), (_e15 - (param_5[2] * _e232))), array<f32, 3>((_e245 - (param_4[0] * _e275)), (_e248 - (param_4[1] * _e275)), (_e251 - (param_4[2] * _e275))));
     } else {
         let _e19 = (param_5[0] - param_4[0]);
         let _e22 = (param_5[1] - param_4[1]);
@@ -180,9 +180,9 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         let _e74 = select(0f, select(1f, _e70, (_e70 < 1f)), (_e70 > 0f));
         let _e110 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
         let _e114 = select(0f, select(1f, _e110, (_e110 < 1f)), (_e110 > 0f));
-        phi_8408_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e74)), (param_3[1] - (param_4[1] * _e74)), (param_3[2] - (param_4[2] * _e74))), array<f32, 3>((param_3[0] - (param_5[0] * _e114)), (param_3[1] - (param_5[1] * _e114)), (param_3[2] - (param_5[2] * _e114))), _e47, _e47);
+        phi_8631_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e74)), (param_3[1] - (param_4[1] * _e74)), (param_3[2] - (param_4[2] * _e74))), array<f32, 3>((param_3[0] - (param_5[0] * _e114)), (param_3[1] - (param_5[1] * _e114)), (param_3[2] - (param_5[2] * _e114))), _e47, _e47);
     }
-    let _e288 = phi_8408_;
+    let _e288 = phi_8631_;
     let _e291 = function_1(_e288[0], _e288[1]);
     let _e293 = function_1(_e291, _e288[2]);
     let _e295 = function_1(_e293, _e288[3]);
@@ -190,12 +190,12 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
 }
 
 fn function_3(param_7: array<f32, 3>, param_8: array<f32, 3>, param_9: array<f32, 3>, param_10: u32) -> array<f32, 3> {
-    var phi_8036_: bool;
-    var phi_8069_: array<f32, 3>;
-    var phi_8070_: bool;
-    var phi_8071_: array<f32, 3>;
-    var phi_8072_: bool;
-    var phi_8077_: array<f32, 3>;
+    var phi_8259_: bool;
+    var phi_8292_: array<f32, 3>;
+    var phi_8293_: bool;
+    var phi_8294_: array<f32, 3>;
+    var phi_8295_: bool;
+    var phi_8300_: array<f32, 3>;
 
     let _e23 = (((param_8[0] * param_8[0]) + (param_8[1] * param_8[1])) + (param_8[2] * param_8[2]));
     let _e34 = (((param_8[0] * param_9[0]) + (param_8[1] * param_9[1])) + (param_8[2] * param_9[2]));
@@ -209,38 +209,38 @@ fn function_3(param_7: array<f32, 3>, param_8: array<f32, 3>, param_9: array<f32
         let _e89 = (_e74 >= 0f);
         let _e90 = (_e78 >= 0f);
         let _e91 = (_e74 <= 1f);
-        phi_8036_ = select(select(bool(), select(bool(), select(bool(), (_e78 <= 1f), _e91), _e90), _e89), false, select(true, select(true, select(true, false, _e91), _e90), _e89));
+        phi_8259_ = select(select(bool(), select(bool(), select(bool(), (_e78 <= 1f), _e91), _e90), _e89), false, select(true, select(true, select(true, false, _e91), _e90), _e89));
     } else {
         let _e80 = (_e74 >= 0f);
         let _e81 = (_e78 >= 0f);
-        phi_8036_ = select(select(bool(), select(bool(), ((_e74 + _e78) <= 1f), _e81), _e80), false, select(true, select(true, false, _e81), _e80));
+        phi_8259_ = select(select(bool(), select(bool(), ((_e74 + _e78) <= 1f), _e81), _e80), false, select(true, select(true, false, _e81), _e80));
     }
-    let _e101 = phi_8036_;
+    let _e101 = phi_8259_;
     if (_e70 > ((_e23 * _e45) * (0.000000059604645f * 64f))) {
         if _e101 {
-            phi_8069_ = array<f32, 3>((param_7[0] - ((param_8[0] * _e74) + (param_9[0] * _e78))), (param_7[1] - ((param_8[1] * _e74) + (param_9[1] * _e78))), (param_7[2] - ((param_8[2] * _e74) + (param_9[2] * _e78))));
-            phi_8070_ = false;
+            phi_8292_ = array<f32, 3>((param_7[0] - ((param_8[0] * _e74) + (param_9[0] * _e78))), (param_7[1] - ((param_8[1] * _e74) + (param_9[1] * _e78))), (param_7[2] - ((param_8[2] * _e74) + (param_9[2] * _e78))));
+            phi_8293_ = false;
         } else {
-            phi_8069_ = array<f32, 3>();
-            phi_8070_ = true;
+            phi_8292_ = array<f32, 3>();
+            phi_8293_ = true;
         }
-        let _e129 = phi_8069_;
-        let _e131 = phi_8070_;
-        phi_8071_ = _e129;
-        phi_8072_ = _e131;
+        let _e129 = phi_8292_;
+        let _e131 = phi_8293_;
+        phi_8294_ = _e129;
+        phi_8295_ = _e131;
     } else {
-        phi_8071_ = array<f32, 3>();
-        phi_8072_ = true;
+        phi_8294_ = array<f32, 3>();
+        phi_8295_ = true;
     }
-    let _e133 = phi_8071_;
-    let _e135 = phi_8072_;
+    let _e133 = phi_8294_;
+    let _e135 = phi_8295_;
     if _e135 {
         let _e136 = function_2(param_7, param_8, param_9, param_10);
-        phi_8077_ = _e136;
+        phi_8300_ = _e136;
     } else {
-        phi_8077_ = _e133;
+        phi_8300_ = _e133;
     }
-    let _e138 = phi_8077_;
+    let _e138 = phi_8300_;
     return _e138;
 }
 
@@ -258,177 +258,177 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_458_: type_22;
     var phi_593_: type_28;
     var phi_622_: bool;
-    var phi_870_: bool;
-    var phi_964_: type_33;
-    var phi_965_: bool;
-    var phi_966_: type_33;
-    var phi_967_: bool;
-    var phi_968_: type_33;
-    var phi_969_: bool;
-    var phi_974_: type_33;
-    var phi_1144_: type_14;
-    var phi_1147_: f32;
-    var phi_1145_: type_14;
-    var phi_1188_: type_15;
-    var phi_1148_: f32;
+    var phi_1093_: bool;
+    var phi_1187_: type_33;
+    var phi_1188_: bool;
+    var phi_1189_: type_33;
+    var phi_1190_: bool;
+    var phi_1191_: type_33;
+    var phi_1192_: bool;
+    var phi_1197_: type_33;
+    var phi_1367_: type_14;
+    var phi_1370_: f32;
+    var phi_1368_: type_14;
+    var phi_1411_: type_15;
+    var phi_1371_: f32;
     var local_7: f32;
-    var phi_1201_: f32;
-    var phi_2110_: type_35;
-    var phi_2111_: bool;
-    var phi_2112_: type_35;
-    var phi_2113_: bool;
-    var phi_2119_: type_14;
-    var phi_2122_: f32;
-    var phi_2124_: u32;
-    var phi_2126_: f32;
-    var phi_2120_: type_14;
-    var phi_2167_: type_15;
-    var phi_2604_: type_9;
-    var phi_2607_: f32;
-    var phi_2609_: f32;
-    var phi_2611_: f32;
-    var phi_2613_: f32;
-    var phi_2615_: bool;
-    var phi_2617_: u32;
-    var phi_2768_: array<f32, 3>;
-    var phi_2834_: type_14;
-    var phi_2837_: f32;
-    var phi_2835_: type_14;
-    var phi_2878_: type_15;
-    var phi_2838_: f32;
+    var phi_1424_: f32;
+    var phi_2333_: type_35;
+    var phi_2334_: bool;
+    var phi_2335_: type_35;
+    var phi_2336_: bool;
+    var phi_2342_: type_14;
+    var phi_2345_: f32;
+    var phi_2347_: u32;
+    var phi_2349_: f32;
+    var phi_2343_: type_14;
+    var phi_2390_: type_15;
+    var phi_2827_: type_9;
+    var phi_2830_: f32;
+    var phi_2832_: f32;
+    var phi_2834_: f32;
+    var phi_2836_: f32;
+    var phi_2838_: bool;
+    var phi_2840_: u32;
+    var phi_2991_: array<f32, 3>;
+    var phi_3057_: type_14;
+    var phi_3060_: f32;
+    var phi_3058_: type_14;
+    var phi_3101_: type_15;
+    var phi_3061_: f32;
     var local_8: f32;
-    var phi_2891_: f32;
-    var phi_3014_: type_31;
-    var phi_3015_: bool;
-    var phi_3016_: type_31;
-    var phi_3017_: bool;
-    var phi_3025_: type_31;
-    var phi_3196_: bool;
-    var phi_3197_: bool;
-    var phi_3198_: bool;
-    var phi_3199_: bool;
-    var phi_3200_: bool;
-    var phi_3201_: bool;
-    var phi_3502_: bool;
-    var phi_3503_: bool;
-    var phi_3504_: bool;
-    var phi_3505_: bool;
-    var phi_3506_: bool;
-    var phi_3507_: bool;
-    var phi_3515_: bool;
-    var phi_3622_: f32;
-    var phi_3623_: bool;
-    var phi_3624_: f32;
-    var phi_3625_: bool;
-    var phi_3626_: f32;
-    var phi_3627_: bool;
-    var phi_3628_: bool;
-    var phi_3690_: f32;
-    var phi_3691_: bool;
-    var phi_3692_: f32;
-    var phi_3693_: bool;
-    var phi_3694_: f32;
-    var phi_3695_: bool;
-    var phi_3696_: bool;
-    var phi_3763_: f32;
-    var phi_3764_: bool;
-    var phi_3765_: f32;
-    var phi_3766_: bool;
-    var phi_3767_: f32;
-    var phi_3768_: bool;
-    var phi_3769_: bool;
-    var phi_3831_: f32;
-    var phi_3832_: bool;
-    var phi_3833_: f32;
-    var phi_3834_: bool;
-    var phi_3835_: f32;
-    var phi_3836_: bool;
-    var phi_3837_: bool;
-    var phi_4011_: type_14;
-    var phi_4014_: f32;
-    var phi_4012_: type_14;
-    var phi_4055_: type_15;
-    var phi_4015_: f32;
+    var phi_3114_: f32;
+    var phi_3237_: type_31;
+    var phi_3238_: bool;
+    var phi_3239_: type_31;
+    var phi_3240_: bool;
+    var phi_3248_: type_31;
+    var phi_3419_: bool;
+    var phi_3420_: bool;
+    var phi_3421_: bool;
+    var phi_3422_: bool;
+    var phi_3423_: bool;
+    var phi_3424_: bool;
+    var phi_3725_: bool;
+    var phi_3726_: bool;
+    var phi_3727_: bool;
+    var phi_3728_: bool;
+    var phi_3729_: bool;
+    var phi_3730_: bool;
+    var phi_3738_: bool;
+    var phi_3845_: f32;
+    var phi_3846_: bool;
+    var phi_3847_: f32;
+    var phi_3848_: bool;
+    var phi_3849_: f32;
+    var phi_3850_: bool;
+    var phi_3851_: bool;
+    var phi_3913_: f32;
+    var phi_3914_: bool;
+    var phi_3915_: f32;
+    var phi_3916_: bool;
+    var phi_3917_: f32;
+    var phi_3918_: bool;
+    var phi_3919_: bool;
+    var phi_3986_: f32;
+    var phi_3987_: bool;
+    var phi_3988_: f32;
+    var phi_3989_: bool;
+    var phi_3990_: f32;
+    var phi_3991_: bool;
+    var phi_3992_: bool;
+    var phi_4054_: f32;
+    var phi_4055_: bool;
+    var phi_4056_: f32;
+    var phi_4057_: bool;
+    var phi_4058_: f32;
+    var phi_4059_: bool;
+    var phi_4060_: bool;
+    var phi_4234_: type_14;
+    var phi_4237_: f32;
+    var phi_4235_: type_14;
+    var phi_4278_: type_15;
+    var phi_4238_: f32;
     var local_9: f32;
-    var phi_4068_: f32;
-    var phi_4339_: bool;
-    var phi_4340_: bool;
-    var phi_4366_: f32;
-    var phi_4367_: f32;
-    var phi_4368_: bool;
-    var phi_4369_: bool;
-    var phi_4370_: f32;
-    var phi_4371_: f32;
-    var phi_4372_: f32;
-    var phi_4373_: f32;
-    var phi_4374_: bool;
-    var phi_4375_: bool;
-    var phi_4376_: bool;
-    var phi_4377_: bool;
-    var phi_4378_: f32;
-    var phi_4379_: f32;
-    var phi_4380_: f32;
-    var phi_4381_: f32;
-    var phi_4382_: bool;
-    var phi_4383_: bool;
-    var phi_4384_: bool;
-    var phi_4385_: bool;
-    var phi_4386_: bool;
-    var phi_4387_: f32;
-    var phi_4388_: f32;
-    var phi_4389_: f32;
-    var phi_4390_: f32;
-    var phi_4391_: bool;
-    var phi_4392_: bool;
-    var phi_4393_: bool;
-    var phi_4394_: bool;
-    var phi_4395_: bool;
-    var phi_4728_: f32;
-    var phi_4730_: u32;
-    var phi_4731_: f32;
-    var phi_4732_: bool;
-    var phi_4733_: bool;
-    var phi_4734_: bool;
-    var phi_4735_: u32;
-    var phi_4736_: f32;
-    var phi_4737_: f32;
-    var phi_4738_: f32;
-    var phi_4739_: f32;
-    var phi_4740_: bool;
-    var phi_4741_: u32;
-    var phi_4742_: bool;
-    var phi_4743_: bool;
-    var phi_4744_: bool;
-    var phi_4745_: bool;
-    var phi_4746_: bool;
-    var phi_4747_: bool;
-    var phi_4775_: f32;
-    var phi_4776_: f32;
-    var phi_4777_: f32;
-    var phi_4778_: f32;
-    var phi_4779_: bool;
-    var phi_4780_: u32;
-    var phi_4781_: bool;
-    var phi_4782_: bool;
-    var phi_4783_: bool;
-    var phi_4784_: bool;
-    var phi_4785_: bool;
-    var phi_4786_: bool;
-    var phi_2608_: f32;
-    var phi_2610_: f32;
-    var phi_2612_: f32;
-    var phi_2614_: f32;
-    var phi_2616_: bool;
-    var phi_2618_: u32;
-    var phi_4787_: f32;
-    var phi_4788_: f32;
-    var phi_4789_: bool;
-    var phi_4790_: bool;
-    var phi_4791_: bool;
-    var phi_4792_: bool;
-    var phi_4793_: bool;
-    var phi_4794_: bool;
-    var phi_4795_: bool;
+    var phi_4291_: f32;
+    var phi_4562_: bool;
+    var phi_4563_: bool;
+    var phi_4589_: f32;
+    var phi_4590_: f32;
+    var phi_4591_: bool;
+    var phi_4592_: bool;
+    var phi_4593_: f32;
+    var phi_4594_: f32;
+    var phi_4595_: f32;
+    var phi_4596_: f32;
+    var phi_4597_: bool;
+    var phi_4598_: bool;
+    var phi_4599_: bool;
+    var phi_4600_: bool;
+    var phi_4601_: f32;
+    var phi_4602_: f32;
+    var phi_4603_: f32;
+    var phi_4604_: f32;
+    var phi_4605_: bool;
+    var phi_4606_: bool;
+    var phi_4607_: bool;
+    var phi_4608_: bool;
+    var phi_4609_: bool;
+    var phi_4610_: f32;
+    var phi_4611_: f32;
+    var phi_4612_: f32;
+    var phi_4613_: f32;
+    var phi_4614_: bool;
+    var phi_4615_: bool;
+    var phi_4616_: bool;
+    var phi_4617_: bool;
+    var phi_4618_: bool;
+    var phi_4951_: f32;
+    var phi_4953_: u32;
+    var phi_4954_: f32;
+    var phi_4955_: bool;
+    var phi_4956_: bool;
+    var phi_4957_: bool;
+    var phi_4958_: u32;
+    var phi_4959_: f32;
+    var phi_4960_: f32;
+    var phi_4961_: f32;
+    var phi_4962_: f32;
+    var phi_4963_: bool;
+    var phi_4964_: u32;
+    var phi_4965_: bool;
+    var phi_4966_: bool;
+    var phi_4967_: bool;
+    var phi_4968_: bool;
+    var phi_4969_: bool;
+    var phi_4970_: bool;
+    var phi_4998_: f32;
+    var phi_4999_: f32;
+    var phi_5000_: f32;
+    var phi_5001_: f32;
+    var phi_5002_: bool;
+    var phi_5003_: u32;
+    var phi_5004_: bool;
+    var phi_5005_: bool;
+    var phi_5006_: bool;
+    var phi_5007_: bool;
+    var phi_5008_: bool;
+    var phi_5009_: bool;
+    var phi_2831_: f32;
+    var phi_2833_: f32;
+    var phi_2835_: f32;
+    var phi_2837_: f32;
+    var phi_2839_: bool;
+    var phi_2841_: u32;
+    var phi_5010_: f32;
+    var phi_5011_: f32;
+    var phi_5012_: bool;
+    var phi_5013_: bool;
+    var phi_5014_: bool;
+    var phi_5015_: bool;
+    var phi_5016_: bool;
+    var phi_5017_: bool;
+    var phi_5018_: bool;
     var local_10: bool;
     var local_11: bool;
     var local_12: bool;
@@ -444,135 +444,135 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_22: f32;
     var local_23: f32;
     var local_24: f32;
-    var phi_4862_: f32;
-    var phi_4863_: bool;
-    var phi_5483_: type_14;
-    var phi_5486_: f32;
-    var phi_5484_: type_14;
-    var phi_5527_: type_15;
-    var phi_5487_: f32;
+    var phi_5085_: f32;
+    var phi_5086_: bool;
+    var phi_5706_: type_14;
+    var phi_5709_: f32;
+    var phi_5707_: type_14;
+    var phi_5750_: type_15;
+    var phi_5710_: f32;
     var local_25: f32;
-    var phi_5540_: f32;
-    var phi_5775_: type_14;
-    var phi_5778_: f32;
-    var phi_5776_: type_14;
-    var phi_5819_: type_15;
-    var phi_5779_: f32;
+    var phi_5763_: f32;
+    var phi_5998_: type_14;
+    var phi_6001_: f32;
+    var phi_5999_: type_14;
+    var phi_6042_: type_15;
+    var phi_6002_: f32;
     var local_26: f32;
-    var phi_5832_: f32;
-    var phi_5864_: type_14;
-    var phi_5867_: f32;
-    var phi_5865_: type_14;
-    var phi_5908_: type_15;
-    var phi_5868_: f32;
+    var phi_6055_: f32;
+    var phi_6087_: type_14;
+    var phi_6090_: f32;
+    var phi_6088_: type_14;
+    var phi_6131_: type_15;
+    var phi_6091_: f32;
     var local_27: f32;
-    var phi_5921_: f32;
-    var phi_6229_: type_9;
-    var phi_6232_: f32;
-    var phi_6233_: f32;
+    var phi_6144_: f32;
+    var phi_6452_: type_9;
+    var phi_6455_: f32;
+    var phi_6456_: f32;
     var local_28: f32;
     var local_29: f32;
-    var phi_6331_: type_14;
-    var phi_6334_: f32;
-    var phi_6332_: type_14;
-    var phi_6375_: type_15;
-    var phi_6335_: f32;
+    var phi_6554_: type_14;
+    var phi_6557_: f32;
+    var phi_6555_: type_14;
+    var phi_6598_: type_15;
+    var phi_6558_: f32;
     var local_30: f32;
-    var phi_6388_: f32;
-    var phi_6393_: type_9;
-    var phi_6396_: f32;
-    var phi_6398_: bool;
-    var phi_6400_: bool;
-    var phi_6630_: f32;
-    var phi_6631_: f32;
-    var phi_6397_: f32;
-    var phi_6399_: bool;
-    var phi_6401_: bool;
+    var phi_6611_: f32;
+    var phi_6616_: type_9;
+    var phi_6619_: f32;
+    var phi_6621_: bool;
+    var phi_6623_: bool;
+    var phi_6853_: f32;
+    var phi_6854_: f32;
+    var phi_6620_: f32;
+    var phi_6622_: bool;
+    var phi_6624_: bool;
     var local_31: f32;
     var local_32: f32;
     var local_33: bool;
     var local_34: bool;
     var local_35: bool;
     var local_36: bool;
-    var phi_6646_: type_36;
-    var phi_6647_: bool;
+    var phi_6869_: type_36;
+    var phi_6870_: bool;
     var local_37: bool;
-    var phi_6668_: type_9;
-    var phi_6671_: f32;
-    var phi_6673_: f32;
-    var phi_6780_: f32;
-    var phi_6781_: f32;
-    var phi_6782_: f32;
-    var phi_6783_: f32;
-    var phi_6672_: f32;
-    var phi_6674_: f32;
+    var phi_6891_: type_9;
+    var phi_6894_: f32;
+    var phi_6896_: f32;
+    var phi_7003_: f32;
+    var phi_7004_: f32;
+    var phi_7005_: f32;
+    var phi_7006_: f32;
+    var phi_6895_: f32;
+    var phi_6897_: f32;
     var local_38: f32;
     var local_39: f32;
     var local_40: f32;
-    var phi_6944_: bool;
-    var phi_6945_: bool;
-    var phi_6946_: bool;
-    var phi_6947_: bool;
-    var phi_6948_: bool;
-    var phi_6949_: bool;
-    var phi_6958_: bool;
-    var phi_6959_: bool;
-    var phi_6966_: type_36;
-    var phi_6967_: type_36;
-    var phi_6968_: bool;
-    var phi_6969_: type_36;
-    var phi_6970_: type_36;
-    var phi_6971_: bool;
-    var phi_6976_: type_36;
-    var phi_6977_: type_36;
-    var phi_6978_: bool;
-    var phi_6982_: type_36;
-    var phi_6983_: type_36;
-    var phi_6984_: bool;
-    var phi_6985_: bool;
-    var phi_6986_: type_36;
-    var phi_6987_: type_36;
-    var phi_6988_: bool;
-    var phi_6989_: bool;
-    var phi_7023_: f32;
-    var phi_7024_: f32;
-    var phi_7025_: bool;
-    var phi_7026_: bool;
-    var phi_7027_: bool;
-    var phi_7028_: f32;
-    var phi_7029_: u32;
-    var phi_7030_: f32;
-    var phi_7031_: type_36;
-    var phi_7032_: u32;
-    var phi_7033_: u32;
-    var phi_7034_: bool;
-    var phi_7035_: bool;
-    var phi_7036_: bool;
-    var phi_7037_: f32;
-    var phi_7038_: u32;
-    var phi_7039_: f32;
-    var phi_7040_: type_36;
-    var phi_7041_: u32;
-    var phi_7042_: u32;
-    var phi_7043_: bool;
-    var phi_7044_: bool;
-    var phi_7045_: bool;
-    var phi_7046_: bool;
-    var phi_7047_: bool;
-    var phi_7048_: f32;
-    var phi_2123_: f32;
-    var phi_2125_: u32;
-    var phi_2127_: f32;
-    var phi_7049_: type_36;
-    var phi_7050_: u32;
-    var phi_7051_: f32;
-    var phi_7052_: u32;
-    var phi_7053_: bool;
-    var phi_7054_: bool;
-    var phi_7055_: bool;
-    var phi_7056_: bool;
-    var phi_7057_: bool;
-    var phi_7058_: bool;
+    var phi_7167_: bool;
+    var phi_7168_: bool;
+    var phi_7169_: bool;
+    var phi_7170_: bool;
+    var phi_7171_: bool;
+    var phi_7172_: bool;
+    var phi_7181_: bool;
+    var phi_7182_: bool;
+    var phi_7189_: type_36;
+    var phi_7190_: type_36;
+    var phi_7191_: bool;
+    var phi_7192_: type_36;
+    var phi_7193_: type_36;
+    var phi_7194_: bool;
+    var phi_7199_: type_36;
+    var phi_7200_: type_36;
+    var phi_7201_: bool;
+    var phi_7205_: type_36;
+    var phi_7206_: type_36;
+    var phi_7207_: bool;
+    var phi_7208_: bool;
+    var phi_7209_: type_36;
+    var phi_7210_: type_36;
+    var phi_7211_: bool;
+    var phi_7212_: bool;
+    var phi_7246_: f32;
+    var phi_7247_: f32;
+    var phi_7248_: bool;
+    var phi_7249_: bool;
+    var phi_7250_: bool;
+    var phi_7251_: f32;
+    var phi_7252_: u32;
+    var phi_7253_: f32;
+    var phi_7254_: type_36;
+    var phi_7255_: u32;
+    var phi_7256_: u32;
+    var phi_7257_: bool;
+    var phi_7258_: bool;
+    var phi_7259_: bool;
+    var phi_7260_: f32;
+    var phi_7261_: u32;
+    var phi_7262_: f32;
+    var phi_7263_: type_36;
+    var phi_7264_: u32;
+    var phi_7265_: u32;
+    var phi_7266_: bool;
+    var phi_7267_: bool;
+    var phi_7268_: bool;
+    var phi_7269_: bool;
+    var phi_7270_: bool;
+    var phi_7271_: f32;
+    var phi_2346_: f32;
+    var phi_2348_: u32;
+    var phi_2350_: f32;
+    var phi_7272_: type_36;
+    var phi_7273_: u32;
+    var phi_7274_: f32;
+    var phi_7275_: u32;
+    var phi_7276_: bool;
+    var phi_7277_: bool;
+    var phi_7278_: bool;
+    var phi_7279_: bool;
+    var phi_7280_: bool;
+    var phi_7281_: bool;
     var local_41: bool;
     var local_42: bool;
     var local_43: bool;
@@ -585,48 +585,48 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_50: type_36;
     var local_51: u32;
     var local_52: type_36;
-    var phi_7087_: type_35;
-    var phi_7088_: type_35;
-    var phi_7089_: bool;
-    var phi_7090_: bool;
-    var phi_7091_: bool;
-    var phi_7092_: bool;
+    var phi_7310_: type_35;
+    var phi_7311_: type_35;
+    var phi_7312_: bool;
+    var phi_7313_: bool;
+    var phi_7314_: bool;
+    var phi_7315_: bool;
     var local_53: u32;
     var local_54: u32;
     var local_55: f32;
     var local_56: f32;
     var local_57: f32;
     var local_58: u32;
-    var phi_7124_: type_9;
-    var phi_7299_: type_14;
-    var phi_7302_: f32;
-    var phi_7300_: type_14;
-    var phi_7343_: type_15;
-    var phi_7303_: f32;
+    var phi_7347_: type_9;
+    var phi_7522_: type_14;
+    var phi_7525_: f32;
+    var phi_7523_: type_14;
+    var phi_7566_: type_15;
+    var phi_7526_: f32;
     var local_59: f32;
-    var phi_7356_: f32;
-    var phi_7627_: bool;
-    var phi_7628_: bool;
+    var phi_7579_: f32;
+    var phi_7850_: bool;
+    var phi_7851_: bool;
     var local_60: bool;
-    var phi_7640_: type_35;
-    var phi_7641_: bool;
-    var phi_7653_: type_35;
-    var phi_7654_: type_35;
-    var phi_7655_: bool;
-    var phi_7656_: bool;
-    var phi_7663_: type_35;
-    var phi_7664_: bool;
-    var phi_7668_: type_35;
-    var phi_7669_: type_35;
-    var phi_7670_: bool;
-    var phi_7674_: type_35;
-    var phi_7692_: type_32;
-    var phi_7732_: bool;
-    var phi_7748_: bool;
-    var phi_7775_: type_9;
-    var phi_7804_: bool;
-    var phi_7805_: bool;
-    var phi_7848_: u32;
+    var phi_7863_: type_35;
+    var phi_7864_: bool;
+    var phi_7876_: type_35;
+    var phi_7877_: type_35;
+    var phi_7878_: bool;
+    var phi_7879_: bool;
+    var phi_7886_: type_35;
+    var phi_7887_: bool;
+    var phi_7891_: type_35;
+    var phi_7892_: type_35;
+    var phi_7893_: bool;
+    var phi_7897_: type_35;
+    var phi_7915_: type_32;
+    var phi_7955_: bool;
+    var phi_7971_: bool;
+    var phi_7998_: type_9;
+    var phi_8027_: bool;
+    var phi_8028_: bool;
+    var phi_8071_: u32;
     var local_61: bool;
     var local_62: bool;
     var id_2: vec3<u32>;
@@ -764,2215 +764,2250 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e507 = (select(_e503, _e485, (_e485 > _e503)) + _e350.member_3);
                 let _e509 = select(_e467, _e427, (_e427 > _e467));
                 let _e511 = select(_e507, _e509, (_e509 > _e507));
-                if (_e511 <= 65536f) {
-                    phi_870_ = (_e511 >= (1f / 65536f));
+                let _e517 = select(_e350.member[0][0], -(_e350.member[0][0]), (_e350.member[0][0] < 0f));
+                let _e521 = select(_e350.member[0][1], -(_e350.member[0][1]), (_e350.member[0][1] < 0f));
+                let _e523 = select(_e521, _e517, (_e517 > _e521));
+                let _e527 = select(_e350.member[0][2], -(_e350.member[0][2]), (_e350.member[0][2] < 0f));
+                let _e529 = select(_e527, _e523, (_e523 > _e527));
+                let _e535 = select(_e350.member[1][0], -(_e350.member[1][0]), (_e350.member[1][0] < 0f));
+                let _e539 = select(_e350.member[1][1], -(_e350.member[1][1]), (_e350.member[1][1] < 0f));
+                let _e541 = select(_e539, _e535, (_e535 > _e539));
+                let _e545 = select(_e350.member[1][2], -(_e350.member[1][2]), (_e350.member[1][2] < 0f));
+                let _e547 = select(_e545, _e541, (_e541 > _e545));
+                let _e551 = (select(_e547, _e529, (_e529 > _e547)) + _e350.member_3);
+                let _e557 = select(_e350.member_1[0][0], -(_e350.member_1[0][0]), (_e350.member_1[0][0] < 0f));
+                let _e561 = select(_e350.member_1[0][1], -(_e350.member_1[0][1]), (_e350.member_1[0][1] < 0f));
+                let _e563 = select(_e561, _e557, (_e557 > _e561));
+                let _e567 = select(_e350.member_1[0][2], -(_e350.member_1[0][2]), (_e350.member_1[0][2] < 0f));
+                let _e569 = select(_e567, _e563, (_e563 > _e567));
+                let _e575 = select(_e350.member_1[1][0], -(_e350.member_1[1][0]), (_e350.member_1[1][0] < 0f));
+                let _e579 = select(_e350.member_1[1][1], -(_e350.member_1[1][1]), (_e350.member_1[1][1] < 0f));
+                let _e581 = select(_e579, _e575, (_e575 > _e579));
+                let _e585 = select(_e350.member_1[1][2], -(_e350.member_1[1][2]), (_e350.member_1[1][2] < 0f));
+                let _e587 = select(_e585, _e581, (_e581 > _e585));
+                let _e591 = (select(_e587, _e569, (_e569 > _e587)) + _e350.member_3);
+                let _e597 = select(_e350.member_2[0][0], -(_e350.member_2[0][0]), (_e350.member_2[0][0] < 0f));
+                let _e601 = select(_e350.member_2[0][1], -(_e350.member_2[0][1]), (_e350.member_2[0][1] < 0f));
+                let _e603 = select(_e601, _e597, (_e597 > _e601));
+                let _e607 = select(_e350.member_2[0][2], -(_e350.member_2[0][2]), (_e350.member_2[0][2] < 0f));
+                let _e609 = select(_e607, _e603, (_e603 > _e607));
+                let _e615 = select(_e350.member_2[1][0], -(_e350.member_2[1][0]), (_e350.member_2[1][0] < 0f));
+                let _e619 = select(_e350.member_2[1][1], -(_e350.member_2[1][1]), (_e350.member_2[1][1] < 0f));
+                let _e621 = select(_e619, _e615, (_e615 > _e619));
+                let _e625 = select(_e350.member_2[1][2], -(_e350.member_2[1][2]), (_e350.member_2[1][2] < 0f));
+                let _e627 = select(_e625, _e621, (_e621 > _e625));
+                let _e631 = (select(_e627, _e609, (_e609 > _e627)) + _e350.member_3);
+                let _e633 = select(_e591, _e551, (_e551 > _e591));
+                let _e635 = select(_e631, _e633, (_e633 > _e631));
+                if (_e635 <= 65536f) {
+                    phi_1093_ = (_e635 >= (1f / 65536f));
                 } else {
-                    phi_870_ = false;
+                    phi_1093_ = false;
                 }
-                let _e516 = phi_870_;
-                if _e516 {
-                    phi_968_ = type_33();
-                    phi_969_ = true;
+                let _e640 = phi_1093_;
+                if _e640 {
+                    phi_1191_ = type_33();
+                    phi_1192_ = true;
                 } else {
                     if (_e511 >= 0.000000000000000000000000000000000000011754944f) {
                         if ((bitcast<u32>(_e511) & 2139095040u) != 2139095040u) {
-                            let _e523 = (2130706432u - (bitcast<u32>(_e511) & 2139095040u));
-                            let _e526 = bitcast<f32>(select(8388608u, _e523, (_e523 > 8388608u)));
-                            let _e527 = (_e376 * _e526);
-                            phi_964_ = type_33(type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e350.member[0][0] * _e526), (_e350.member[0][1] * _e526), (_e350.member[0][2] * _e526)), array<f32, 3>((_e350.member[1][0] * _e526), (_e350.member[1][1] * _e526), (_e350.member[1][2] * _e526))), array<array<f32, 3>, 2>(array<f32, 3>((_e350.member_1[0][0] * _e526), (_e350.member_1[0][1] * _e526), (_e350.member_1[0][2] * _e526)), array<f32, 3>((_e350.member_1[1][0] * _e526), (_e350.member_1[1][1] * _e526), (_e350.member_1[1][2] * _e526))), array<array<f32, 3>, 2>(array<f32, 3>((_e350.member_2[0][0] * _e526), (_e350.member_2[0][1] * _e526), (_e350.member_2[0][2] * _e526)), array<f32, 3>((_e350.member_2[1][0] * _e526), (_e350.member_2[1][1] * _e526), (_e350.member_2[1][2] * _e526))), ((_e350.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e526)), select(_e527, select(0.000000000000000000000000000000000000011754944f, _e527, (_e527 > 0.000000000000000000000000000000000000011754944f)), (_e376 > 0f)));
-                            phi_965_ = false;
+                            let _e647 = (2130706432u - (bitcast<u32>(_e511) & 2139095040u));
+                            let _e650 = bitcast<f32>(select(8388608u, _e647, (_e647 > 8388608u)));
+                            let _e651 = (_e376 * _e650);
+                            phi_1187_ = type_33(type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e350.member[0][0] * _e650), (_e350.member[0][1] * _e650), (_e350.member[0][2] * _e650)), array<f32, 3>((_e350.member[1][0] * _e650), (_e350.member[1][1] * _e650), (_e350.member[1][2] * _e650))), array<array<f32, 3>, 2>(array<f32, 3>((_e350.member_1[0][0] * _e650), (_e350.member_1[0][1] * _e650), (_e350.member_1[0][2] * _e650)), array<f32, 3>((_e350.member_1[1][0] * _e650), (_e350.member_1[1][1] * _e650), (_e350.member_1[1][2] * _e650))), array<array<f32, 3>, 2>(array<f32, 3>((_e350.member_2[0][0] * _e650), (_e350.member_2[0][1] * _e650), (_e350.member_2[0][2] * _e650)), array<f32, 3>((_e350.member_2[1][0] * _e650), (_e350.member_2[1][1] * _e650), (_e350.member_2[1][2] * _e650))), ((_e350.member_3 + (0.000000000000000000000000000000000000011754944f * 8f)) * _e650)), select(_e651, select(0.000000000000000000000000000000000000011754944f, _e651, (_e651 > 0.000000000000000000000000000000000000011754944f)), (_e376 > 0f)));
+                            phi_1188_ = false;
                         } else {
-                            phi_964_ = type_33();
-                            phi_965_ = true;
+                            phi_1187_ = type_33();
+                            phi_1188_ = true;
                         }
-                        let _e596 = phi_964_;
-                        let _e598 = phi_965_;
-                        phi_966_ = _e596;
-                        phi_967_ = _e598;
+                        let _e720 = phi_1187_;
+                        let _e722 = phi_1188_;
+                        phi_1189_ = _e720;
+                        phi_1190_ = _e722;
                     } else {
-                        phi_966_ = type_33();
-                        phi_967_ = true;
+                        phi_1189_ = type_33();
+                        phi_1190_ = true;
                     }
-                    let _e600 = phi_966_;
-                    let _e602 = phi_967_;
-                    phi_968_ = _e600;
-                    phi_969_ = _e602;
+                    let _e724 = phi_1189_;
+                    let _e726 = phi_1190_;
+                    phi_1191_ = _e724;
+                    phi_1192_ = _e726;
                 }
-                let _e604 = phi_968_;
-                let _e606 = phi_969_;
-                if _e606 {
-                    phi_974_ = type_33(_e350, _e376);
+                let _e728 = phi_1191_;
+                let _e730 = phi_1192_;
+                if _e730 {
+                    phi_1197_ = type_33(_e350, _e376);
                 } else {
-                    phi_974_ = _e604;
+                    phi_1197_ = _e728;
                 }
-                let _e609 = phi_974_;
-                local_5 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e609.member.member[0][0], _e609.member.member[0][1], _e609.member.member[0][2]), array<f32, 3>(_e609.member.member[1][0], _e609.member.member[1][1], _e609.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e609.member.member_1[0][0], _e609.member.member_1[0][1], _e609.member.member_1[0][2]), array<f32, 3>(_e609.member.member_1[1][0], _e609.member.member_1[1][1], _e609.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e609.member.member_2[0][0], _e609.member.member_2[0][1], _e609.member.member_2[0][2]), array<f32, 3>(_e609.member.member_2[1][0], _e609.member.member_2[1][1], _e609.member.member_2[1][2])), _e609.member.member_3);
-                let _e652 = local_5.member[0u];
-                let _e658 = local_5.member[1u];
-                let _e674 = local_5.member_1[0u];
-                let _e680 = local_5.member_1[1u];
-                let _e696 = local_5.member_2[0u];
-                let _e702 = local_5.member_2[1u];
-                let _e716 = function_3(array<f32, 3>((_e652[0] + ((_e658[0] - _e652[0]) * _e380)), (_e652[1] + ((_e658[1] - _e652[1]) * _e380)), (_e652[2] + ((_e658[2] - _e652[2]) * _e380))), array<f32, 3>((_e674[0] + ((_e680[0] - _e674[0]) * _e380)), (_e674[1] + ((_e680[1] - _e674[1]) * _e380)), (_e674[2] + ((_e680[2] - _e674[2]) * _e380))), array<f32, 3>((_e696[0] + ((_e702[0] - _e696[0]) * _e380)), (_e696[1] + ((_e702[1] - _e696[1]) * _e380)), (_e696[2] + ((_e702[2] - _e696[2]) * _e380))), _e225.member);
-                let _e727 = (((_e716[0] * _e716[0]) + (_e716[1] * _e716[1])) + (_e716[2] * _e716[2]));
-                if (_e727 <= 0.000000000000000000000000000000000000011754944f) {
-                    phi_1201_ = select(0f, (0.000000000000000000106433627f * 2f), (_e727 > 0f));
+                let _e733 = phi_1197_;
+                local_5 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e733.member.member[0][0], _e733.member.member[0][1], _e733.member.member[0][2]), array<f32, 3>(_e733.member.member[1][0], _e733.member.member[1][1], _e733.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e733.member.member_1[0][0], _e733.member.member_1[0][1], _e733.member.member_1[0][2]), array<f32, 3>(_e733.member.member_1[1][0], _e733.member.member_1[1][1], _e733.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e733.member.member_2[0][0], _e733.member.member_2[0][1], _e733.member.member_2[0][2]), array<f32, 3>(_e733.member.member_2[1][0], _e733.member.member_2[1][1], _e733.member.member_2[1][2])), _e733.member.member_3);
+                let _e776 = local_5.member[0u];
+                let _e782 = local_5.member[1u];
+                let _e798 = local_5.member_1[0u];
+                let _e804 = local_5.member_1[1u];
+                let _e820 = local_5.member_2[0u];
+                let _e826 = local_5.member_2[1u];
+                let _e840 = function_3(array<f32, 3>((_e776[0] + ((_e782[0] - _e776[0]) * _e380)), (_e776[1] + ((_e782[1] - _e776[1]) * _e380)), (_e776[2] + ((_e782[2] - _e776[2]) * _e380))), array<f32, 3>((_e798[0] + ((_e804[0] - _e798[0]) * _e380)), (_e798[1] + ((_e804[1] - _e798[1]) * _e380)), (_e798[2] + ((_e804[2] - _e798[2]) * _e380))), array<f32, 3>((_e820[0] + ((_e826[0] - _e820[0]) * _e380)), (_e820[1] + ((_e826[1] - _e820[1]) * _e380)), (_e820[2] + ((_e826[2] - _e820[2]) * _e380))), _e225.member);
+                let _e851 = (((_e840[0] * _e840[0]) + (_e840[1] * _e840[1])) + (_e840[2] * _e840[2]));
+                if (_e851 <= 0.000000000000000000000000000000000000011754944f) {
+                    phi_1424_ = select(0f, (0.000000000000000000106433627f * 2f), (_e851 > 0f));
                 } else {
-                    phi_1144_ = type_14(0i, 5i);
-                    phi_1147_ = bitcast<f32>(((bitcast<u32>(_e727) >> bitcast<u32>(1i)) + 532369198u));
+                    phi_1367_ = type_14(0i, 5i);
+                    phi_1370_ = bitcast<f32>(((bitcast<u32>(_e851) >> bitcast<u32>(1i)) + 532369198u));
                     loop {
-                        let _e735 = phi_1144_;
-                        let _e737 = phi_1147_;
-                        local_7 = _e737;
-                        if (_e735.member < _e735.member_1) {
-                            let _e744 = (_e735.member + 1i);
-                            phi_1145_ = type_14(select(_e744, type_15().member_1, select(false, true, ((false == (_e744 > _e735.member)) != false))), _e735.member_1);
-                            phi_1188_ = type_15(1u, _e735.member);
+                        let _e859 = phi_1367_;
+                        let _e861 = phi_1370_;
+                        local_7 = _e861;
+                        if (_e859.member < _e859.member_1) {
+                            let _e868 = (_e859.member + 1i);
+                            phi_1368_ = type_14(select(_e868, type_15().member_1, select(false, true, ((false == (_e868 > _e859.member)) != false))), _e859.member_1);
+                            phi_1411_ = type_15(1u, _e859.member);
                         } else {
-                            phi_1145_ = _e735;
-                            phi_1188_ = type_15(0u, type_15().member_1);
+                            phi_1368_ = _e859;
+                            phi_1411_ = type_15(0u, type_15().member_1);
                         }
-                        let _e755 = phi_1145_;
-                        let _e757 = phi_1188_;
-                        let _e760 = (bitcast<i32>(_e757.member) != 0i);
-                        if _e760 {
-                            phi_1148_ = (0.5f * (_e737 + (_e727 / _e737)));
+                        let _e879 = phi_1368_;
+                        let _e881 = phi_1411_;
+                        let _e884 = (bitcast<i32>(_e881.member) != 0i);
+                        if _e884 {
+                            phi_1371_ = (0.5f * (_e861 + (_e851 / _e861)));
                         } else {
-                            phi_1148_ = f32();
+                            phi_1371_ = f32();
                         }
-                        let _e765 = phi_1148_;
+                        let _e889 = phi_1371_;
                         continue;
                         continuing {
-                            phi_1144_ = _e755;
-                            phi_1147_ = _e765;
-                            break if !(_e760);
+                            phi_1367_ = _e879;
+                            phi_1370_ = _e889;
+                            break if !(_e884);
                         }
                     }
-                    let _e770 = local_7;
-                    phi_1201_ = (_e770 * (1f + (8f * 0.000000059604645f)));
+                    let _e894 = local_7;
+                    phi_1424_ = (_e894 * (1f + (8f * 0.000000059604645f)));
                 }
-                let _e776 = phi_1201_;
-                let _e782 = local_5.member[0u];
-                let _e788 = select(_e782[0], -(_e782[0]), (_e782[0] < 0f));
-                let _e791 = select(_e782[1], -(_e782[1]), (_e782[1] < 0f));
-                let _e793 = select(_e791, _e788, (_e788 > _e791));
-                let _e796 = select(_e782[2], -(_e782[2]), (_e782[2] < 0f));
-                let _e798 = select(_e796, _e793, (_e793 > _e796));
-                let _e801 = local_5.member[1u];
-                let _e807 = select(_e801[0], -(_e801[0]), (_e801[0] < 0f));
-                let _e810 = select(_e801[1], -(_e801[1]), (_e801[1] < 0f));
-                let _e812 = select(_e810, _e807, (_e807 > _e810));
-                let _e815 = select(_e801[2], -(_e801[2]), (_e801[2] < 0f));
-                let _e817 = select(_e815, _e812, (_e812 > _e815));
-                let _e821 = local_5.member_3;
-                let _e825 = local_5.member_1[0u];
-                let _e831 = select(_e825[0], -(_e825[0]), (_e825[0] < 0f));
-                let _e834 = select(_e825[1], -(_e825[1]), (_e825[1] < 0f));
-                let _e836 = select(_e834, _e831, (_e831 > _e834));
-                let _e839 = select(_e825[2], -(_e825[2]), (_e825[2] < 0f));
-                let _e841 = select(_e839, _e836, (_e836 > _e839));
-                let _e844 = local_5.member_1[1u];
-                let _e850 = select(_e844[0], -(_e844[0]), (_e844[0] < 0f));
-                let _e853 = select(_e844[1], -(_e844[1]), (_e844[1] < 0f));
-                let _e855 = select(_e853, _e850, (_e850 > _e853));
-                let _e858 = select(_e844[2], -(_e844[2]), (_e844[2] < 0f));
-                let _e860 = select(_e858, _e855, (_e855 > _e858));
-                let _e864 = local_5.member_3;
-                let _e868 = local_5.member_2[0u];
-                let _e874 = select(_e868[0], -(_e868[0]), (_e868[0] < 0f));
-                let _e877 = select(_e868[1], -(_e868[1]), (_e868[1] < 0f));
-                let _e879 = select(_e877, _e874, (_e874 > _e877));
-                let _e882 = select(_e868[2], -(_e868[2]), (_e868[2] < 0f));
-                let _e884 = select(_e882, _e879, (_e879 > _e882));
-                let _e887 = local_5.member_2[1u];
-                let _e893 = select(_e887[0], -(_e887[0]), (_e887[0] < 0f));
-                let _e896 = select(_e887[1], -(_e887[1]), (_e887[1] < 0f));
-                let _e898 = select(_e896, _e893, (_e893 > _e896));
-                let _e901 = select(_e887[2], -(_e887[2]), (_e887[2] < 0f));
-                let _e903 = select(_e901, _e898, (_e898 > _e901));
-                let _e907 = local_5.member_3;
-                let _e914 = local_5.member_3;
-                let _e921 = (((_e776 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e817, _e798, (_e798 > _e817)) + _e821) + (select(_e860, _e841, (_e841 > _e860)) + _e864)) + (select(_e903, _e884, (_e884 > _e903)) + _e907)) * (0.000000059604645f * 16f)) + (_e914 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e609.member_1);
-                if _e921 {
-                    phi_2112_ = type_35();
-                    phi_2113_ = true;
+                let _e900 = phi_1424_;
+                let _e906 = local_5.member[0u];
+                let _e912 = select(_e906[0], -(_e906[0]), (_e906[0] < 0f));
+                let _e915 = select(_e906[1], -(_e906[1]), (_e906[1] < 0f));
+                let _e917 = select(_e915, _e912, (_e912 > _e915));
+                let _e920 = select(_e906[2], -(_e906[2]), (_e906[2] < 0f));
+                let _e922 = select(_e920, _e917, (_e917 > _e920));
+                let _e925 = local_5.member[1u];
+                let _e931 = select(_e925[0], -(_e925[0]), (_e925[0] < 0f));
+                let _e934 = select(_e925[1], -(_e925[1]), (_e925[1] < 0f));
+                let _e936 = select(_e934, _e931, (_e931 > _e934));
+                let _e939 = select(_e925[2], -(_e925[2]), (_e925[2] < 0f));
+                let _e941 = select(_e939, _e936, (_e936 > _e939));
+                let _e945 = local_5.member_3;
+                let _e949 = local_5.member_1[0u];
+                let _e955 = select(_e949[0], -(_e949[0]), (_e949[0] < 0f));
+                let _e958 = select(_e949[1], -(_e949[1]), (_e949[1] < 0f));
+                let _e960 = select(_e958, _e955, (_e955 > _e958));
+                let _e963 = select(_e949[2], -(_e949[2]), (_e949[2] < 0f));
+                let _e965 = select(_e963, _e960, (_e960 > _e963));
+                let _e968 = local_5.member_1[1u];
+                let _e974 = select(_e968[0], -(_e968[0]), (_e968[0] < 0f));
+                let _e977 = select(_e968[1], -(_e968[1]), (_e968[1] < 0f));
+                let _e979 = select(_e977, _e974, (_e974 > _e977));
+                let _e982 = select(_e968[2], -(_e968[2]), (_e968[2] < 0f));
+                let _e984 = select(_e982, _e979, (_e979 > _e982));
+                let _e988 = local_5.member_3;
+                let _e992 = local_5.member_2[0u];
+                let _e998 = select(_e992[0], -(_e992[0]), (_e992[0] < 0f));
+                let _e1001 = select(_e992[1], -(_e992[1]), (_e992[1] < 0f));
+                let _e1003 = select(_e1001, _e998, (_e998 > _e1001));
+                let _e1006 = select(_e992[2], -(_e992[2]), (_e992[2] < 0f));
+                let _e1008 = select(_e1006, _e1003, (_e1003 > _e1006));
+                let _e1011 = local_5.member_2[1u];
+                let _e1017 = select(_e1011[0], -(_e1011[0]), (_e1011[0] < 0f));
+                let _e1020 = select(_e1011[1], -(_e1011[1]), (_e1011[1] < 0f));
+                let _e1022 = select(_e1020, _e1017, (_e1017 > _e1020));
+                let _e1025 = select(_e1011[2], -(_e1011[2]), (_e1011[2] < 0f));
+                let _e1027 = select(_e1025, _e1022, (_e1022 > _e1025));
+                let _e1031 = local_5.member_3;
+                let _e1038 = local_5.member_3;
+                let _e1045 = (((_e900 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e941, _e922, (_e922 > _e941)) + _e945) + (select(_e984, _e965, (_e965 > _e984)) + _e988)) + (select(_e1027, _e1008, (_e1008 > _e1027)) + _e1031)) * (0.000000059604645f * 16f)) + (_e1038 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e733.member_1);
+                if _e1045 {
+                    phi_2335_ = type_35();
+                    phi_2336_ = true;
                 } else {
-                    let _e924 = local_5.member_1[0u];
-                    let _e930 = local_5.member_2[0u];
-                    let _e936 = ((_e924[1] * _e930[2]) - (_e924[2] * _e930[1]));
-                    let _e939 = ((_e924[2] * _e930[0]) - (_e924[0] * _e930[2]));
-                    let _e942 = ((_e924[0] * _e930[1]) - (_e924[1] * _e930[0]));
-                    let _e945 = local_5.member_1[1u];
-                    let _e951 = local_5.member_2[1u];
-                    let _e957 = ((_e945[1] * _e951[2]) - (_e945[2] * _e951[1]));
-                    let _e960 = ((_e945[2] * _e951[0]) - (_e945[0] * _e951[2]));
-                    let _e963 = ((_e945[0] * _e951[1]) - (_e945[1] * _e951[0]));
-                    let _e966 = local_5.member_1[0u];
-                    let _e972 = local_5.member_2[1u];
-                    let _e987 = local_5.member_1[1u];
-                    let _e993 = local_5.member_2[0u];
-                    let _e1006 = (((_e966[1] * _e972[2]) - (_e966[2] * _e972[1])) + ((_e987[1] * _e993[2]) - (_e987[2] * _e993[1])));
-                    let _e1007 = (((_e966[2] * _e972[0]) - (_e966[0] * _e972[2])) + ((_e987[2] * _e993[0]) - (_e987[0] * _e993[2])));
-                    let _e1008 = (((_e966[0] * _e972[1]) - (_e966[1] * _e972[0])) + ((_e987[0] * _e993[1]) - (_e987[1] * _e993[0])));
-                    let _e1011 = local_5.member[0u];
-                    let _e1022 = local_5.member[1u];
-                    let _e1033 = local_5.member[0u];
-                    let _e1042 = ((((_e1022[0] * _e936) + (_e1022[1] * _e939)) + (_e1022[2] * _e942)) + (((_e1033[0] * _e1006) + (_e1033[1] * _e1007)) + (_e1033[2] * _e1008)));
-                    let _e1045 = local_5.member[0u];
-                    let _e1056 = local_5.member[1u];
-                    let _e1065 = ((((_e1045[0] * _e957) + (_e1045[1] * _e960)) + (_e1045[2] * _e963)) + (((_e1056[0] * _e1006) + (_e1056[1] * _e1007)) + (_e1056[2] * _e1008)));
-                    let _e1068 = local_5.member[1u];
-                    let _e1079 = local_5.member[0u];
-                    let _e1085 = select(_e1079[0], -(_e1079[0]), (_e1079[0] < 0f));
-                    let _e1088 = select(_e1079[1], -(_e1079[1]), (_e1079[1] < 0f));
-                    let _e1090 = select(_e1088, _e1085, (_e1085 > _e1088));
-                    let _e1093 = select(_e1079[2], -(_e1079[2]), (_e1079[2] < 0f));
-                    let _e1095 = select(_e1093, _e1090, (_e1090 > _e1093));
-                    let _e1098 = local_5.member[1u];
-                    let _e1104 = select(_e1098[0], -(_e1098[0]), (_e1098[0] < 0f));
-                    let _e1107 = select(_e1098[1], -(_e1098[1]), (_e1098[1] < 0f));
-                    let _e1109 = select(_e1107, _e1104, (_e1104 > _e1107));
-                    let _e1112 = select(_e1098[2], -(_e1098[2]), (_e1098[2] < 0f));
-                    let _e1114 = select(_e1112, _e1109, (_e1109 > _e1112));
-                    let _e1118 = local_5.member_3;
-                    let _e1119 = (select(_e1114, _e1095, (_e1095 > _e1114)) + _e1118);
-                    let _e1122 = local_5.member_1[0u];
-                    let _e1128 = select(_e1122[0], -(_e1122[0]), (_e1122[0] < 0f));
-                    let _e1131 = select(_e1122[1], -(_e1122[1]), (_e1122[1] < 0f));
-                    let _e1133 = select(_e1131, _e1128, (_e1128 > _e1131));
-                    let _e1136 = select(_e1122[2], -(_e1122[2]), (_e1122[2] < 0f));
-                    let _e1138 = select(_e1136, _e1133, (_e1133 > _e1136));
-                    let _e1141 = local_5.member_1[1u];
-                    let _e1147 = select(_e1141[0], -(_e1141[0]), (_e1141[0] < 0f));
-                    let _e1150 = select(_e1141[1], -(_e1141[1]), (_e1141[1] < 0f));
-                    let _e1152 = select(_e1150, _e1147, (_e1147 > _e1150));
-                    let _e1155 = select(_e1141[2], -(_e1141[2]), (_e1141[2] < 0f));
-                    let _e1157 = select(_e1155, _e1152, (_e1152 > _e1155));
-                    let _e1161 = local_5.member_3;
-                    let _e1162 = (select(_e1157, _e1138, (_e1138 > _e1157)) + _e1161);
-                    let _e1165 = local_5.member_2[0u];
-                    let _e1171 = select(_e1165[0], -(_e1165[0]), (_e1165[0] < 0f));
-                    let _e1174 = select(_e1165[1], -(_e1165[1]), (_e1165[1] < 0f));
-                    let _e1176 = select(_e1174, _e1171, (_e1171 > _e1174));
-                    let _e1179 = select(_e1165[2], -(_e1165[2]), (_e1165[2] < 0f));
-                    let _e1181 = select(_e1179, _e1176, (_e1176 > _e1179));
-                    let _e1184 = local_5.member_2[1u];
-                    let _e1190 = select(_e1184[0], -(_e1184[0]), (_e1184[0] < 0f));
-                    let _e1193 = select(_e1184[1], -(_e1184[1]), (_e1184[1] < 0f));
-                    let _e1195 = select(_e1193, _e1190, (_e1190 > _e1193));
-                    let _e1198 = select(_e1184[2], -(_e1184[2]), (_e1184[2] < 0f));
-                    let _e1200 = select(_e1198, _e1195, (_e1195 > _e1198));
-                    let _e1204 = local_5.member_3;
-                    let _e1205 = (select(_e1200, _e1181, (_e1181 > _e1200)) + _e1204);
-                    let _e1207 = ((_e1162 * 8f) * _e1205);
-                    let _e1214 = local_5.member_3;
-                    let _e1238 = ((select(_e936, -(_e936), (_e936 < 0f)) + select(_e939, -(_e939), (_e939 < 0f))) + select(_e942, -(_e942), (_e942 < 0f)));
-                    let _e1249 = ((select(_e957, -(_e957), (_e957 < 0f)) + select(_e960, -(_e960), (_e960 < 0f))) + select(_e963, -(_e963), (_e963 < 0f)));
-                    let _e1251 = select(_e1249, _e1238, (_e1238 > _e1249));
-                    let _e1263 = (((select(_e1006, -(_e1006), (_e1006 < 0f)) + select(_e1007, -(_e1007), (_e1007 < 0f))) + select(_e1008, -(_e1008), (_e1008 < 0f))) * 0.5f);
-                    let _e1270 = local_5.member_3;
-                    let _e1283 = ((((_e1011[0] * _e936) + (_e1011[1] * _e939)) + (_e1011[2] * _e942)) * 3f);
-                    let _e1284 = ((((_e1068[0] * _e957) + (_e1068[1] * _e960)) + (_e1068[2] * _e963)) * 3f);
-                    let _e1286 = select(_e1284, _e1283, (_e1283 < _e1284));
-                    let _e1288 = select(_e1065, _e1042, (_e1042 < _e1065));
-                    let _e1290 = select(_e1288, _e1286, (_e1286 < _e1288));
-                    let _e1292 = select(_e1284, _e1283, (_e1283 > _e1284));
-                    let _e1294 = select(_e1065, _e1042, (_e1042 > _e1065));
-                    let _e1297 = -(select(_e1294, _e1292, (_e1292 > _e1294)));
-                    if ((select(_e1297, _e1290, (_e1290 > _e1297)) - ((((((_e1119 * 8f) * _e1207) * (0.000000059604645f * (524f / 64f))) + ((_e1214 * 19f) * ((_e1119 * (_e1162 + _e1205)) + (_e1162 * _e1205)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1119) * ((1f + _e1162) * (1f + _e1205))))) + ((_e609.member_1 * (((select(_e1263, _e1251, (_e1251 > _e1263)) + (_e1207 * (0.000000059604645f * 8f))) + ((_e1270 * 6f) * (_e1162 + _e1205))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1162) * (1f + _e1205))))) * (3f * 1.0001f)))) > 0f) {
-                        phi_2110_ = type_35(type_34(0u, f32()), 0u);
-                        phi_2111_ = false;
+                    let _e1048 = local_5.member_1[0u];
+                    let _e1054 = local_5.member_2[0u];
+                    let _e1060 = ((_e1048[1] * _e1054[2]) - (_e1048[2] * _e1054[1]));
+                    let _e1063 = ((_e1048[2] * _e1054[0]) - (_e1048[0] * _e1054[2]));
+                    let _e1066 = ((_e1048[0] * _e1054[1]) - (_e1048[1] * _e1054[0]));
+                    let _e1069 = local_5.member_1[1u];
+                    let _e1075 = local_5.member_2[1u];
+                    let _e1081 = ((_e1069[1] * _e1075[2]) - (_e1069[2] * _e1075[1]));
+                    let _e1084 = ((_e1069[2] * _e1075[0]) - (_e1069[0] * _e1075[2]));
+                    let _e1087 = ((_e1069[0] * _e1075[1]) - (_e1069[1] * _e1075[0]));
+                    let _e1090 = local_5.member_1[0u];
+                    let _e1096 = local_5.member_2[1u];
+                    let _e1111 = local_5.member_1[1u];
+                    let _e1117 = local_5.member_2[0u];
+                    let _e1130 = (((_e1090[1] * _e1096[2]) - (_e1090[2] * _e1096[1])) + ((_e1111[1] * _e1117[2]) - (_e1111[2] * _e1117[1])));
+                    let _e1131 = (((_e1090[2] * _e1096[0]) - (_e1090[0] * _e1096[2])) + ((_e1111[2] * _e1117[0]) - (_e1111[0] * _e1117[2])));
+                    let _e1132 = (((_e1090[0] * _e1096[1]) - (_e1090[1] * _e1096[0])) + ((_e1111[0] * _e1117[1]) - (_e1111[1] * _e1117[0])));
+                    let _e1135 = local_5.member[0u];
+                    let _e1146 = local_5.member[1u];
+                    let _e1157 = local_5.member[0u];
+                    let _e1166 = ((((_e1146[0] * _e1060) + (_e1146[1] * _e1063)) + (_e1146[2] * _e1066)) + (((_e1157[0] * _e1130) + (_e1157[1] * _e1131)) + (_e1157[2] * _e1132)));
+                    let _e1169 = local_5.member[0u];
+                    let _e1180 = local_5.member[1u];
+                    let _e1189 = ((((_e1169[0] * _e1081) + (_e1169[1] * _e1084)) + (_e1169[2] * _e1087)) + (((_e1180[0] * _e1130) + (_e1180[1] * _e1131)) + (_e1180[2] * _e1132)));
+                    let _e1192 = local_5.member[1u];
+                    let _e1203 = local_5.member[0u];
+                    let _e1209 = select(_e1203[0], -(_e1203[0]), (_e1203[0] < 0f));
+                    let _e1212 = select(_e1203[1], -(_e1203[1]), (_e1203[1] < 0f));
+                    let _e1214 = select(_e1212, _e1209, (_e1209 > _e1212));
+                    let _e1217 = select(_e1203[2], -(_e1203[2]), (_e1203[2] < 0f));
+                    let _e1219 = select(_e1217, _e1214, (_e1214 > _e1217));
+                    let _e1222 = local_5.member[1u];
+                    let _e1228 = select(_e1222[0], -(_e1222[0]), (_e1222[0] < 0f));
+                    let _e1231 = select(_e1222[1], -(_e1222[1]), (_e1222[1] < 0f));
+                    let _e1233 = select(_e1231, _e1228, (_e1228 > _e1231));
+                    let _e1236 = select(_e1222[2], -(_e1222[2]), (_e1222[2] < 0f));
+                    let _e1238 = select(_e1236, _e1233, (_e1233 > _e1236));
+                    let _e1242 = local_5.member_3;
+                    let _e1243 = (select(_e1238, _e1219, (_e1219 > _e1238)) + _e1242);
+                    let _e1246 = local_5.member_1[0u];
+                    let _e1252 = select(_e1246[0], -(_e1246[0]), (_e1246[0] < 0f));
+                    let _e1255 = select(_e1246[1], -(_e1246[1]), (_e1246[1] < 0f));
+                    let _e1257 = select(_e1255, _e1252, (_e1252 > _e1255));
+                    let _e1260 = select(_e1246[2], -(_e1246[2]), (_e1246[2] < 0f));
+                    let _e1262 = select(_e1260, _e1257, (_e1257 > _e1260));
+                    let _e1265 = local_5.member_1[1u];
+                    let _e1271 = select(_e1265[0], -(_e1265[0]), (_e1265[0] < 0f));
+                    let _e1274 = select(_e1265[1], -(_e1265[1]), (_e1265[1] < 0f));
+                    let _e1276 = select(_e1274, _e1271, (_e1271 > _e1274));
+                    let _e1279 = select(_e1265[2], -(_e1265[2]), (_e1265[2] < 0f));
+                    let _e1281 = select(_e1279, _e1276, (_e1276 > _e1279));
+                    let _e1285 = local_5.member_3;
+                    let _e1286 = (select(_e1281, _e1262, (_e1262 > _e1281)) + _e1285);
+                    let _e1289 = local_5.member_2[0u];
+                    let _e1295 = select(_e1289[0], -(_e1289[0]), (_e1289[0] < 0f));
+                    let _e1298 = select(_e1289[1], -(_e1289[1]), (_e1289[1] < 0f));
+                    let _e1300 = select(_e1298, _e1295, (_e1295 > _e1298));
+                    let _e1303 = select(_e1289[2], -(_e1289[2]), (_e1289[2] < 0f));
+                    let _e1305 = select(_e1303, _e1300, (_e1300 > _e1303));
+                    let _e1308 = local_5.member_2[1u];
+                    let _e1314 = select(_e1308[0], -(_e1308[0]), (_e1308[0] < 0f));
+                    let _e1317 = select(_e1308[1], -(_e1308[1]), (_e1308[1] < 0f));
+                    let _e1319 = select(_e1317, _e1314, (_e1314 > _e1317));
+                    let _e1322 = select(_e1308[2], -(_e1308[2]), (_e1308[2] < 0f));
+                    let _e1324 = select(_e1322, _e1319, (_e1319 > _e1322));
+                    let _e1328 = local_5.member_3;
+                    let _e1329 = (select(_e1324, _e1305, (_e1305 > _e1324)) + _e1328);
+                    let _e1331 = ((_e1286 * 8f) * _e1329);
+                    let _e1338 = local_5.member_3;
+                    let _e1362 = ((select(_e1060, -(_e1060), (_e1060 < 0f)) + select(_e1063, -(_e1063), (_e1063 < 0f))) + select(_e1066, -(_e1066), (_e1066 < 0f)));
+                    let _e1373 = ((select(_e1081, -(_e1081), (_e1081 < 0f)) + select(_e1084, -(_e1084), (_e1084 < 0f))) + select(_e1087, -(_e1087), (_e1087 < 0f)));
+                    let _e1375 = select(_e1373, _e1362, (_e1362 > _e1373));
+                    let _e1387 = (((select(_e1130, -(_e1130), (_e1130 < 0f)) + select(_e1131, -(_e1131), (_e1131 < 0f))) + select(_e1132, -(_e1132), (_e1132 < 0f))) * 0.5f);
+                    let _e1394 = local_5.member_3;
+                    let _e1407 = ((((_e1135[0] * _e1060) + (_e1135[1] * _e1063)) + (_e1135[2] * _e1066)) * 3f);
+                    let _e1408 = ((((_e1192[0] * _e1081) + (_e1192[1] * _e1084)) + (_e1192[2] * _e1087)) * 3f);
+                    let _e1410 = select(_e1408, _e1407, (_e1407 < _e1408));
+                    let _e1412 = select(_e1189, _e1166, (_e1166 < _e1189));
+                    let _e1414 = select(_e1412, _e1410, (_e1410 < _e1412));
+                    let _e1416 = select(_e1408, _e1407, (_e1407 > _e1408));
+                    let _e1418 = select(_e1189, _e1166, (_e1166 > _e1189));
+                    let _e1421 = -(select(_e1418, _e1416, (_e1416 > _e1418)));
+                    if ((select(_e1421, _e1414, (_e1414 > _e1421)) - ((((((_e1243 * 8f) * _e1331) * (0.000000059604645f * (524f / 64f))) + ((_e1338 * 19f) * ((_e1243 * (_e1286 + _e1329)) + (_e1286 * _e1329)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1243) * ((1f + _e1286) * (1f + _e1329))))) + ((_e733.member_1 * (((select(_e1387, _e1375, (_e1375 > _e1387)) + (_e1331 * (0.000000059604645f * 8f))) + ((_e1394 * 6f) * (_e1286 + _e1329))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1286) * (1f + _e1329))))) * (3f * 1.0001f)))) > 0f) {
+                        phi_2333_ = type_35(type_34(0u, f32()), 0u);
+                        phi_2334_ = false;
                     } else {
-                        phi_2110_ = type_35();
-                        phi_2111_ = true;
+                        phi_2333_ = type_35();
+                        phi_2334_ = true;
                     }
-                    let _e1309 = phi_2110_;
-                    let _e1311 = phi_2111_;
-                    phi_2112_ = _e1309;
-                    phi_2113_ = _e1311;
+                    let _e1433 = phi_2333_;
+                    let _e1435 = phi_2334_;
+                    phi_2335_ = _e1433;
+                    phi_2336_ = _e1435;
                 }
-                let _e1313 = phi_2112_;
-                let _e1315 = phi_2113_;
-                if _e1315 {
-                    phi_2119_ = type_14(0i, 2i);
-                    phi_2122_ = _e380;
-                    phi_2124_ = 0u;
-                    phi_2126_ = _e380;
+                let _e1437 = phi_2335_;
+                let _e1439 = phi_2336_;
+                if _e1439 {
+                    phi_2342_ = type_14(0i, 2i);
+                    phi_2345_ = _e380;
+                    phi_2347_ = 0u;
+                    phi_2349_ = _e380;
                     loop {
-                        let _e1317 = phi_2119_;
-                        let _e1319 = phi_2122_;
-                        let _e1321 = phi_2124_;
-                        let _e1323 = phi_2126_;
-                        local_54 = _e1321;
-                        local_57 = _e1319;
-                        local_58 = _e1321;
-                        if (_e1317.member < _e1317.member_1) {
-                            let _e1330 = (_e1317.member + 1i);
-                            phi_2120_ = type_14(select(_e1330, type_15().member_1, select(false, true, ((false == (_e1330 > _e1317.member)) != false))), _e1317.member_1);
-                            phi_2167_ = type_15(1u, _e1317.member);
+                        let _e1441 = phi_2342_;
+                        let _e1443 = phi_2345_;
+                        let _e1445 = phi_2347_;
+                        let _e1447 = phi_2349_;
+                        local_54 = _e1445;
+                        local_57 = _e1443;
+                        local_58 = _e1445;
+                        if (_e1441.member < _e1441.member_1) {
+                            let _e1454 = (_e1441.member + 1i);
+                            phi_2343_ = type_14(select(_e1454, type_15().member_1, select(false, true, ((false == (_e1454 > _e1441.member)) != false))), _e1441.member_1);
+                            phi_2390_ = type_15(1u, _e1441.member);
                         } else {
-                            phi_2120_ = _e1317;
-                            phi_2167_ = type_15(0u, type_15().member_1);
+                            phi_2343_ = _e1441;
+                            phi_2390_ = type_15(0u, type_15().member_1);
                         }
-                        let _e1341 = phi_2120_;
-                        let _e1343 = phi_2167_;
-                        if (bitcast<i32>(_e1343.member) != 0i) {
-                            if select(select(true, false, _e921), true, (_e1343.member_1 > 0i)) {
-                                let _e1353 = local_5.member[0u];
-                                let _e1359 = local_5.member_1[0u];
-                                let _e1365 = local_5.member_2[0u];
-                                let _e1369 = (_e1353[0] - _e1359[0]);
-                                let _e1370 = (_e1353[1] - _e1359[1]);
-                                let _e1371 = (_e1353[2] - _e1359[2]);
-                                let _e1372 = (_e225.member == 0u);
-                                let _e1384 = local_5.member[1u];
-                                let _e1390 = local_5.member_1[1u];
-                                let _e1396 = local_5.member_2[1u];
-                                let _e1400 = (_e1384[0] - _e1390[0]);
-                                let _e1401 = (_e1384[1] - _e1390[1]);
-                                let _e1402 = (_e1384[2] - _e1390[2]);
-                                let _e1403 = (_e225.member == 0u);
-                                let _e1415 = local_5.member[0u];
-                                let _e1421 = select(_e1415[0], -(_e1415[0]), (_e1415[0] < 0f));
-                                let _e1424 = select(_e1415[1], -(_e1415[1]), (_e1415[1] < 0f));
-                                let _e1426 = select(_e1424, _e1421, (_e1421 > _e1424));
-                                let _e1429 = select(_e1415[2], -(_e1415[2]), (_e1415[2] < 0f));
-                                let _e1431 = select(_e1429, _e1426, (_e1426 > _e1429));
-                                let _e1434 = local_5.member[1u];
-                                let _e1440 = select(_e1434[0], -(_e1434[0]), (_e1434[0] < 0f));
-                                let _e1443 = select(_e1434[1], -(_e1434[1]), (_e1434[1] < 0f));
-                                let _e1445 = select(_e1443, _e1440, (_e1440 > _e1443));
-                                let _e1448 = select(_e1434[2], -(_e1434[2]), (_e1434[2] < 0f));
-                                let _e1450 = select(_e1448, _e1445, (_e1445 > _e1448));
-                                let _e1454 = local_5.member_3;
-                                let _e1458 = local_5.member_1[0u];
-                                let _e1464 = select(_e1458[0], -(_e1458[0]), (_e1458[0] < 0f));
-                                let _e1467 = select(_e1458[1], -(_e1458[1]), (_e1458[1] < 0f));
-                                let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
-                                let _e1472 = select(_e1458[2], -(_e1458[2]), (_e1458[2] < 0f));
-                                let _e1474 = select(_e1472, _e1469, (_e1469 > _e1472));
-                                let _e1477 = local_5.member_1[1u];
-                                let _e1483 = select(_e1477[0], -(_e1477[0]), (_e1477[0] < 0f));
-                                let _e1486 = select(_e1477[1], -(_e1477[1]), (_e1477[1] < 0f));
-                                let _e1488 = select(_e1486, _e1483, (_e1483 > _e1486));
-                                let _e1491 = select(_e1477[2], -(_e1477[2]), (_e1477[2] < 0f));
-                                let _e1493 = select(_e1491, _e1488, (_e1488 > _e1491));
-                                let _e1497 = local_5.member_3;
-                                let _e1501 = local_5.member_2[0u];
-                                let _e1507 = select(_e1501[0], -(_e1501[0]), (_e1501[0] < 0f));
-                                let _e1510 = select(_e1501[1], -(_e1501[1]), (_e1501[1] < 0f));
-                                let _e1512 = select(_e1510, _e1507, (_e1507 > _e1510));
-                                let _e1515 = select(_e1501[2], -(_e1501[2]), (_e1501[2] < 0f));
-                                let _e1517 = select(_e1515, _e1512, (_e1512 > _e1515));
+                        let _e1465 = phi_2343_;
+                        let _e1467 = phi_2390_;
+                        if (bitcast<i32>(_e1467.member) != 0i) {
+                            if select(select(true, false, _e1045), true, (_e1467.member_1 > 0i)) {
+                                let _e1477 = local_5.member[0u];
+                                let _e1483 = local_5.member_1[0u];
+                                let _e1489 = local_5.member_2[0u];
+                                let _e1493 = (_e1477[0] - _e1483[0]);
+                                let _e1494 = (_e1477[1] - _e1483[1]);
+                                let _e1495 = (_e1477[2] - _e1483[2]);
+                                let _e1496 = (_e225.member == 0u);
+                                let _e1508 = local_5.member[1u];
+                                let _e1514 = local_5.member_1[1u];
                                 let _e1520 = local_5.member_2[1u];
-                                let _e1526 = select(_e1520[0], -(_e1520[0]), (_e1520[0] < 0f));
-                                let _e1529 = select(_e1520[1], -(_e1520[1]), (_e1520[1] < 0f));
-                                let _e1531 = select(_e1529, _e1526, (_e1526 > _e1529));
-                                let _e1534 = select(_e1520[2], -(_e1520[2]), (_e1520[2] < 0f));
-                                let _e1536 = select(_e1534, _e1531, (_e1531 > _e1534));
-                                let _e1540 = local_5.member_3;
-                                let _e1547 = local_5.member_3;
-                                let _e1552 = (_e378 * 0.00390625f);
+                                let _e1524 = (_e1508[0] - _e1514[0]);
+                                let _e1525 = (_e1508[1] - _e1514[1]);
+                                let _e1526 = (_e1508[2] - _e1514[2]);
+                                let _e1527 = (_e225.member == 0u);
+                                let _e1539 = local_5.member[0u];
+                                let _e1545 = select(_e1539[0], -(_e1539[0]), (_e1539[0] < 0f));
+                                let _e1548 = select(_e1539[1], -(_e1539[1]), (_e1539[1] < 0f));
+                                let _e1550 = select(_e1548, _e1545, (_e1545 > _e1548));
+                                let _e1553 = select(_e1539[2], -(_e1539[2]), (_e1539[2] < 0f));
+                                let _e1555 = select(_e1553, _e1550, (_e1550 > _e1553));
+                                let _e1558 = local_5.member[1u];
+                                let _e1564 = select(_e1558[0], -(_e1558[0]), (_e1558[0] < 0f));
+                                let _e1567 = select(_e1558[1], -(_e1558[1]), (_e1558[1] < 0f));
+                                let _e1569 = select(_e1567, _e1564, (_e1564 > _e1567));
+                                let _e1572 = select(_e1558[2], -(_e1558[2]), (_e1558[2] < 0f));
+                                let _e1574 = select(_e1572, _e1569, (_e1569 > _e1572));
+                                let _e1578 = local_5.member_3;
+                                let _e1582 = local_5.member_1[0u];
+                                let _e1588 = select(_e1582[0], -(_e1582[0]), (_e1582[0] < 0f));
+                                let _e1591 = select(_e1582[1], -(_e1582[1]), (_e1582[1] < 0f));
+                                let _e1593 = select(_e1591, _e1588, (_e1588 > _e1591));
+                                let _e1596 = select(_e1582[2], -(_e1582[2]), (_e1582[2] < 0f));
+                                let _e1598 = select(_e1596, _e1593, (_e1593 > _e1596));
+                                let _e1601 = local_5.member_1[1u];
+                                let _e1607 = select(_e1601[0], -(_e1601[0]), (_e1601[0] < 0f));
+                                let _e1610 = select(_e1601[1], -(_e1601[1]), (_e1601[1] < 0f));
+                                let _e1612 = select(_e1610, _e1607, (_e1607 > _e1610));
+                                let _e1615 = select(_e1601[2], -(_e1601[2]), (_e1601[2] < 0f));
+                                let _e1617 = select(_e1615, _e1612, (_e1612 > _e1615));
+                                let _e1621 = local_5.member_3;
+                                let _e1625 = local_5.member_2[0u];
+                                let _e1631 = select(_e1625[0], -(_e1625[0]), (_e1625[0] < 0f));
+                                let _e1634 = select(_e1625[1], -(_e1625[1]), (_e1625[1] < 0f));
+                                let _e1636 = select(_e1634, _e1631, (_e1631 > _e1634));
+                                let _e1639 = select(_e1625[2], -(_e1625[2]), (_e1625[2] < 0f));
+                                let _e1641 = select(_e1639, _e1636, (_e1636 > _e1639));
+                                let _e1644 = local_5.member_2[1u];
+                                let _e1650 = select(_e1644[0], -(_e1644[0]), (_e1644[0] < 0f));
+                                let _e1653 = select(_e1644[1], -(_e1644[1]), (_e1644[1] < 0f));
+                                let _e1655 = select(_e1653, _e1650, (_e1650 > _e1653));
+                                let _e1658 = select(_e1644[2], -(_e1644[2]), (_e1644[2] < 0f));
+                                let _e1660 = select(_e1658, _e1655, (_e1655 > _e1658));
+                                let _e1664 = local_5.member_3;
+                                let _e1671 = local_5.member_3;
+                                let _e1676 = (_e378 * 0.00390625f);
                                 local_3 = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                                phi_2604_ = type_9(0u, 96u);
-                                phi_2607_ = _e1323;
-                                phi_2609_ = _e1323;
-                                phi_2611_ = (_e382 - _e1323);
-                                phi_2613_ = _e1323;
-                                phi_2615_ = false;
-                                phi_2617_ = 0u;
+                                phi_2827_ = type_9(0u, 96u);
+                                phi_2830_ = _e1447;
+                                phi_2832_ = _e1447;
+                                phi_2834_ = (_e382 - _e1447);
+                                phi_2836_ = _e1447;
+                                phi_2838_ = false;
+                                phi_2840_ = 0u;
                                 loop {
-                                    let _e1555 = phi_2604_;
-                                    let _e1557 = phi_2607_;
-                                    let _e1559 = phi_2609_;
-                                    let _e1561 = phi_2611_;
-                                    let _e1563 = phi_2613_;
-                                    let _e1565 = phi_2615_;
-                                    let _e1567 = phi_2617_;
-                                    local_20 = _e1557;
-                                    local_24 = _e1559;
-                                    let _e1570 = (_e1555.member < _e1555.member_1);
-                                    if (bitcast<i32>(select(0u, 1u, _e1570)) != 0i) {
-                                        let _e1584 = local_5.member[0u];
-                                        let _e1590 = local_5.member[1u];
-                                        let _e1606 = local_5.member_1[0u];
-                                        let _e1612 = local_5.member_1[1u];
-                                        let _e1628 = local_5.member_2[0u];
-                                        let _e1634 = local_5.member_2[1u];
-                                        let _e1648 = function_3(array<f32, 3>((_e1584[0] + ((_e1590[0] - _e1584[0]) * _e1557)), (_e1584[1] + ((_e1590[1] - _e1584[1]) * _e1557)), (_e1584[2] + ((_e1590[2] - _e1584[2]) * _e1557))), array<f32, 3>((_e1606[0] + ((_e1612[0] - _e1606[0]) * _e1557)), (_e1606[1] + ((_e1612[1] - _e1606[1]) * _e1557)), (_e1606[2] + ((_e1612[2] - _e1606[2]) * _e1557))), array<f32, 3>((_e1628[0] + ((_e1634[0] - _e1628[0]) * _e1557)), (_e1628[1] + ((_e1634[1] - _e1628[1]) * _e1557)), (_e1628[2] + ((_e1634[2] - _e1628[2]) * _e1557))), _e225.member);
-                                        if (_e1567 == 0u) {
-                                            phi_2768_ = _e1648;
+                                    let _e1679 = phi_2827_;
+                                    let _e1681 = phi_2830_;
+                                    let _e1683 = phi_2832_;
+                                    let _e1685 = phi_2834_;
+                                    let _e1687 = phi_2836_;
+                                    let _e1689 = phi_2838_;
+                                    let _e1691 = phi_2840_;
+                                    local_20 = _e1681;
+                                    local_24 = _e1683;
+                                    let _e1694 = (_e1679.member < _e1679.member_1);
+                                    if (bitcast<i32>(select(0u, 1u, _e1694)) != 0i) {
+                                        let _e1708 = local_5.member[0u];
+                                        let _e1714 = local_5.member[1u];
+                                        let _e1730 = local_5.member_1[0u];
+                                        let _e1736 = local_5.member_1[1u];
+                                        let _e1752 = local_5.member_2[0u];
+                                        let _e1758 = local_5.member_2[1u];
+                                        let _e1772 = function_3(array<f32, 3>((_e1708[0] + ((_e1714[0] - _e1708[0]) * _e1681)), (_e1708[1] + ((_e1714[1] - _e1708[1]) * _e1681)), (_e1708[2] + ((_e1714[2] - _e1708[2]) * _e1681))), array<f32, 3>((_e1730[0] + ((_e1736[0] - _e1730[0]) * _e1681)), (_e1730[1] + ((_e1736[1] - _e1730[1]) * _e1681)), (_e1730[2] + ((_e1736[2] - _e1730[2]) * _e1681))), array<f32, 3>((_e1752[0] + ((_e1758[0] - _e1752[0]) * _e1681)), (_e1752[1] + ((_e1758[1] - _e1752[1]) * _e1681)), (_e1752[2] + ((_e1758[2] - _e1752[2]) * _e1681))), _e225.member);
+                                        if (_e1691 == 0u) {
+                                            phi_2991_ = _e1772;
                                         } else {
-                                            phi_2768_ = array<f32, 3>(select(0f, _e1648[0], (_e1567 == 1u)), select(0f, _e1648[1], (_e1567 == 2u)), select(0f, _e1648[2], (_e1567 == 3u)));
+                                            phi_2991_ = array<f32, 3>(select(0f, _e1772[0], (_e1691 == 1u)), select(0f, _e1772[1], (_e1691 == 2u)), select(0f, _e1772[2], (_e1691 == 3u)));
                                         }
-                                        let _e1661 = phi_2768_;
-                                        let _e1675 = ((select(_e1661[0], -(_e1661[0]), (_e1661[0] < 0f)) + select(_e1661[1], -(_e1661[1]), (_e1661[1] < 0f))) + select(_e1661[2], -(_e1661[2]), (_e1661[2] < 0f)));
-                                        if (_e1675 > 0f) {
-                                            if ((bitcast<u32>(_e1675) & 2139095040u) != 2139095040u) {
-                                                let _e1680 = (1f / _e1675);
-                                                let _e1682 = (_e1661[0] * _e1680);
-                                                let _e1684 = (_e1661[1] * _e1680);
-                                                let _e1686 = (_e1661[2] * _e1680);
-                                                let _e1691 = (((_e1682 * _e1682) + (_e1684 * _e1684)) + (_e1686 * _e1686));
-                                                if (_e1691 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_2891_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1691 > 0f));
+                                        let _e1785 = phi_2991_;
+                                        let _e1799 = ((select(_e1785[0], -(_e1785[0]), (_e1785[0] < 0f)) + select(_e1785[1], -(_e1785[1]), (_e1785[1] < 0f))) + select(_e1785[2], -(_e1785[2]), (_e1785[2] < 0f)));
+                                        if (_e1799 > 0f) {
+                                            if ((bitcast<u32>(_e1799) & 2139095040u) != 2139095040u) {
+                                                let _e1804 = (1f / _e1799);
+                                                let _e1806 = (_e1785[0] * _e1804);
+                                                let _e1808 = (_e1785[1] * _e1804);
+                                                let _e1810 = (_e1785[2] * _e1804);
+                                                let _e1815 = (((_e1806 * _e1806) + (_e1808 * _e1808)) + (_e1810 * _e1810));
+                                                if (_e1815 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_3114_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1815 > 0f));
                                                 } else {
-                                                    phi_2834_ = type_14(0i, 5i);
-                                                    phi_2837_ = bitcast<f32>(((bitcast<u32>(_e1691) >> bitcast<u32>(1i)) + 532369198u));
+                                                    phi_3057_ = type_14(0i, 5i);
+                                                    phi_3060_ = bitcast<f32>(((bitcast<u32>(_e1815) >> bitcast<u32>(1i)) + 532369198u));
                                                     loop {
-                                                        let _e1699 = phi_2834_;
-                                                        let _e1701 = phi_2837_;
-                                                        local_8 = _e1701;
-                                                        if (_e1699.member < _e1699.member_1) {
-                                                            let _e1708 = (_e1699.member + 1i);
-                                                            phi_2835_ = type_14(select(_e1708, type_15().member_1, select(false, true, ((false == (_e1708 > _e1699.member)) != false))), _e1699.member_1);
-                                                            phi_2878_ = type_15(1u, _e1699.member);
+                                                        let _e1823 = phi_3057_;
+                                                        let _e1825 = phi_3060_;
+                                                        local_8 = _e1825;
+                                                        if (_e1823.member < _e1823.member_1) {
+                                                            let _e1832 = (_e1823.member + 1i);
+                                                            phi_3058_ = type_14(select(_e1832, type_15().member_1, select(false, true, ((false == (_e1832 > _e1823.member)) != false))), _e1823.member_1);
+                                                            phi_3101_ = type_15(1u, _e1823.member);
                                                         } else {
-                                                            phi_2835_ = _e1699;
-                                                            phi_2878_ = type_15(0u, type_15().member_1);
+                                                            phi_3058_ = _e1823;
+                                                            phi_3101_ = type_15(0u, type_15().member_1);
                                                         }
-                                                        let _e1719 = phi_2835_;
-                                                        let _e1721 = phi_2878_;
-                                                        let _e1724 = (bitcast<i32>(_e1721.member) != 0i);
-                                                        if _e1724 {
-                                                            phi_2838_ = (0.5f * (_e1701 + (_e1691 / _e1701)));
+                                                        let _e1843 = phi_3058_;
+                                                        let _e1845 = phi_3101_;
+                                                        let _e1848 = (bitcast<i32>(_e1845.member) != 0i);
+                                                        if _e1848 {
+                                                            phi_3061_ = (0.5f * (_e1825 + (_e1815 / _e1825)));
                                                         } else {
-                                                            phi_2838_ = f32();
+                                                            phi_3061_ = f32();
                                                         }
-                                                        let _e1729 = phi_2838_;
+                                                        let _e1853 = phi_3061_;
                                                         continue;
                                                         continuing {
-                                                            phi_2834_ = _e1719;
-                                                            phi_2837_ = _e1729;
-                                                            break if !(_e1724);
+                                                            phi_3057_ = _e1843;
+                                                            phi_3060_ = _e1853;
+                                                            break if !(_e1848);
                                                         }
                                                     }
-                                                    let _e1734 = local_8;
-                                                    phi_2891_ = (_e1734 * (1f + (8f * 0.000000059604645f)));
+                                                    let _e1858 = local_8;
+                                                    phi_3114_ = (_e1858 * (1f + (8f * 0.000000059604645f)));
                                                 }
-                                                let _e1740 = phi_2891_;
-                                                let _e1741 = (0.000000059604645f * 12f);
-                                                let _e1746 = ((((((((select(_e1450, _e1431, (_e1431 > _e1450)) + _e1454) + (select(_e1493, _e1474, (_e1474 > _e1493)) + _e1497)) + (select(_e1536, _e1517, (_e1517 > _e1536)) + _e1540)) * (0.000000059604645f * 16f)) + (_e1547 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e609.member_1 * _e1740) * (1f + _e1741)));
-                                                let _e1751 = (((_e1682 * _e1353[0]) + (_e1684 * _e1353[1])) + (_e1686 * _e1353[2]));
-                                                let _e1756 = (((_e1682 * _e1369) + (_e1684 * _e1370)) + (_e1686 * _e1371));
-                                                let _e1761 = (((_e1682 * (_e1353[0] - _e1365[0])) + (_e1684 * (_e1353[1] - _e1365[1]))) + (_e1686 * (_e1353[2] - _e1365[2])));
-                                                let _e1766 = (((_e1682 * select((_e1369 - _e1365[0]), _e1353[0], _e1372)) + (_e1684 * select((_e1370 - _e1365[1]), _e1353[1], _e1372))) + (_e1686 * select((_e1371 - _e1365[2]), _e1353[2], _e1372)));
-                                                let _e1772 = (((_e1682 * _e1384[0]) + (_e1684 * _e1384[1])) + (_e1686 * _e1384[2]));
-                                                let _e1777 = (((_e1682 * _e1400) + (_e1684 * _e1401)) + (_e1686 * _e1402));
-                                                let _e1782 = (((_e1682 * (_e1384[0] - _e1396[0])) + (_e1684 * (_e1384[1] - _e1396[1]))) + (_e1686 * (_e1384[2] - _e1396[2])));
-                                                let _e1787 = (((_e1682 * select((_e1400 - _e1396[0]), _e1384[0], _e1403)) + (_e1684 * select((_e1401 - _e1396[1]), _e1384[1], _e1403))) + (_e1686 * select((_e1402 - _e1396[2]), _e1384[2], _e1403)));
-                                                phi_3014_ = type_31(array<f32, 4>(_e1751, _e1756, _e1761, _e1766), array<f32, 4>(_e1772, _e1777, _e1782, _e1787), array<f32, 4>((_e1746 + ((select(_e1751, -(_e1751), (_e1751 < 0f)) + select(_e1772, -(_e1772), (_e1772 < 0f))) * _e1741)), (_e1746 + ((select(_e1756, -(_e1756), (_e1756 < 0f)) + select(_e1777, -(_e1777), (_e1777 < 0f))) * _e1741)), (_e1746 + ((select(_e1761, -(_e1761), (_e1761 < 0f)) + select(_e1782, -(_e1782), (_e1782 < 0f))) * _e1741)), (_e1746 + ((select(_e1766, -(_e1766), (_e1766 < 0f)) + select(_e1787, -(_e1787), (_e1787 < 0f))) * _e1741))));
-                                                phi_3015_ = false;
+                                                let _e1864 = phi_3114_;
+                                                let _e1865 = (0.000000059604645f * 12f);
+                                                let _e1870 = ((((((((select(_e1574, _e1555, (_e1555 > _e1574)) + _e1578) + (select(_e1617, _e1598, (_e1598 > _e1617)) + _e1621)) + (select(_e1660, _e1641, (_e1641 > _e1660)) + _e1664)) * (0.000000059604645f * 16f)) + (_e1671 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e733.member_1 * _e1864) * (1f + _e1865)));
+                                                let _e1875 = (((_e1806 * _e1477[0]) + (_e1808 * _e1477[1])) + (_e1810 * _e1477[2]));
+                                                let _e1880 = (((_e1806 * _e1493) + (_e1808 * _e1494)) + (_e1810 * _e1495));
+                                                let _e1885 = (((_e1806 * (_e1477[0] - _e1489[0])) + (_e1808 * (_e1477[1] - _e1489[1]))) + (_e1810 * (_e1477[2] - _e1489[2])));
+                                                let _e1890 = (((_e1806 * select((_e1493 - _e1489[0]), _e1477[0], _e1496)) + (_e1808 * select((_e1494 - _e1489[1]), _e1477[1], _e1496))) + (_e1810 * select((_e1495 - _e1489[2]), _e1477[2], _e1496)));
+                                                let _e1896 = (((_e1806 * _e1508[0]) + (_e1808 * _e1508[1])) + (_e1810 * _e1508[2]));
+                                                let _e1901 = (((_e1806 * _e1524) + (_e1808 * _e1525)) + (_e1810 * _e1526));
+                                                let _e1906 = (((_e1806 * (_e1508[0] - _e1520[0])) + (_e1808 * (_e1508[1] - _e1520[1]))) + (_e1810 * (_e1508[2] - _e1520[2])));
+                                                let _e1911 = (((_e1806 * select((_e1524 - _e1520[0]), _e1508[0], _e1527)) + (_e1808 * select((_e1525 - _e1520[1]), _e1508[1], _e1527))) + (_e1810 * select((_e1526 - _e1520[2]), _e1508[2], _e1527)));
+                                                phi_3237_ = type_31(array<f32, 4>(_e1875, _e1880, _e1885, _e1890), array<f32, 4>(_e1896, _e1901, _e1906, _e1911), array<f32, 4>((_e1870 + ((select(_e1875, -(_e1875), (_e1875 < 0f)) + select(_e1896, -(_e1896), (_e1896 < 0f))) * _e1865)), (_e1870 + ((select(_e1880, -(_e1880), (_e1880 < 0f)) + select(_e1901, -(_e1901), (_e1901 < 0f))) * _e1865)), (_e1870 + ((select(_e1885, -(_e1885), (_e1885 < 0f)) + select(_e1906, -(_e1906), (_e1906 < 0f))) * _e1865)), (_e1870 + ((select(_e1890, -(_e1890), (_e1890 < 0f)) + select(_e1911, -(_e1911), (_e1911 < 0f))) * _e1865))));
+                                                phi_3238_ = false;
                                             } else {
-                                                phi_3014_ = type_31();
-                                                phi_3015_ = true;
+                                                phi_3237_ = type_31();
+                                                phi_3238_ = true;
                                             }
-                                            let _e1828 = phi_3014_;
-                                            let _e1830 = phi_3015_;
-                                            phi_3016_ = _e1828;
-                                            phi_3017_ = _e1830;
+                                            let _e1952 = phi_3237_;
+                                            let _e1954 = phi_3238_;
+                                            phi_3239_ = _e1952;
+                                            phi_3240_ = _e1954;
                                         } else {
-                                            phi_3016_ = type_31();
-                                            phi_3017_ = true;
+                                            phi_3239_ = type_31();
+                                            phi_3240_ = true;
                                         }
-                                        let _e1832 = phi_3016_;
-                                        let _e1834 = phi_3017_;
-                                        if _e1834 {
-                                            phi_3025_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                        let _e1956 = phi_3239_;
+                                        let _e1958 = phi_3240_;
+                                        if _e1958 {
+                                            phi_3248_ = type_31(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                         } else {
-                                            phi_3025_ = _e1832;
+                                            phi_3248_ = _e1956;
                                         }
-                                        let _e1836 = phi_3025_;
-                                        local_4 = type_31(array<f32, 4>(_e1836.member[0], _e1836.member[1], _e1836.member[2], _e1836.member[3]), array<f32, 4>(_e1836.member_1[0], _e1836.member_1[1], _e1836.member_1[2], _e1836.member_1[3]), array<f32, 4>(_e1836.member_2[0], _e1836.member_2[1], _e1836.member_2[2], _e1836.member_2[3]));
-                                        let _e1856 = (_e1557 - _e1563);
-                                        let _e1860 = local_4.member[0u];
-                                        let _e1863 = local_4.member_1[0u];
-                                        let _e1866 = local_4.member[0u];
-                                        let _e1872 = local_4.member_2[0u];
-                                        if (((_e1860 + ((_e1863 - _e1866) * _e1557)) - _e1872) > 0f) {
-                                            let _e1877 = local_4.member[1u];
-                                            let _e1880 = local_4.member_1[1u];
-                                            let _e1883 = local_4.member[1u];
-                                            let _e1889 = local_4.member_2[1u];
-                                            if (((_e1877 + ((_e1880 - _e1883) * _e1557)) - _e1889) > 0f) {
-                                                let _e1894 = local_4.member[2u];
-                                                let _e1897 = local_4.member_1[2u];
-                                                let _e1900 = local_4.member[2u];
-                                                let _e1906 = local_4.member_2[2u];
-                                                if (((_e1894 + ((_e1897 - _e1900) * _e1557)) - _e1906) > 0f) {
-                                                    let _e1911 = local_4.member[3u];
-                                                    let _e1914 = local_4.member_1[3u];
-                                                    let _e1917 = local_4.member[3u];
-                                                    let _e1923 = local_4.member_2[3u];
-                                                    phi_3196_ = (((_e1911 + ((_e1914 - _e1917) * _e1557)) - _e1923) > 0f);
-                                                    phi_3197_ = false;
+                                        let _e1960 = phi_3248_;
+                                        local_4 = type_31(array<f32, 4>(_e1960.member[0], _e1960.member[1], _e1960.member[2], _e1960.member[3]), array<f32, 4>(_e1960.member_1[0], _e1960.member_1[1], _e1960.member_1[2], _e1960.member_1[3]), array<f32, 4>(_e1960.member_2[0], _e1960.member_2[1], _e1960.member_2[2], _e1960.member_2[3]));
+                                        let _e1980 = (_e1681 - _e1687);
+                                        let _e1984 = local_4.member[0u];
+                                        let _e1987 = local_4.member_1[0u];
+                                        let _e1990 = local_4.member[0u];
+                                        let _e1996 = local_4.member_2[0u];
+                                        if (((_e1984 + ((_e1987 - _e1990) * _e1681)) - _e1996) > 0f) {
+                                            let _e2001 = local_4.member[1u];
+                                            let _e2004 = local_4.member_1[1u];
+                                            let _e2007 = local_4.member[1u];
+                                            let _e2013 = local_4.member_2[1u];
+                                            if (((_e2001 + ((_e2004 - _e2007) * _e1681)) - _e2013) > 0f) {
+                                                let _e2018 = local_4.member[2u];
+                                                let _e2021 = local_4.member_1[2u];
+                                                let _e2024 = local_4.member[2u];
+                                                let _e2030 = local_4.member_2[2u];
+                                                if (((_e2018 + ((_e2021 - _e2024) * _e1681)) - _e2030) > 0f) {
+                                                    let _e2035 = local_4.member[3u];
+                                                    let _e2038 = local_4.member_1[3u];
+                                                    let _e2041 = local_4.member[3u];
+                                                    let _e2047 = local_4.member_2[3u];
+                                                    phi_3419_ = (((_e2035 + ((_e2038 - _e2041) * _e1681)) - _e2047) > 0f);
+                                                    phi_3420_ = false;
                                                 } else {
-                                                    phi_3196_ = bool();
-                                                    phi_3197_ = true;
+                                                    phi_3419_ = bool();
+                                                    phi_3420_ = true;
                                                 }
-                                                let _e1927 = phi_3196_;
-                                                let _e1929 = phi_3197_;
-                                                phi_3198_ = _e1927;
-                                                phi_3199_ = _e1929;
+                                                let _e2051 = phi_3419_;
+                                                let _e2053 = phi_3420_;
+                                                phi_3421_ = _e2051;
+                                                phi_3422_ = _e2053;
                                             } else {
-                                                phi_3198_ = bool();
-                                                phi_3199_ = true;
+                                                phi_3421_ = bool();
+                                                phi_3422_ = true;
                                             }
-                                            let _e1931 = phi_3198_;
-                                            let _e1933 = phi_3199_;
-                                            phi_3200_ = _e1931;
-                                            phi_3201_ = _e1933;
+                                            let _e2055 = phi_3421_;
+                                            let _e2057 = phi_3422_;
+                                            phi_3423_ = _e2055;
+                                            phi_3424_ = _e2057;
                                         } else {
-                                            phi_3200_ = bool();
-                                            phi_3201_ = true;
+                                            phi_3423_ = bool();
+                                            phi_3424_ = true;
                                         }
-                                        let _e1935 = phi_3200_;
-                                        let _e1937 = phi_3201_;
-                                        if select(_e1935, false, _e1937) {
-                                            if (_e1557 <= _e1559) {
-                                                phi_3515_ = true;
+                                        let _e2059 = phi_3423_;
+                                        let _e2061 = phi_3424_;
+                                        if select(_e2059, false, _e2061) {
+                                            if (_e1681 <= _e1683) {
+                                                phi_3738_ = true;
                                             } else {
-                                                let _e1942 = local_3.member[0u];
-                                                let _e1945 = local_3.member_1[0u];
-                                                let _e1948 = local_3.member[0u];
-                                                let _e1954 = local_3.member_2[0u];
-                                                let _e1958 = local_4.member[0u];
-                                                let _e1961 = local_4.member_1[0u];
-                                                let _e1964 = local_4.member[0u];
-                                                let _e1970 = local_4.member_2[0u];
-                                                if ((((_e1942 + ((_e1945 - _e1948) * _e1557)) - _e1954) + ((_e1958 + ((_e1961 - _e1964) * _e1563)) - _e1970)) > 0f) {
-                                                    let _e1976 = local_3.member[1u];
-                                                    let _e1979 = local_3.member_1[1u];
-                                                    let _e1982 = local_3.member[1u];
-                                                    let _e1988 = local_3.member_2[1u];
-                                                    let _e1992 = local_4.member[1u];
-                                                    let _e1995 = local_4.member_1[1u];
-                                                    let _e1998 = local_4.member[1u];
-                                                    let _e2004 = local_4.member_2[1u];
-                                                    if ((((_e1976 + ((_e1979 - _e1982) * _e1557)) - _e1988) + ((_e1992 + ((_e1995 - _e1998) * _e1563)) - _e2004)) > 0f) {
-                                                        let _e2010 = local_3.member[2u];
-                                                        let _e2013 = local_3.member_1[2u];
-                                                        let _e2016 = local_3.member[2u];
-                                                        let _e2022 = local_3.member_2[2u];
-                                                        let _e2026 = local_4.member[2u];
-                                                        let _e2029 = local_4.member_1[2u];
-                                                        let _e2032 = local_4.member[2u];
-                                                        let _e2038 = local_4.member_2[2u];
-                                                        if ((((_e2010 + ((_e2013 - _e2016) * _e1557)) - _e2022) + ((_e2026 + ((_e2029 - _e2032) * _e1563)) - _e2038)) > 0f) {
-                                                            let _e2044 = local_3.member[3u];
-                                                            let _e2047 = local_3.member_1[3u];
-                                                            let _e2050 = local_3.member[3u];
-                                                            let _e2056 = local_3.member_2[3u];
-                                                            let _e2060 = local_4.member[3u];
-                                                            let _e2063 = local_4.member_1[3u];
-                                                            let _e2066 = local_4.member[3u];
-                                                            let _e2072 = local_4.member_2[3u];
-                                                            phi_3502_ = ((((_e2044 + ((_e2047 - _e2050) * _e1557)) - _e2056) + ((_e2060 + ((_e2063 - _e2066) * _e1563)) - _e2072)) > 0f);
-                                                            phi_3503_ = false;
+                                                let _e2066 = local_3.member[0u];
+                                                let _e2069 = local_3.member_1[0u];
+                                                let _e2072 = local_3.member[0u];
+                                                let _e2078 = local_3.member_2[0u];
+                                                let _e2082 = local_4.member[0u];
+                                                let _e2085 = local_4.member_1[0u];
+                                                let _e2088 = local_4.member[0u];
+                                                let _e2094 = local_4.member_2[0u];
+                                                if ((((_e2066 + ((_e2069 - _e2072) * _e1681)) - _e2078) + ((_e2082 + ((_e2085 - _e2088) * _e1687)) - _e2094)) > 0f) {
+                                                    let _e2100 = local_3.member[1u];
+                                                    let _e2103 = local_3.member_1[1u];
+                                                    let _e2106 = local_3.member[1u];
+                                                    let _e2112 = local_3.member_2[1u];
+                                                    let _e2116 = local_4.member[1u];
+                                                    let _e2119 = local_4.member_1[1u];
+                                                    let _e2122 = local_4.member[1u];
+                                                    let _e2128 = local_4.member_2[1u];
+                                                    if ((((_e2100 + ((_e2103 - _e2106) * _e1681)) - _e2112) + ((_e2116 + ((_e2119 - _e2122) * _e1687)) - _e2128)) > 0f) {
+                                                        let _e2134 = local_3.member[2u];
+                                                        let _e2137 = local_3.member_1[2u];
+                                                        let _e2140 = local_3.member[2u];
+                                                        let _e2146 = local_3.member_2[2u];
+                                                        let _e2150 = local_4.member[2u];
+                                                        let _e2153 = local_4.member_1[2u];
+                                                        let _e2156 = local_4.member[2u];
+                                                        let _e2162 = local_4.member_2[2u];
+                                                        if ((((_e2134 + ((_e2137 - _e2140) * _e1681)) - _e2146) + ((_e2150 + ((_e2153 - _e2156) * _e1687)) - _e2162)) > 0f) {
+                                                            let _e2168 = local_3.member[3u];
+                                                            let _e2171 = local_3.member_1[3u];
+                                                            let _e2174 = local_3.member[3u];
+                                                            let _e2180 = local_3.member_2[3u];
+                                                            let _e2184 = local_4.member[3u];
+                                                            let _e2187 = local_4.member_1[3u];
+                                                            let _e2190 = local_4.member[3u];
+                                                            let _e2196 = local_4.member_2[3u];
+                                                            phi_3725_ = ((((_e2168 + ((_e2171 - _e2174) * _e1681)) - _e2180) + ((_e2184 + ((_e2187 - _e2190) * _e1687)) - _e2196)) > 0f);
+                                                            phi_3726_ = false;
                                                         } else {
-                                                            phi_3502_ = bool();
-                                                            phi_3503_ = true;
+                                                            phi_3725_ = bool();
+                                                            phi_3726_ = true;
                                                         }
-                                                        let _e2077 = phi_3502_;
-                                                        let _e2079 = phi_3503_;
-                                                        phi_3504_ = _e2077;
-                                                        phi_3505_ = _e2079;
+                                                        let _e2201 = phi_3725_;
+                                                        let _e2203 = phi_3726_;
+                                                        phi_3727_ = _e2201;
+                                                        phi_3728_ = _e2203;
                                                     } else {
-                                                        phi_3504_ = bool();
-                                                        phi_3505_ = true;
+                                                        phi_3727_ = bool();
+                                                        phi_3728_ = true;
                                                     }
-                                                    let _e2081 = phi_3504_;
-                                                    let _e2083 = phi_3505_;
-                                                    phi_3506_ = _e2081;
-                                                    phi_3507_ = _e2083;
+                                                    let _e2205 = phi_3727_;
+                                                    let _e2207 = phi_3728_;
+                                                    phi_3729_ = _e2205;
+                                                    phi_3730_ = _e2207;
                                                 } else {
-                                                    phi_3506_ = bool();
-                                                    phi_3507_ = true;
+                                                    phi_3729_ = bool();
+                                                    phi_3730_ = true;
                                                 }
-                                                let _e2085 = phi_3506_;
-                                                let _e2087 = phi_3507_;
-                                                phi_3515_ = select(_e2085, false, _e2087);
+                                                let _e2209 = phi_3729_;
+                                                let _e2211 = phi_3730_;
+                                                phi_3738_ = select(_e2209, false, _e2211);
                                             }
-                                            let _e2090 = phi_3515_;
-                                            if _e2090 {
-                                                if select(true, select(true, false, (_e1557 >= _e382)), _e1565) {
-                                                    local_3 = type_31(array<f32, 4>(_e1836.member[0], _e1836.member[1], _e1836.member[2], _e1836.member[3]), array<f32, 4>(_e1836.member_1[0], _e1836.member_1[1], _e1836.member_1[2], _e1836.member_1[3]), array<f32, 4>(_e1836.member_2[0], _e1836.member_2[1], _e1836.member_2[2], _e1836.member_2[3]));
-                                                    let _e2115 = local_3.member[0u];
-                                                    let _e2118 = local_3.member_1[0u];
-                                                    let _e2121 = local_3.member_2[0u];
-                                                    if select(true, select(true, false, (_e2118 > _e2121)), (_e2115 > _e2121)) {
-                                                        let _e2126 = (_e2118 >= _e2115);
-                                                        if _e2126 {
-                                                            phi_3624_ = f32();
-                                                            phi_3625_ = false;
+                                            let _e2214 = phi_3738_;
+                                            if _e2214 {
+                                                if select(true, select(true, false, (_e1681 >= _e382)), _e1689) {
+                                                    local_3 = type_31(array<f32, 4>(_e1960.member[0], _e1960.member[1], _e1960.member[2], _e1960.member[3]), array<f32, 4>(_e1960.member_1[0], _e1960.member_1[1], _e1960.member_1[2], _e1960.member_1[3]), array<f32, 4>(_e1960.member_2[0], _e1960.member_2[1], _e1960.member_2[2], _e1960.member_2[3]));
+                                                    let _e2239 = local_3.member[0u];
+                                                    let _e2242 = local_3.member_1[0u];
+                                                    let _e2245 = local_3.member_2[0u];
+                                                    if select(true, select(true, false, (_e2242 > _e2245)), (_e2239 > _e2245)) {
+                                                        let _e2250 = (_e2242 >= _e2239);
+                                                        if _e2250 {
+                                                            phi_3847_ = f32();
+                                                            phi_3848_ = false;
                                                         } else {
-                                                            if ((_e2115 - _e2118) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_3622_ = (((_e2115 - _e2121) / (_e2115 - _e2118)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_3623_ = false;
+                                                            if ((_e2239 - _e2242) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_3845_ = (((_e2239 - _e2245) / (_e2239 - _e2242)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_3846_ = false;
                                                             } else {
-                                                                phi_3622_ = f32();
-                                                                phi_3623_ = true;
+                                                                phi_3845_ = f32();
+                                                                phi_3846_ = true;
                                                             }
-                                                            let _e2137 = phi_3622_;
-                                                            let _e2139 = phi_3623_;
-                                                            phi_3624_ = _e2137;
-                                                            phi_3625_ = _e2139;
+                                                            let _e2261 = phi_3845_;
+                                                            let _e2263 = phi_3846_;
+                                                            phi_3847_ = _e2261;
+                                                            phi_3848_ = _e2263;
                                                         }
-                                                        let _e2141 = phi_3624_;
-                                                        let _e2143 = phi_3625_;
-                                                        phi_3626_ = _e2141;
-                                                        phi_3627_ = _e2126;
-                                                        phi_3628_ = _e2143;
+                                                        let _e2265 = phi_3847_;
+                                                        let _e2267 = phi_3848_;
+                                                        phi_3849_ = _e2265;
+                                                        phi_3850_ = _e2250;
+                                                        phi_3851_ = _e2267;
                                                     } else {
-                                                        phi_3626_ = f32();
-                                                        phi_3627_ = true;
-                                                        phi_3628_ = false;
+                                                        phi_3849_ = f32();
+                                                        phi_3850_ = true;
+                                                        phi_3851_ = false;
                                                     }
-                                                    let _e2145 = phi_3626_;
-                                                    let _e2147 = phi_3627_;
-                                                    let _e2149 = phi_3628_;
-                                                    let _e2152 = select(_e2145, select(_e1557, 2f, _e2147), select(_e2149, true, _e2147));
-                                                    let _e2155 = local_3.member[1u];
-                                                    let _e2158 = local_3.member_1[1u];
-                                                    let _e2161 = local_3.member_2[1u];
-                                                    if select(true, select(true, false, (_e2158 > _e2161)), (_e2155 > _e2161)) {
-                                                        let _e2166 = (_e2158 >= _e2155);
-                                                        if _e2166 {
-                                                            phi_3692_ = f32();
-                                                            phi_3693_ = false;
+                                                    let _e2269 = phi_3849_;
+                                                    let _e2271 = phi_3850_;
+                                                    let _e2273 = phi_3851_;
+                                                    let _e2276 = select(_e2269, select(_e1681, 2f, _e2271), select(_e2273, true, _e2271));
+                                                    let _e2279 = local_3.member[1u];
+                                                    let _e2282 = local_3.member_1[1u];
+                                                    let _e2285 = local_3.member_2[1u];
+                                                    if select(true, select(true, false, (_e2282 > _e2285)), (_e2279 > _e2285)) {
+                                                        let _e2290 = (_e2282 >= _e2279);
+                                                        if _e2290 {
+                                                            phi_3915_ = f32();
+                                                            phi_3916_ = false;
                                                         } else {
-                                                            if ((_e2155 - _e2158) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_3690_ = (((_e2155 - _e2161) / (_e2155 - _e2158)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_3691_ = false;
+                                                            if ((_e2279 - _e2282) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_3913_ = (((_e2279 - _e2285) / (_e2279 - _e2282)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_3914_ = false;
                                                             } else {
-                                                                phi_3690_ = f32();
-                                                                phi_3691_ = true;
+                                                                phi_3913_ = f32();
+                                                                phi_3914_ = true;
                                                             }
-                                                            let _e2177 = phi_3690_;
-                                                            let _e2179 = phi_3691_;
-                                                            phi_3692_ = _e2177;
-                                                            phi_3693_ = _e2179;
+                                                            let _e2301 = phi_3913_;
+                                                            let _e2303 = phi_3914_;
+                                                            phi_3915_ = _e2301;
+                                                            phi_3916_ = _e2303;
                                                         }
-                                                        let _e2181 = phi_3692_;
-                                                        let _e2183 = phi_3693_;
-                                                        phi_3694_ = _e2181;
-                                                        phi_3695_ = _e2166;
-                                                        phi_3696_ = _e2183;
+                                                        let _e2305 = phi_3915_;
+                                                        let _e2307 = phi_3916_;
+                                                        phi_3917_ = _e2305;
+                                                        phi_3918_ = _e2290;
+                                                        phi_3919_ = _e2307;
                                                     } else {
-                                                        phi_3694_ = f32();
-                                                        phi_3695_ = true;
-                                                        phi_3696_ = false;
+                                                        phi_3917_ = f32();
+                                                        phi_3918_ = true;
+                                                        phi_3919_ = false;
                                                     }
-                                                    let _e2185 = phi_3694_;
-                                                    let _e2187 = phi_3695_;
-                                                    let _e2189 = phi_3696_;
-                                                    let _e2192 = select(_e2185, select(_e1557, 2f, _e2187), select(_e2189, true, _e2187));
-                                                    let _e2194 = select(_e2192, _e2152, (_e2152 < _e2192));
-                                                    let _e2197 = local_3.member[2u];
-                                                    let _e2200 = local_3.member_1[2u];
-                                                    let _e2203 = local_3.member_2[2u];
-                                                    if select(true, select(true, false, (_e2200 > _e2203)), (_e2197 > _e2203)) {
-                                                        let _e2208 = (_e2200 >= _e2197);
-                                                        if _e2208 {
-                                                            phi_3765_ = f32();
-                                                            phi_3766_ = false;
+                                                    let _e2309 = phi_3917_;
+                                                    let _e2311 = phi_3918_;
+                                                    let _e2313 = phi_3919_;
+                                                    let _e2316 = select(_e2309, select(_e1681, 2f, _e2311), select(_e2313, true, _e2311));
+                                                    let _e2318 = select(_e2316, _e2276, (_e2276 < _e2316));
+                                                    let _e2321 = local_3.member[2u];
+                                                    let _e2324 = local_3.member_1[2u];
+                                                    let _e2327 = local_3.member_2[2u];
+                                                    if select(true, select(true, false, (_e2324 > _e2327)), (_e2321 > _e2327)) {
+                                                        let _e2332 = (_e2324 >= _e2321);
+                                                        if _e2332 {
+                                                            phi_3988_ = f32();
+                                                            phi_3989_ = false;
                                                         } else {
-                                                            if ((_e2197 - _e2200) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_3763_ = (((_e2197 - _e2203) / (_e2197 - _e2200)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_3764_ = false;
+                                                            if ((_e2321 - _e2324) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_3986_ = (((_e2321 - _e2327) / (_e2321 - _e2324)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_3987_ = false;
                                                             } else {
-                                                                phi_3763_ = f32();
-                                                                phi_3764_ = true;
+                                                                phi_3986_ = f32();
+                                                                phi_3987_ = true;
                                                             }
-                                                            let _e2219 = phi_3763_;
-                                                            let _e2221 = phi_3764_;
-                                                            phi_3765_ = _e2219;
-                                                            phi_3766_ = _e2221;
+                                                            let _e2343 = phi_3986_;
+                                                            let _e2345 = phi_3987_;
+                                                            phi_3988_ = _e2343;
+                                                            phi_3989_ = _e2345;
                                                         }
-                                                        let _e2223 = phi_3765_;
-                                                        let _e2225 = phi_3766_;
-                                                        phi_3767_ = _e2223;
-                                                        phi_3768_ = _e2208;
-                                                        phi_3769_ = _e2225;
+                                                        let _e2347 = phi_3988_;
+                                                        let _e2349 = phi_3989_;
+                                                        phi_3990_ = _e2347;
+                                                        phi_3991_ = _e2332;
+                                                        phi_3992_ = _e2349;
                                                     } else {
-                                                        phi_3767_ = f32();
-                                                        phi_3768_ = true;
-                                                        phi_3769_ = false;
+                                                        phi_3990_ = f32();
+                                                        phi_3991_ = true;
+                                                        phi_3992_ = false;
                                                     }
-                                                    let _e2227 = phi_3767_;
-                                                    let _e2229 = phi_3768_;
-                                                    let _e2231 = phi_3769_;
-                                                    let _e2234 = select(_e2227, select(_e1557, 2f, _e2229), select(_e2231, true, _e2229));
-                                                    let _e2237 = local_3.member[3u];
-                                                    let _e2240 = local_3.member_1[3u];
-                                                    let _e2243 = local_3.member_2[3u];
-                                                    if select(true, select(true, false, (_e2240 > _e2243)), (_e2237 > _e2243)) {
-                                                        let _e2248 = (_e2240 >= _e2237);
-                                                        if _e2248 {
-                                                            phi_3833_ = f32();
-                                                            phi_3834_ = false;
+                                                    let _e2351 = phi_3990_;
+                                                    let _e2353 = phi_3991_;
+                                                    let _e2355 = phi_3992_;
+                                                    let _e2358 = select(_e2351, select(_e1681, 2f, _e2353), select(_e2355, true, _e2353));
+                                                    let _e2361 = local_3.member[3u];
+                                                    let _e2364 = local_3.member_1[3u];
+                                                    let _e2367 = local_3.member_2[3u];
+                                                    if select(true, select(true, false, (_e2364 > _e2367)), (_e2361 > _e2367)) {
+                                                        let _e2372 = (_e2364 >= _e2361);
+                                                        if _e2372 {
+                                                            phi_4056_ = f32();
+                                                            phi_4057_ = false;
                                                         } else {
-                                                            if ((_e2237 - _e2240) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                phi_3831_ = (((_e2237 - _e2243) / (_e2237 - _e2240)) * (1f - (0.000000059604645f * 16f)));
-                                                                phi_3832_ = false;
+                                                            if ((_e2361 - _e2364) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                phi_4054_ = (((_e2361 - _e2367) / (_e2361 - _e2364)) * (1f - (0.000000059604645f * 16f)));
+                                                                phi_4055_ = false;
                                                             } else {
-                                                                phi_3831_ = f32();
-                                                                phi_3832_ = true;
+                                                                phi_4054_ = f32();
+                                                                phi_4055_ = true;
                                                             }
-                                                            let _e2259 = phi_3831_;
-                                                            let _e2261 = phi_3832_;
-                                                            phi_3833_ = _e2259;
-                                                            phi_3834_ = _e2261;
+                                                            let _e2383 = phi_4054_;
+                                                            let _e2385 = phi_4055_;
+                                                            phi_4056_ = _e2383;
+                                                            phi_4057_ = _e2385;
                                                         }
-                                                        let _e2263 = phi_3833_;
-                                                        let _e2265 = phi_3834_;
-                                                        phi_3835_ = _e2263;
-                                                        phi_3836_ = _e2248;
-                                                        phi_3837_ = _e2265;
+                                                        let _e2387 = phi_4056_;
+                                                        let _e2389 = phi_4057_;
+                                                        phi_4058_ = _e2387;
+                                                        phi_4059_ = _e2372;
+                                                        phi_4060_ = _e2389;
                                                     } else {
-                                                        phi_3835_ = f32();
-                                                        phi_3836_ = true;
-                                                        phi_3837_ = false;
+                                                        phi_4058_ = f32();
+                                                        phi_4059_ = true;
+                                                        phi_4060_ = false;
                                                     }
-                                                    let _e2267 = phi_3835_;
-                                                    let _e2269 = phi_3836_;
-                                                    let _e2271 = phi_3837_;
-                                                    let _e2274 = select(_e2267, select(_e1557, 2f, _e2269), select(_e2271, true, _e2269));
-                                                    let _e2276 = select(_e2274, _e2234, (_e2234 < _e2274));
-                                                    let _e2278 = select(_e2276, _e2194, (_e2194 < _e2276));
-                                                    let _e2280 = select(_e1557, _e2278, (_e2278 > _e1557));
-                                                    let _e2281 = (_e2280 > _e382);
-                                                    if _e2281 {
-                                                        phi_4366_ = f32();
-                                                        phi_4367_ = f32();
-                                                        phi_4368_ = false;
-                                                        phi_4369_ = false;
+                                                    let _e2391 = phi_4058_;
+                                                    let _e2393 = phi_4059_;
+                                                    let _e2395 = phi_4060_;
+                                                    let _e2398 = select(_e2391, select(_e1681, 2f, _e2393), select(_e2395, true, _e2393));
+                                                    let _e2400 = select(_e2398, _e2358, (_e2358 < _e2398));
+                                                    let _e2402 = select(_e2400, _e2318, (_e2318 < _e2400));
+                                                    let _e2404 = select(_e1681, _e2402, (_e2402 > _e1681));
+                                                    let _e2405 = (_e2404 > _e382);
+                                                    if _e2405 {
+                                                        phi_4589_ = f32();
+                                                        phi_4590_ = f32();
+                                                        phi_4591_ = false;
+                                                        phi_4592_ = false;
                                                     } else {
-                                                        let _e2282 = (_e2280 - _e1557);
-                                                        let _e2283 = (_e2282 <= _e1552);
-                                                        let _e2285 = (_e2280 + (_e378 * 0.01f));
-                                                        let _e2287 = select(_e382, _e2285, (_e2285 < _e382));
-                                                        if _e2283 {
-                                                            if (_e609.member_1 > 0f) {
-                                                                let _e2291 = local_5.member[0u];
-                                                                let _e2297 = local_5.member[1u];
-                                                                let _e2313 = local_5.member_1[0u];
-                                                                let _e2319 = local_5.member_1[1u];
-                                                                let _e2335 = local_5.member_2[0u];
-                                                                let _e2341 = local_5.member_2[1u];
-                                                                let _e2355 = function_3(array<f32, 3>((_e2291[0] + ((_e2297[0] - _e2291[0]) * _e2287)), (_e2291[1] + ((_e2297[1] - _e2291[1]) * _e2287)), (_e2291[2] + ((_e2297[2] - _e2291[2]) * _e2287))), array<f32, 3>((_e2313[0] + ((_e2319[0] - _e2313[0]) * _e2287)), (_e2313[1] + ((_e2319[1] - _e2313[1]) * _e2287)), (_e2313[2] + ((_e2319[2] - _e2313[2]) * _e2287))), array<f32, 3>((_e2335[0] + ((_e2341[0] - _e2335[0]) * _e2287)), (_e2335[1] + ((_e2341[1] - _e2335[1]) * _e2287)), (_e2335[2] + ((_e2341[2] - _e2335[2]) * _e2287))), _e225.member);
-                                                                let _e2366 = (((_e2355[0] * _e2355[0]) + (_e2355[1] * _e2355[1])) + (_e2355[2] * _e2355[2]));
-                                                                if (_e2366 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                    phi_4068_ = select(0f, (0.000000000000000000106433627f * 2f), (_e2366 > 0f));
+                                                        let _e2406 = (_e2404 - _e1681);
+                                                        let _e2407 = (_e2406 <= _e1676);
+                                                        let _e2409 = (_e2404 + (_e378 * 0.01f));
+                                                        let _e2411 = select(_e382, _e2409, (_e2409 < _e382));
+                                                        if _e2407 {
+                                                            if (_e733.member_1 > 0f) {
+                                                                let _e2415 = local_5.member[0u];
+                                                                let _e2421 = local_5.member[1u];
+                                                                let _e2437 = local_5.member_1[0u];
+                                                                let _e2443 = local_5.member_1[1u];
+                                                                let _e2459 = local_5.member_2[0u];
+                                                                let _e2465 = local_5.member_2[1u];
+                                                                let _e2479 = function_3(array<f32, 3>((_e2415[0] + ((_e2421[0] - _e2415[0]) * _e2411)), (_e2415[1] + ((_e2421[1] - _e2415[1]) * _e2411)), (_e2415[2] + ((_e2421[2] - _e2415[2]) * _e2411))), array<f32, 3>((_e2437[0] + ((_e2443[0] - _e2437[0]) * _e2411)), (_e2437[1] + ((_e2443[1] - _e2437[1]) * _e2411)), (_e2437[2] + ((_e2443[2] - _e2437[2]) * _e2411))), array<f32, 3>((_e2459[0] + ((_e2465[0] - _e2459[0]) * _e2411)), (_e2459[1] + ((_e2465[1] - _e2459[1]) * _e2411)), (_e2459[2] + ((_e2465[2] - _e2459[2]) * _e2411))), _e225.member);
+                                                                let _e2490 = (((_e2479[0] * _e2479[0]) + (_e2479[1] * _e2479[1])) + (_e2479[2] * _e2479[2]));
+                                                                if (_e2490 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                    phi_4291_ = select(0f, (0.000000000000000000106433627f * 2f), (_e2490 > 0f));
                                                                 } else {
-                                                                    phi_4011_ = type_14(0i, 5i);
-                                                                    phi_4014_ = bitcast<f32>(((bitcast<u32>(_e2366) >> bitcast<u32>(1i)) + 532369198u));
+                                                                    phi_4234_ = type_14(0i, 5i);
+                                                                    phi_4237_ = bitcast<f32>(((bitcast<u32>(_e2490) >> bitcast<u32>(1i)) + 532369198u));
                                                                     loop {
-                                                                        let _e2374 = phi_4011_;
-                                                                        let _e2376 = phi_4014_;
-                                                                        local_9 = _e2376;
-                                                                        if (_e2374.member < _e2374.member_1) {
-                                                                            let _e2383 = (_e2374.member + 1i);
-                                                                            phi_4012_ = type_14(select(_e2383, type_15().member_1, select(false, true, ((false == (_e2383 > _e2374.member)) != false))), _e2374.member_1);
-                                                                            phi_4055_ = type_15(1u, _e2374.member);
+                                                                        let _e2498 = phi_4234_;
+                                                                        let _e2500 = phi_4237_;
+                                                                        local_9 = _e2500;
+                                                                        if (_e2498.member < _e2498.member_1) {
+                                                                            let _e2507 = (_e2498.member + 1i);
+                                                                            phi_4235_ = type_14(select(_e2507, type_15().member_1, select(false, true, ((false == (_e2507 > _e2498.member)) != false))), _e2498.member_1);
+                                                                            phi_4278_ = type_15(1u, _e2498.member);
                                                                         } else {
-                                                                            phi_4012_ = _e2374;
-                                                                            phi_4055_ = type_15(0u, type_15().member_1);
+                                                                            phi_4235_ = _e2498;
+                                                                            phi_4278_ = type_15(0u, type_15().member_1);
                                                                         }
-                                                                        let _e2394 = phi_4012_;
-                                                                        let _e2396 = phi_4055_;
-                                                                        let _e2399 = (bitcast<i32>(_e2396.member) != 0i);
-                                                                        if _e2399 {
-                                                                            phi_4015_ = (0.5f * (_e2376 + (_e2366 / _e2376)));
+                                                                        let _e2518 = phi_4235_;
+                                                                        let _e2520 = phi_4278_;
+                                                                        let _e2523 = (bitcast<i32>(_e2520.member) != 0i);
+                                                                        if _e2523 {
+                                                                            phi_4238_ = (0.5f * (_e2500 + (_e2490 / _e2500)));
                                                                         } else {
-                                                                            phi_4015_ = f32();
+                                                                            phi_4238_ = f32();
                                                                         }
-                                                                        let _e2404 = phi_4015_;
+                                                                        let _e2528 = phi_4238_;
                                                                         continue;
                                                                         continuing {
-                                                                            phi_4011_ = _e2394;
-                                                                            phi_4014_ = _e2404;
-                                                                            break if !(_e2399);
+                                                                            phi_4234_ = _e2518;
+                                                                            phi_4237_ = _e2528;
+                                                                            break if !(_e2523);
                                                                         }
                                                                     }
-                                                                    let _e2409 = local_9;
-                                                                    phi_4068_ = (_e2409 * (1f + (8f * 0.000000059604645f)));
+                                                                    let _e2533 = local_9;
+                                                                    phi_4291_ = (_e2533 * (1f + (8f * 0.000000059604645f)));
                                                                 }
-                                                                let _e2415 = phi_4068_;
-                                                                let _e2421 = local_5.member[0u];
-                                                                let _e2427 = select(_e2421[0], -(_e2421[0]), (_e2421[0] < 0f));
-                                                                let _e2430 = select(_e2421[1], -(_e2421[1]), (_e2421[1] < 0f));
-                                                                let _e2432 = select(_e2430, _e2427, (_e2427 > _e2430));
-                                                                let _e2435 = select(_e2421[2], -(_e2421[2]), (_e2421[2] < 0f));
-                                                                let _e2437 = select(_e2435, _e2432, (_e2432 > _e2435));
-                                                                let _e2440 = local_5.member[1u];
-                                                                let _e2446 = select(_e2440[0], -(_e2440[0]), (_e2440[0] < 0f));
-                                                                let _e2449 = select(_e2440[1], -(_e2440[1]), (_e2440[1] < 0f));
-                                                                let _e2451 = select(_e2449, _e2446, (_e2446 > _e2449));
-                                                                let _e2454 = select(_e2440[2], -(_e2440[2]), (_e2440[2] < 0f));
-                                                                let _e2456 = select(_e2454, _e2451, (_e2451 > _e2454));
-                                                                let _e2460 = local_5.member_3;
-                                                                let _e2464 = local_5.member_1[0u];
-                                                                let _e2470 = select(_e2464[0], -(_e2464[0]), (_e2464[0] < 0f));
-                                                                let _e2473 = select(_e2464[1], -(_e2464[1]), (_e2464[1] < 0f));
-                                                                let _e2475 = select(_e2473, _e2470, (_e2470 > _e2473));
-                                                                let _e2478 = select(_e2464[2], -(_e2464[2]), (_e2464[2] < 0f));
-                                                                let _e2480 = select(_e2478, _e2475, (_e2475 > _e2478));
-                                                                let _e2483 = local_5.member_1[1u];
-                                                                let _e2489 = select(_e2483[0], -(_e2483[0]), (_e2483[0] < 0f));
-                                                                let _e2492 = select(_e2483[1], -(_e2483[1]), (_e2483[1] < 0f));
-                                                                let _e2494 = select(_e2492, _e2489, (_e2489 > _e2492));
-                                                                let _e2497 = select(_e2483[2], -(_e2483[2]), (_e2483[2] < 0f));
-                                                                let _e2499 = select(_e2497, _e2494, (_e2494 > _e2497));
-                                                                let _e2503 = local_5.member_3;
-                                                                let _e2507 = local_5.member_2[0u];
-                                                                let _e2513 = select(_e2507[0], -(_e2507[0]), (_e2507[0] < 0f));
-                                                                let _e2516 = select(_e2507[1], -(_e2507[1]), (_e2507[1] < 0f));
-                                                                let _e2518 = select(_e2516, _e2513, (_e2513 > _e2516));
-                                                                let _e2521 = select(_e2507[2], -(_e2507[2]), (_e2507[2] < 0f));
-                                                                let _e2523 = select(_e2521, _e2518, (_e2518 > _e2521));
-                                                                let _e2526 = local_5.member_2[1u];
-                                                                let _e2532 = select(_e2526[0], -(_e2526[0]), (_e2526[0] < 0f));
-                                                                let _e2535 = select(_e2526[1], -(_e2526[1]), (_e2526[1] < 0f));
-                                                                let _e2537 = select(_e2535, _e2532, (_e2532 > _e2535));
-                                                                let _e2540 = select(_e2526[2], -(_e2526[2]), (_e2526[2] < 0f));
-                                                                let _e2542 = select(_e2540, _e2537, (_e2537 > _e2540));
-                                                                let _e2546 = local_5.member_3;
-                                                                let _e2553 = local_5.member_3;
-                                                                phi_4339_ = select(true, false, (((_e2415 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e2456, _e2437, (_e2437 > _e2456)) + _e2460) + (select(_e2499, _e2480, (_e2480 > _e2499)) + _e2503)) + (select(_e2542, _e2523, (_e2523 > _e2542)) + _e2546)) * (0.000000059604645f * 16f)) + (_e2553 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e609.member_1));
+                                                                let _e2539 = phi_4291_;
+                                                                let _e2545 = local_5.member[0u];
+                                                                let _e2551 = select(_e2545[0], -(_e2545[0]), (_e2545[0] < 0f));
+                                                                let _e2554 = select(_e2545[1], -(_e2545[1]), (_e2545[1] < 0f));
+                                                                let _e2556 = select(_e2554, _e2551, (_e2551 > _e2554));
+                                                                let _e2559 = select(_e2545[2], -(_e2545[2]), (_e2545[2] < 0f));
+                                                                let _e2561 = select(_e2559, _e2556, (_e2556 > _e2559));
+                                                                let _e2564 = local_5.member[1u];
+                                                                let _e2570 = select(_e2564[0], -(_e2564[0]), (_e2564[0] < 0f));
+                                                                let _e2573 = select(_e2564[1], -(_e2564[1]), (_e2564[1] < 0f));
+                                                                let _e2575 = select(_e2573, _e2570, (_e2570 > _e2573));
+                                                                let _e2578 = select(_e2564[2], -(_e2564[2]), (_e2564[2] < 0f));
+                                                                let _e2580 = select(_e2578, _e2575, (_e2575 > _e2578));
+                                                                let _e2584 = local_5.member_3;
+                                                                let _e2588 = local_5.member_1[0u];
+                                                                let _e2594 = select(_e2588[0], -(_e2588[0]), (_e2588[0] < 0f));
+                                                                let _e2597 = select(_e2588[1], -(_e2588[1]), (_e2588[1] < 0f));
+                                                                let _e2599 = select(_e2597, _e2594, (_e2594 > _e2597));
+                                                                let _e2602 = select(_e2588[2], -(_e2588[2]), (_e2588[2] < 0f));
+                                                                let _e2604 = select(_e2602, _e2599, (_e2599 > _e2602));
+                                                                let _e2607 = local_5.member_1[1u];
+                                                                let _e2613 = select(_e2607[0], -(_e2607[0]), (_e2607[0] < 0f));
+                                                                let _e2616 = select(_e2607[1], -(_e2607[1]), (_e2607[1] < 0f));
+                                                                let _e2618 = select(_e2616, _e2613, (_e2613 > _e2616));
+                                                                let _e2621 = select(_e2607[2], -(_e2607[2]), (_e2607[2] < 0f));
+                                                                let _e2623 = select(_e2621, _e2618, (_e2618 > _e2621));
+                                                                let _e2627 = local_5.member_3;
+                                                                let _e2631 = local_5.member_2[0u];
+                                                                let _e2637 = select(_e2631[0], -(_e2631[0]), (_e2631[0] < 0f));
+                                                                let _e2640 = select(_e2631[1], -(_e2631[1]), (_e2631[1] < 0f));
+                                                                let _e2642 = select(_e2640, _e2637, (_e2637 > _e2640));
+                                                                let _e2645 = select(_e2631[2], -(_e2631[2]), (_e2631[2] < 0f));
+                                                                let _e2647 = select(_e2645, _e2642, (_e2642 > _e2645));
+                                                                let _e2650 = local_5.member_2[1u];
+                                                                let _e2656 = select(_e2650[0], -(_e2650[0]), (_e2650[0] < 0f));
+                                                                let _e2659 = select(_e2650[1], -(_e2650[1]), (_e2650[1] < 0f));
+                                                                let _e2661 = select(_e2659, _e2656, (_e2656 > _e2659));
+                                                                let _e2664 = select(_e2650[2], -(_e2650[2]), (_e2650[2] < 0f));
+                                                                let _e2666 = select(_e2664, _e2661, (_e2661 > _e2664));
+                                                                let _e2670 = local_5.member_3;
+                                                                let _e2677 = local_5.member_3;
+                                                                phi_4562_ = select(true, false, (((_e2539 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e2580, _e2561, (_e2561 > _e2580)) + _e2584) + (select(_e2623, _e2604, (_e2604 > _e2623)) + _e2627)) + (select(_e2666, _e2647, (_e2647 > _e2666)) + _e2670)) * (0.000000059604645f * 16f)) + (_e2677 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e733.member_1));
                                                             } else {
-                                                                phi_4339_ = true;
+                                                                phi_4562_ = true;
                                                             }
-                                                            let _e2563 = phi_4339_;
-                                                            phi_4340_ = _e2563;
+                                                            let _e2687 = phi_4562_;
+                                                            phi_4563_ = _e2687;
                                                         } else {
-                                                            phi_4340_ = true;
+                                                            phi_4563_ = true;
                                                         }
-                                                        let _e2565 = phi_4340_;
-                                                        phi_4366_ = select(f32(), select((_e382 - _e1557), select(0f, (_e1856 + _e1856), select(select(true, false, (_e2282 <= (_e1561 * 0.25f))), true, _e2283)), _e1565), _e2565);
-                                                        phi_4367_ = _e2282;
-                                                        phi_4368_ = _e2565;
-                                                        phi_4369_ = select(true, false, _e2565);
+                                                        let _e2689 = phi_4563_;
+                                                        phi_4589_ = select(f32(), select((_e382 - _e1681), select(0f, (_e1980 + _e1980), select(select(true, false, (_e2406 <= (_e1685 * 0.25f))), true, _e2407)), _e1689), _e2689);
+                                                        phi_4590_ = _e2406;
+                                                        phi_4591_ = _e2689;
+                                                        phi_4592_ = select(true, false, _e2689);
                                                     }
-                                                    let _e2577 = phi_4366_;
-                                                    let _e2579 = phi_4367_;
-                                                    let _e2581 = phi_4368_;
-                                                    let _e2583 = phi_4369_;
-                                                    phi_4370_ = _e2280;
-                                                    phi_4371_ = _e2577;
-                                                    phi_4372_ = _e2579;
-                                                    phi_4373_ = _e2280;
-                                                    phi_4374_ = _e2581;
-                                                    phi_4375_ = _e2281;
-                                                    phi_4376_ = _e2583;
-                                                    phi_4377_ = false;
+                                                    let _e2701 = phi_4589_;
+                                                    let _e2703 = phi_4590_;
+                                                    let _e2705 = phi_4591_;
+                                                    let _e2707 = phi_4592_;
+                                                    phi_4593_ = _e2404;
+                                                    phi_4594_ = _e2701;
+                                                    phi_4595_ = _e2703;
+                                                    phi_4596_ = _e2404;
+                                                    phi_4597_ = _e2705;
+                                                    phi_4598_ = _e2405;
+                                                    phi_4599_ = _e2707;
+                                                    phi_4600_ = false;
                                                 } else {
-                                                    phi_4370_ = f32();
-                                                    phi_4371_ = f32();
-                                                    phi_4372_ = f32();
-                                                    phi_4373_ = f32();
-                                                    phi_4374_ = false;
-                                                    phi_4375_ = false;
-                                                    phi_4376_ = false;
-                                                    phi_4377_ = true;
+                                                    phi_4593_ = f32();
+                                                    phi_4594_ = f32();
+                                                    phi_4595_ = f32();
+                                                    phi_4596_ = f32();
+                                                    phi_4597_ = false;
+                                                    phi_4598_ = false;
+                                                    phi_4599_ = false;
+                                                    phi_4600_ = true;
                                                 }
-                                                let _e2585 = phi_4370_;
-                                                let _e2587 = phi_4371_;
-                                                let _e2589 = phi_4372_;
-                                                let _e2591 = phi_4373_;
-                                                let _e2593 = phi_4374_;
-                                                let _e2595 = phi_4375_;
-                                                let _e2597 = phi_4376_;
-                                                let _e2599 = phi_4377_;
-                                                phi_4378_ = _e2585;
-                                                phi_4379_ = _e2587;
-                                                phi_4380_ = _e2589;
-                                                phi_4381_ = _e2591;
-                                                phi_4382_ = false;
-                                                phi_4383_ = _e2593;
-                                                phi_4384_ = _e2595;
-                                                phi_4385_ = _e2597;
-                                                phi_4386_ = _e2599;
+                                                let _e2709 = phi_4593_;
+                                                let _e2711 = phi_4594_;
+                                                let _e2713 = phi_4595_;
+                                                let _e2715 = phi_4596_;
+                                                let _e2717 = phi_4597_;
+                                                let _e2719 = phi_4598_;
+                                                let _e2721 = phi_4599_;
+                                                let _e2723 = phi_4600_;
+                                                phi_4601_ = _e2709;
+                                                phi_4602_ = _e2711;
+                                                phi_4603_ = _e2713;
+                                                phi_4604_ = _e2715;
+                                                phi_4605_ = false;
+                                                phi_4606_ = _e2717;
+                                                phi_4607_ = _e2719;
+                                                phi_4608_ = _e2721;
+                                                phi_4609_ = _e2723;
                                             } else {
-                                                phi_4378_ = f32();
-                                                phi_4379_ = f32();
-                                                phi_4380_ = f32();
-                                                phi_4381_ = f32();
-                                                phi_4382_ = true;
-                                                phi_4383_ = false;
-                                                phi_4384_ = false;
-                                                phi_4385_ = false;
-                                                phi_4386_ = false;
+                                                phi_4601_ = f32();
+                                                phi_4602_ = f32();
+                                                phi_4603_ = f32();
+                                                phi_4604_ = f32();
+                                                phi_4605_ = true;
+                                                phi_4606_ = false;
+                                                phi_4607_ = false;
+                                                phi_4608_ = false;
+                                                phi_4609_ = false;
                                             }
-                                            let _e2601 = phi_4378_;
-                                            let _e2603 = phi_4379_;
-                                            let _e2605 = phi_4380_;
-                                            let _e2607 = phi_4381_;
-                                            let _e2609 = phi_4382_;
-                                            let _e2611 = phi_4383_;
-                                            let _e2613 = phi_4384_;
-                                            let _e2615 = phi_4385_;
-                                            let _e2617 = phi_4386_;
-                                            phi_4387_ = _e2601;
-                                            phi_4388_ = _e2603;
-                                            phi_4389_ = _e2605;
-                                            phi_4390_ = _e2607;
-                                            phi_4391_ = _e2609;
-                                            phi_4392_ = _e2611;
-                                            phi_4393_ = _e2613;
-                                            phi_4394_ = _e2615;
-                                            phi_4395_ = _e2617;
+                                            let _e2725 = phi_4601_;
+                                            let _e2727 = phi_4602_;
+                                            let _e2729 = phi_4603_;
+                                            let _e2731 = phi_4604_;
+                                            let _e2733 = phi_4605_;
+                                            let _e2735 = phi_4606_;
+                                            let _e2737 = phi_4607_;
+                                            let _e2739 = phi_4608_;
+                                            let _e2741 = phi_4609_;
+                                            phi_4610_ = _e2725;
+                                            phi_4611_ = _e2727;
+                                            phi_4612_ = _e2729;
+                                            phi_4613_ = _e2731;
+                                            phi_4614_ = _e2733;
+                                            phi_4615_ = _e2735;
+                                            phi_4616_ = _e2737;
+                                            phi_4617_ = _e2739;
+                                            phi_4618_ = _e2741;
                                         } else {
-                                            phi_4387_ = f32();
-                                            phi_4388_ = f32();
-                                            phi_4389_ = f32();
-                                            phi_4390_ = f32();
-                                            phi_4391_ = true;
-                                            phi_4392_ = false;
-                                            phi_4393_ = false;
-                                            phi_4394_ = false;
-                                            phi_4395_ = false;
+                                            phi_4610_ = f32();
+                                            phi_4611_ = f32();
+                                            phi_4612_ = f32();
+                                            phi_4613_ = f32();
+                                            phi_4614_ = true;
+                                            phi_4615_ = false;
+                                            phi_4616_ = false;
+                                            phi_4617_ = false;
+                                            phi_4618_ = false;
                                         }
-                                        let _e2619 = phi_4387_;
-                                        let _e2621 = phi_4388_;
-                                        let _e2623 = phi_4389_;
-                                        let _e2625 = phi_4390_;
-                                        let _e2627 = phi_4391_;
-                                        let _e2629 = phi_4392_;
-                                        let _e2631 = phi_4393_;
-                                        let _e2633 = phi_4394_;
-                                        let _e2635 = phi_4395_;
-                                        if _e2627 {
-                                            if (_e1557 <= _e1559) {
-                                                let _e2788 = (_e1567 + 1u);
-                                                let _e2789 = (_e2788 > 3u);
-                                                phi_4730_ = _e2788;
-                                                phi_4731_ = f32();
-                                                phi_4732_ = false;
-                                                phi_4733_ = select(true, false, _e2789);
-                                                phi_4734_ = _e2789;
+                                        let _e2743 = phi_4610_;
+                                        let _e2745 = phi_4611_;
+                                        let _e2747 = phi_4612_;
+                                        let _e2749 = phi_4613_;
+                                        let _e2751 = phi_4614_;
+                                        let _e2753 = phi_4615_;
+                                        let _e2755 = phi_4616_;
+                                        let _e2757 = phi_4617_;
+                                        let _e2759 = phi_4618_;
+                                        if _e2751 {
+                                            if (_e1681 <= _e1683) {
+                                                let _e2912 = (_e1691 + 1u);
+                                                let _e2913 = (_e2912 > 3u);
+                                                phi_4953_ = _e2912;
+                                                phi_4954_ = f32();
+                                                phi_4955_ = false;
+                                                phi_4956_ = select(true, false, _e2913);
+                                                phi_4957_ = _e2913;
                                             } else {
-                                                let _e2639 = local_3.member[0u];
-                                                let _e2642 = local_3.member_1[0u];
-                                                let _e2645 = local_3.member[0u];
-                                                let _e2651 = local_3.member_2[0u];
-                                                let _e2652 = ((_e2639 + ((_e2642 - _e2645) * _e1563)) - _e2651);
-                                                let _e2655 = local_3.member[1u];
-                                                let _e2658 = local_3.member_1[1u];
-                                                let _e2661 = local_3.member[1u];
-                                                let _e2667 = local_3.member_2[1u];
-                                                let _e2668 = ((_e2655 + ((_e2658 - _e2661) * _e1563)) - _e2667);
-                                                let _e2670 = select(_e2668, _e2652, (_e2652 < _e2668));
-                                                let _e2673 = local_3.member[2u];
-                                                let _e2676 = local_3.member_1[2u];
-                                                let _e2679 = local_3.member[2u];
-                                                let _e2685 = local_3.member_2[2u];
-                                                let _e2686 = ((_e2673 + ((_e2676 - _e2679) * _e1563)) - _e2685);
-                                                let _e2689 = local_3.member[3u];
-                                                let _e2692 = local_3.member_1[3u];
-                                                let _e2695 = local_3.member[3u];
-                                                let _e2701 = local_3.member_2[3u];
-                                                let _e2702 = ((_e2689 + ((_e2692 - _e2695) * _e1563)) - _e2701);
-                                                let _e2704 = select(_e2702, _e2686, (_e2686 < _e2702));
-                                                let _e2706 = select(_e2704, _e2670, (_e2670 < _e2704));
-                                                let _e2709 = local_4.member[0u];
-                                                let _e2712 = local_4.member_1[0u];
-                                                let _e2715 = local_4.member[0u];
-                                                let _e2721 = local_4.member_2[0u];
-                                                let _e2722 = ((_e2709 + ((_e2712 - _e2715) * _e1557)) - _e2721);
-                                                let _e2725 = local_4.member[1u];
-                                                let _e2728 = local_4.member_1[1u];
-                                                let _e2731 = local_4.member[1u];
-                                                let _e2737 = local_4.member_2[1u];
-                                                let _e2738 = ((_e2725 + ((_e2728 - _e2731) * _e1557)) - _e2737);
-                                                let _e2740 = select(_e2738, _e2722, (_e2722 < _e2738));
-                                                let _e2743 = local_4.member[2u];
-                                                let _e2746 = local_4.member_1[2u];
-                                                let _e2749 = local_4.member[2u];
-                                                let _e2755 = local_4.member_2[2u];
-                                                let _e2756 = ((_e2743 + ((_e2746 - _e2749) * _e1557)) - _e2755);
-                                                let _e2759 = local_4.member[3u];
-                                                let _e2762 = local_4.member_1[3u];
-                                                let _e2765 = local_4.member[3u];
-                                                let _e2771 = local_4.member_2[3u];
-                                                let _e2772 = ((_e2759 + ((_e2762 - _e2765) * _e1557)) - _e2771);
-                                                let _e2774 = select(_e2772, _e2756, (_e2756 < _e2772));
-                                                let _e2776 = select(_e2774, _e2740, (_e2740 < _e2774));
-                                                if (_e2776 > 0f) {
-                                                    phi_4728_ = 0.5f;
+                                                let _e2763 = local_3.member[0u];
+                                                let _e2766 = local_3.member_1[0u];
+                                                let _e2769 = local_3.member[0u];
+                                                let _e2775 = local_3.member_2[0u];
+                                                let _e2776 = ((_e2763 + ((_e2766 - _e2769) * _e1687)) - _e2775);
+                                                let _e2779 = local_3.member[1u];
+                                                let _e2782 = local_3.member_1[1u];
+                                                let _e2785 = local_3.member[1u];
+                                                let _e2791 = local_3.member_2[1u];
+                                                let _e2792 = ((_e2779 + ((_e2782 - _e2785) * _e1687)) - _e2791);
+                                                let _e2794 = select(_e2792, _e2776, (_e2776 < _e2792));
+                                                let _e2797 = local_3.member[2u];
+                                                let _e2800 = local_3.member_1[2u];
+                                                let _e2803 = local_3.member[2u];
+                                                let _e2809 = local_3.member_2[2u];
+                                                let _e2810 = ((_e2797 + ((_e2800 - _e2803) * _e1687)) - _e2809);
+                                                let _e2813 = local_3.member[3u];
+                                                let _e2816 = local_3.member_1[3u];
+                                                let _e2819 = local_3.member[3u];
+                                                let _e2825 = local_3.member_2[3u];
+                                                let _e2826 = ((_e2813 + ((_e2816 - _e2819) * _e1687)) - _e2825);
+                                                let _e2828 = select(_e2826, _e2810, (_e2810 < _e2826));
+                                                let _e2830 = select(_e2828, _e2794, (_e2794 < _e2828));
+                                                let _e2833 = local_4.member[0u];
+                                                let _e2836 = local_4.member_1[0u];
+                                                let _e2839 = local_4.member[0u];
+                                                let _e2845 = local_4.member_2[0u];
+                                                let _e2846 = ((_e2833 + ((_e2836 - _e2839) * _e1681)) - _e2845);
+                                                let _e2849 = local_4.member[1u];
+                                                let _e2852 = local_4.member_1[1u];
+                                                let _e2855 = local_4.member[1u];
+                                                let _e2861 = local_4.member_2[1u];
+                                                let _e2862 = ((_e2849 + ((_e2852 - _e2855) * _e1681)) - _e2861);
+                                                let _e2864 = select(_e2862, _e2846, (_e2846 < _e2862));
+                                                let _e2867 = local_4.member[2u];
+                                                let _e2870 = local_4.member_1[2u];
+                                                let _e2873 = local_4.member[2u];
+                                                let _e2879 = local_4.member_2[2u];
+                                                let _e2880 = ((_e2867 + ((_e2870 - _e2873) * _e1681)) - _e2879);
+                                                let _e2883 = local_4.member[3u];
+                                                let _e2886 = local_4.member_1[3u];
+                                                let _e2889 = local_4.member[3u];
+                                                let _e2895 = local_4.member_2[3u];
+                                                let _e2896 = ((_e2883 + ((_e2886 - _e2889) * _e1681)) - _e2895);
+                                                let _e2898 = select(_e2896, _e2880, (_e2880 < _e2896));
+                                                let _e2900 = select(_e2898, _e2864, (_e2864 < _e2898));
+                                                if (_e2900 > 0f) {
+                                                    phi_4951_ = 0.5f;
                                                 } else {
-                                                    let _e2780 = (0.95f * (_e2706 / (_e2706 - _e2776)));
-                                                    phi_4728_ = select(0.0625f, select(0.9f, _e2780, (_e2780 < 0.9f)), (_e2780 > 0.0625f));
+                                                    let _e2904 = (0.95f * (_e2830 / (_e2830 - _e2900)));
+                                                    phi_4951_ = select(0.0625f, select(0.9f, _e2904, (_e2904 < 0.9f)), (_e2904 > 0.0625f));
                                                 }
-                                                let _e2786 = phi_4728_;
-                                                phi_4730_ = u32();
-                                                phi_4731_ = (_e1856 * _e2786);
-                                                phi_4732_ = true;
-                                                phi_4733_ = false;
-                                                phi_4734_ = false;
+                                                let _e2910 = phi_4951_;
+                                                phi_4953_ = u32();
+                                                phi_4954_ = (_e1980 * _e2910);
+                                                phi_4955_ = true;
+                                                phi_4956_ = false;
+                                                phi_4957_ = false;
                                             }
-                                            let _e2792 = phi_4730_;
-                                            let _e2794 = phi_4731_;
-                                            let _e2796 = phi_4732_;
-                                            let _e2798 = phi_4733_;
-                                            let _e2800 = phi_4734_;
-                                            phi_4735_ = _e2792;
-                                            phi_4736_ = _e1559;
-                                            phi_4737_ = _e2794;
-                                            phi_4738_ = _e1561;
-                                            phi_4739_ = _e1563;
-                                            phi_4740_ = _e1565;
-                                            phi_4741_ = _e1567;
-                                            phi_4742_ = _e2796;
-                                            phi_4743_ = _e2798;
-                                            phi_4744_ = _e2800;
-                                            phi_4745_ = false;
-                                            phi_4746_ = false;
-                                            phi_4747_ = false;
+                                            let _e2916 = phi_4953_;
+                                            let _e2918 = phi_4954_;
+                                            let _e2920 = phi_4955_;
+                                            let _e2922 = phi_4956_;
+                                            let _e2924 = phi_4957_;
+                                            phi_4958_ = _e2916;
+                                            phi_4959_ = _e1683;
+                                            phi_4960_ = _e2918;
+                                            phi_4961_ = _e1685;
+                                            phi_4962_ = _e1687;
+                                            phi_4963_ = _e1689;
+                                            phi_4964_ = _e1691;
+                                            phi_4965_ = _e2920;
+                                            phi_4966_ = _e2922;
+                                            phi_4967_ = _e2924;
+                                            phi_4968_ = false;
+                                            phi_4969_ = false;
+                                            phi_4970_ = false;
                                         } else {
-                                            phi_4735_ = u32();
-                                            phi_4736_ = _e2619;
-                                            phi_4737_ = _e2621;
-                                            phi_4738_ = _e2623;
-                                            phi_4739_ = _e1557;
-                                            phi_4740_ = true;
-                                            phi_4741_ = 0u;
-                                            phi_4742_ = _e2629;
-                                            phi_4743_ = false;
-                                            phi_4744_ = false;
-                                            phi_4745_ = _e2631;
-                                            phi_4746_ = _e2633;
-                                            phi_4747_ = _e2635;
+                                            phi_4958_ = u32();
+                                            phi_4959_ = _e2743;
+                                            phi_4960_ = _e2745;
+                                            phi_4961_ = _e2747;
+                                            phi_4962_ = _e1681;
+                                            phi_4963_ = true;
+                                            phi_4964_ = 0u;
+                                            phi_4965_ = _e2753;
+                                            phi_4966_ = false;
+                                            phi_4967_ = false;
+                                            phi_4968_ = _e2755;
+                                            phi_4969_ = _e2757;
+                                            phi_4970_ = _e2759;
                                         }
-                                        let _e2802 = phi_4735_;
-                                        let _e2804 = phi_4736_;
-                                        let _e2806 = phi_4737_;
-                                        let _e2808 = phi_4738_;
-                                        let _e2810 = phi_4739_;
-                                        let _e2812 = phi_4740_;
-                                        let _e2814 = phi_4741_;
-                                        let _e2816 = phi_4742_;
-                                        let _e2818 = phi_4743_;
-                                        let _e2820 = phi_4744_;
-                                        let _e2822 = phi_4745_;
-                                        let _e2824 = phi_4746_;
-                                        let _e2826 = phi_4747_;
-                                        if _e2816 {
-                                            let _e2827 = (_e2810 + _e2806);
-                                            let _e2829 = select(_e2804, _e2827, (_e2827 > _e2804));
-                                            let _e2831 = select(_e382, _e2829, (_e2829 < _e382));
-                                            let _e2834 = select(((_e2831 - _e2810) > _e1552), true, !(_e1565));
-                                            phi_4775_ = _e2831;
-                                            phi_4776_ = _e2804;
-                                            phi_4777_ = _e2808;
-                                            phi_4778_ = _e2810;
-                                            phi_4779_ = _e2812;
-                                            phi_4780_ = _e2814;
-                                            phi_4781_ = _e2834;
-                                            phi_4782_ = select(true, false, _e2834);
-                                            phi_4783_ = false;
-                                            phi_4784_ = false;
-                                            phi_4785_ = false;
-                                            phi_4786_ = false;
+                                        let _e2926 = phi_4958_;
+                                        let _e2928 = phi_4959_;
+                                        let _e2930 = phi_4960_;
+                                        let _e2932 = phi_4961_;
+                                        let _e2934 = phi_4962_;
+                                        let _e2936 = phi_4963_;
+                                        let _e2938 = phi_4964_;
+                                        let _e2940 = phi_4965_;
+                                        let _e2942 = phi_4966_;
+                                        let _e2944 = phi_4967_;
+                                        let _e2946 = phi_4968_;
+                                        let _e2948 = phi_4969_;
+                                        let _e2950 = phi_4970_;
+                                        if _e2940 {
+                                            let _e2951 = (_e2934 + _e2930);
+                                            let _e2953 = select(_e2928, _e2951, (_e2951 > _e2928));
+                                            let _e2955 = select(_e382, _e2953, (_e2953 < _e382));
+                                            let _e2958 = select(((_e2955 - _e2934) > _e1676), true, !(_e1689));
+                                            phi_4998_ = _e2955;
+                                            phi_4999_ = _e2928;
+                                            phi_5000_ = _e2932;
+                                            phi_5001_ = _e2934;
+                                            phi_5002_ = _e2936;
+                                            phi_5003_ = _e2938;
+                                            phi_5004_ = _e2958;
+                                            phi_5005_ = select(true, false, _e2958);
+                                            phi_5006_ = false;
+                                            phi_5007_ = false;
+                                            phi_5008_ = false;
+                                            phi_5009_ = false;
                                         } else {
-                                            phi_4775_ = _e1557;
-                                            phi_4776_ = _e1559;
-                                            phi_4777_ = _e1561;
-                                            phi_4778_ = _e1563;
-                                            phi_4779_ = _e1565;
-                                            phi_4780_ = _e2802;
-                                            phi_4781_ = _e2818;
-                                            phi_4782_ = false;
-                                            phi_4783_ = _e2820;
-                                            phi_4784_ = _e2822;
-                                            phi_4785_ = _e2824;
-                                            phi_4786_ = _e2826;
+                                            phi_4998_ = _e1681;
+                                            phi_4999_ = _e1683;
+                                            phi_5000_ = _e1685;
+                                            phi_5001_ = _e1687;
+                                            phi_5002_ = _e1689;
+                                            phi_5003_ = _e2926;
+                                            phi_5004_ = _e2942;
+                                            phi_5005_ = false;
+                                            phi_5006_ = _e2944;
+                                            phi_5007_ = _e2946;
+                                            phi_5008_ = _e2948;
+                                            phi_5009_ = _e2950;
                                         }
-                                        let _e2837 = phi_4775_;
-                                        let _e2839 = phi_4776_;
-                                        let _e2841 = phi_4777_;
-                                        let _e2843 = phi_4778_;
-                                        let _e2845 = phi_4779_;
-                                        let _e2847 = phi_4780_;
-                                        let _e2849 = phi_4781_;
-                                        let _e2851 = phi_4782_;
-                                        let _e2853 = phi_4783_;
-                                        let _e2855 = phi_4784_;
-                                        let _e2857 = phi_4785_;
-                                        let _e2859 = phi_4786_;
-                                        phi_2608_ = _e2837;
-                                        phi_2610_ = _e2839;
-                                        phi_2612_ = _e2841;
-                                        phi_2614_ = _e2843;
-                                        phi_2616_ = _e2845;
-                                        phi_2618_ = _e2847;
-                                        phi_4787_ = _e2804;
-                                        phi_4788_ = _e2625;
-                                        phi_4789_ = _e2849;
-                                        phi_4790_ = _e2851;
-                                        phi_4791_ = _e2853;
-                                        phi_4792_ = _e2855;
-                                        phi_4793_ = _e2857;
-                                        phi_4794_ = false;
-                                        phi_4795_ = _e2859;
+                                        let _e2961 = phi_4998_;
+                                        let _e2963 = phi_4999_;
+                                        let _e2965 = phi_5000_;
+                                        let _e2967 = phi_5001_;
+                                        let _e2969 = phi_5002_;
+                                        let _e2971 = phi_5003_;
+                                        let _e2973 = phi_5004_;
+                                        let _e2975 = phi_5005_;
+                                        let _e2977 = phi_5006_;
+                                        let _e2979 = phi_5007_;
+                                        let _e2981 = phi_5008_;
+                                        let _e2983 = phi_5009_;
+                                        phi_2831_ = _e2961;
+                                        phi_2833_ = _e2963;
+                                        phi_2835_ = _e2965;
+                                        phi_2837_ = _e2967;
+                                        phi_2839_ = _e2969;
+                                        phi_2841_ = _e2971;
+                                        phi_5010_ = _e2928;
+                                        phi_5011_ = _e2749;
+                                        phi_5012_ = _e2973;
+                                        phi_5013_ = _e2975;
+                                        phi_5014_ = _e2977;
+                                        phi_5015_ = _e2979;
+                                        phi_5016_ = _e2981;
+                                        phi_5017_ = false;
+                                        phi_5018_ = _e2983;
                                     } else {
-                                        phi_2608_ = f32();
-                                        phi_2610_ = f32();
-                                        phi_2612_ = f32();
-                                        phi_2614_ = f32();
-                                        phi_2616_ = bool();
-                                        phi_2618_ = u32();
-                                        phi_4787_ = f32();
-                                        phi_4788_ = f32();
-                                        phi_4789_ = false;
-                                        phi_4790_ = false;
-                                        phi_4791_ = false;
-                                        phi_4792_ = false;
-                                        phi_4793_ = false;
-                                        phi_4794_ = true;
-                                        phi_4795_ = false;
+                                        phi_2831_ = f32();
+                                        phi_2833_ = f32();
+                                        phi_2835_ = f32();
+                                        phi_2837_ = f32();
+                                        phi_2839_ = bool();
+                                        phi_2841_ = u32();
+                                        phi_5010_ = f32();
+                                        phi_5011_ = f32();
+                                        phi_5012_ = false;
+                                        phi_5013_ = false;
+                                        phi_5014_ = false;
+                                        phi_5015_ = false;
+                                        phi_5016_ = false;
+                                        phi_5017_ = true;
+                                        phi_5018_ = false;
                                     }
-                                    let _e2861 = phi_2608_;
-                                    let _e2863 = phi_2610_;
-                                    let _e2865 = phi_2612_;
-                                    let _e2867 = phi_2614_;
-                                    let _e2869 = phi_2616_;
-                                    let _e2871 = phi_2618_;
-                                    let _e2873 = phi_4787_;
-                                    let _e2875 = phi_4788_;
-                                    let _e2877 = phi_4789_;
-                                    let _e2879 = phi_4790_;
-                                    let _e2881 = phi_4791_;
-                                    let _e2883 = phi_4792_;
-                                    let _e2885 = phi_4793_;
-                                    let _e2887 = phi_4794_;
-                                    let _e2889 = phi_4795_;
-                                    local_10 = _e2879;
-                                    local_11 = _e2881;
-                                    local_12 = _e2879;
-                                    local_13 = _e2883;
-                                    local_14 = _e2879;
-                                    local_15 = _e2885;
-                                    local_16 = _e2879;
-                                    local_17 = _e2887;
-                                    local_18 = _e2879;
-                                    local_19 = _e2889;
-                                    local_21 = _e2879;
-                                    local_22 = _e2875;
-                                    local_23 = _e2873;
+                                    let _e2985 = phi_2831_;
+                                    let _e2987 = phi_2833_;
+                                    let _e2989 = phi_2835_;
+                                    let _e2991 = phi_2837_;
+                                    let _e2993 = phi_2839_;
+                                    let _e2995 = phi_2841_;
+                                    let _e2997 = phi_5010_;
+                                    let _e2999 = phi_5011_;
+                                    let _e3001 = phi_5012_;
+                                    let _e3003 = phi_5013_;
+                                    let _e3005 = phi_5014_;
+                                    let _e3007 = phi_5015_;
+                                    let _e3009 = phi_5016_;
+                                    let _e3011 = phi_5017_;
+                                    let _e3013 = phi_5018_;
+                                    local_10 = _e3003;
+                                    local_11 = _e3005;
+                                    local_12 = _e3003;
+                                    local_13 = _e3007;
+                                    local_14 = _e3003;
+                                    local_15 = _e3009;
+                                    local_16 = _e3003;
+                                    local_17 = _e3011;
+                                    local_18 = _e3003;
+                                    local_19 = _e3013;
+                                    local_21 = _e3003;
+                                    local_22 = _e2999;
+                                    local_23 = _e2997;
                                     continue;
                                     continuing {
-                                        phi_2604_ = type_9(select(_e1555.member, (_e1555.member + 1u), _e1570), select(_e1555.member_1, _e1555.member_1, _e1570));
-                                        phi_2607_ = _e2861;
-                                        phi_2609_ = _e2863;
-                                        phi_2611_ = _e2865;
-                                        phi_2613_ = _e2867;
-                                        phi_2615_ = _e2869;
-                                        phi_2617_ = _e2871;
-                                        break if !(_e2877);
+                                        phi_2827_ = type_9(select(_e1679.member, (_e1679.member + 1u), _e1694), select(_e1679.member_1, _e1679.member_1, _e1694));
+                                        phi_2830_ = _e2985;
+                                        phi_2832_ = _e2987;
+                                        phi_2834_ = _e2989;
+                                        phi_2836_ = _e2991;
+                                        phi_2838_ = _e2993;
+                                        phi_2840_ = _e2995;
+                                        break if !(_e3001);
                                     }
                                 }
-                                let _e2892 = local_10;
-                                let _e2894 = local_11;
-                                let _e2895 = select(_e2894, false, _e2892);
-                                let _e2897 = local_12;
-                                let _e2899 = local_13;
-                                let _e2902 = local_14;
-                                let _e2904 = local_15;
-                                let _e2907 = local_16;
-                                let _e2909 = local_17;
-                                let _e2912 = local_18;
-                                let _e2914 = local_19;
-                                let _e2920 = local_20;
-                                let _e2922 = select(select(_e2899, false, _e2897), false, _e2895);
-                                let _e2925 = local_21;
-                                let _e2932 = select(select(select(_e2904, false, _e2902), false, _e2895), false, _e2922);
-                                let _e2938 = local_22;
-                                let _e2940 = local_23;
-                                let _e2942 = select(select(select(_e2925, false, _e2895), false, _e2922), true, _e2932);
-                                let _e2947 = local_24;
-                                let _e2949 = select(select(select(select(select(_e2909, false, _e2907), false, _e2895), false, _e2922), false, _e2932), true, _e2942);
-                                let _e2956 = select(select(select(select(select(select(_e2914, false, _e2912), false, _e2895), false, _e2922), false, _e2932), false, _e2942), false, _e2949);
-                                let _e2961 = select(select(select(select(select(_e2895, true, _e2922), false, _e2932), false, _e2942), false, _e2949), true, _e2956);
-                                phi_4862_ = select(select(type_34().member_1, select(_e2947, select(_e2940, _e2938, _e2932), _e2942), _e2949), select(select(select(type_34().member_1, _e2920, _e2895), type_34().member_1, _e2922), type_34().member_1, _e2956), _e2961);
-                                phi_4863_ = (select(select(type_34().member, 1u, _e2949), select(select(select(type_34().member, 1u, _e2895), 0u, _e2922), 0u, _e2956), _e2961) != 0u);
+                                let _e3016 = local_10;
+                                let _e3018 = local_11;
+                                let _e3019 = select(_e3018, false, _e3016);
+                                let _e3021 = local_12;
+                                let _e3023 = local_13;
+                                let _e3026 = local_14;
+                                let _e3028 = local_15;
+                                let _e3031 = local_16;
+                                let _e3033 = local_17;
+                                let _e3036 = local_18;
+                                let _e3038 = local_19;
+                                let _e3044 = local_20;
+                                let _e3046 = select(select(_e3023, false, _e3021), false, _e3019);
+                                let _e3049 = local_21;
+                                let _e3056 = select(select(select(_e3028, false, _e3026), false, _e3019), false, _e3046);
+                                let _e3062 = local_22;
+                                let _e3064 = local_23;
+                                let _e3066 = select(select(select(_e3049, false, _e3019), false, _e3046), true, _e3056);
+                                let _e3071 = local_24;
+                                let _e3073 = select(select(select(select(select(_e3033, false, _e3031), false, _e3019), false, _e3046), false, _e3056), true, _e3066);
+                                let _e3080 = select(select(select(select(select(select(_e3038, false, _e3036), false, _e3019), false, _e3046), false, _e3056), false, _e3066), false, _e3073);
+                                let _e3085 = select(select(select(select(select(_e3019, true, _e3046), false, _e3056), false, _e3066), false, _e3073), true, _e3080);
+                                phi_5085_ = select(select(type_34().member_1, select(_e3071, select(_e3064, _e3062, _e3056), _e3066), _e3073), select(select(select(type_34().member_1, _e3044, _e3019), type_34().member_1, _e3046), type_34().member_1, _e3080), _e3085);
+                                phi_5086_ = (select(select(type_34().member, 1u, _e3073), select(select(select(type_34().member, 1u, _e3019), 0u, _e3046), 0u, _e3080), _e3085) != 0u);
                             } else {
-                                phi_4862_ = _e1319;
-                                phi_4863_ = true;
+                                phi_5085_ = _e1443;
+                                phi_5086_ = true;
                             }
-                            let _e2966 = phi_4862_;
-                            let _e2968 = phi_4863_;
-                            if _e2968 {
-                                let _e2969 = (_e2966 > _e380);
-                                if _e2969 {
-                                    phi_7028_ = f32();
-                                    phi_7029_ = u32();
-                                    phi_7030_ = f32();
-                                    phi_7031_ = type_36();
-                                    phi_7032_ = u32();
-                                    phi_7033_ = u32();
-                                    phi_7034_ = false;
-                                    phi_7035_ = false;
-                                    phi_7036_ = false;
+                            let _e3090 = phi_5085_;
+                            let _e3092 = phi_5086_;
+                            if _e3092 {
+                                let _e3093 = (_e3090 > _e380);
+                                if _e3093 {
+                                    phi_7251_ = f32();
+                                    phi_7252_ = u32();
+                                    phi_7253_ = f32();
+                                    phi_7254_ = type_36();
+                                    phi_7255_ = u32();
+                                    phi_7256_ = u32();
+                                    phi_7257_ = false;
+                                    phi_7258_ = false;
+                                    phi_7259_ = false;
                                 } else {
-                                    let _e2972 = local_5.member[0u];
-                                    let _e2978 = local_5.member[1u];
-                                    let _e2994 = local_5.member_1[0u];
-                                    let _e3000 = local_5.member_1[1u];
-                                    let _e3016 = local_5.member_2[0u];
-                                    let _e3022 = local_5.member_2[1u];
-                                    let _e3036 = function_3(array<f32, 3>((_e2972[0] + ((_e2978[0] - _e2972[0]) * _e1323)), (_e2972[1] + ((_e2978[1] - _e2972[1]) * _e1323)), (_e2972[2] + ((_e2978[2] - _e2972[2]) * _e1323))), array<f32, 3>((_e2994[0] + ((_e3000[0] - _e2994[0]) * _e1323)), (_e2994[1] + ((_e3000[1] - _e2994[1]) * _e1323)), (_e2994[2] + ((_e3000[2] - _e2994[2]) * _e1323))), array<f32, 3>((_e3016[0] + ((_e3022[0] - _e3016[0]) * _e1323)), (_e3016[1] + ((_e3022[1] - _e3016[1]) * _e1323)), (_e3016[2] + ((_e3022[2] - _e3016[2]) * _e1323))), _e225.member);
-                                    let _e3050 = ((select(_e3036[0], -(_e3036[0]), (_e3036[0] < 0f)) + select(_e3036[1], -(_e3036[1]), (_e3036[1] < 0f))) + select(_e3036[2], -(_e3036[2]), (_e3036[2] < 0f)));
-                                    let _e3053 = local_5.member[0u];
-                                    let _e3059 = local_5.member_1[0u];
-                                    let _e3065 = local_5.member_2[0u];
-                                    let _e3069 = (_e3053[0] - _e3059[0]);
-                                    let _e3070 = (_e3053[1] - _e3059[1]);
-                                    let _e3071 = (_e3053[2] - _e3059[2]);
-                                    let _e3072 = (_e225.member == 0u);
-                                    let _e3084 = local_5.member[1u];
-                                    let _e3090 = local_5.member_1[1u];
-                                    let _e3096 = local_5.member_2[1u];
-                                    let _e3100 = (_e3084[0] - _e3090[0]);
-                                    let _e3101 = (_e3084[1] - _e3090[1]);
-                                    let _e3102 = (_e3084[2] - _e3090[2]);
-                                    let _e3103 = (_e225.member == 0u);
-                                    let _e3115 = local_5.member[0u];
-                                    let _e3121 = select(_e3115[0], -(_e3115[0]), (_e3115[0] < 0f));
-                                    let _e3124 = select(_e3115[1], -(_e3115[1]), (_e3115[1] < 0f));
-                                    let _e3126 = select(_e3124, _e3121, (_e3121 > _e3124));
-                                    let _e3129 = select(_e3115[2], -(_e3115[2]), (_e3115[2] < 0f));
-                                    let _e3131 = select(_e3129, _e3126, (_e3126 > _e3129));
-                                    let _e3134 = local_5.member[1u];
-                                    let _e3140 = select(_e3134[0], -(_e3134[0]), (_e3134[0] < 0f));
-                                    let _e3143 = select(_e3134[1], -(_e3134[1]), (_e3134[1] < 0f));
-                                    let _e3145 = select(_e3143, _e3140, (_e3140 > _e3143));
-                                    let _e3148 = select(_e3134[2], -(_e3134[2]), (_e3134[2] < 0f));
-                                    let _e3150 = select(_e3148, _e3145, (_e3145 > _e3148));
-                                    let _e3154 = local_5.member_3;
-                                    let _e3158 = local_5.member_1[0u];
-                                    let _e3164 = select(_e3158[0], -(_e3158[0]), (_e3158[0] < 0f));
-                                    let _e3167 = select(_e3158[1], -(_e3158[1]), (_e3158[1] < 0f));
-                                    let _e3169 = select(_e3167, _e3164, (_e3164 > _e3167));
-                                    let _e3172 = select(_e3158[2], -(_e3158[2]), (_e3158[2] < 0f));
-                                    let _e3174 = select(_e3172, _e3169, (_e3169 > _e3172));
-                                    let _e3177 = local_5.member_1[1u];
-                                    let _e3183 = select(_e3177[0], -(_e3177[0]), (_e3177[0] < 0f));
-                                    let _e3186 = select(_e3177[1], -(_e3177[1]), (_e3177[1] < 0f));
-                                    let _e3188 = select(_e3186, _e3183, (_e3183 > _e3186));
-                                    let _e3191 = select(_e3177[2], -(_e3177[2]), (_e3177[2] < 0f));
-                                    let _e3193 = select(_e3191, _e3188, (_e3188 > _e3191));
-                                    let _e3197 = local_5.member_3;
-                                    let _e3201 = local_5.member_2[0u];
-                                    let _e3207 = select(_e3201[0], -(_e3201[0]), (_e3201[0] < 0f));
-                                    let _e3210 = select(_e3201[1], -(_e3201[1]), (_e3201[1] < 0f));
-                                    let _e3212 = select(_e3210, _e3207, (_e3207 > _e3210));
-                                    let _e3215 = select(_e3201[2], -(_e3201[2]), (_e3201[2] < 0f));
-                                    let _e3217 = select(_e3215, _e3212, (_e3212 > _e3215));
+                                    let _e3096 = local_5.member[0u];
+                                    let _e3102 = local_5.member[1u];
+                                    let _e3118 = local_5.member_1[0u];
+                                    let _e3124 = local_5.member_1[1u];
+                                    let _e3140 = local_5.member_2[0u];
+                                    let _e3146 = local_5.member_2[1u];
+                                    let _e3160 = function_3(array<f32, 3>((_e3096[0] + ((_e3102[0] - _e3096[0]) * _e1447)), (_e3096[1] + ((_e3102[1] - _e3096[1]) * _e1447)), (_e3096[2] + ((_e3102[2] - _e3096[2]) * _e1447))), array<f32, 3>((_e3118[0] + ((_e3124[0] - _e3118[0]) * _e1447)), (_e3118[1] + ((_e3124[1] - _e3118[1]) * _e1447)), (_e3118[2] + ((_e3124[2] - _e3118[2]) * _e1447))), array<f32, 3>((_e3140[0] + ((_e3146[0] - _e3140[0]) * _e1447)), (_e3140[1] + ((_e3146[1] - _e3140[1]) * _e1447)), (_e3140[2] + ((_e3146[2] - _e3140[2]) * _e1447))), _e225.member);
+                                    let _e3174 = ((select(_e3160[0], -(_e3160[0]), (_e3160[0] < 0f)) + select(_e3160[1], -(_e3160[1]), (_e3160[1] < 0f))) + select(_e3160[2], -(_e3160[2]), (_e3160[2] < 0f)));
+                                    let _e3177 = local_5.member[0u];
+                                    let _e3183 = local_5.member_1[0u];
+                                    let _e3189 = local_5.member_2[0u];
+                                    let _e3193 = (_e3177[0] - _e3183[0]);
+                                    let _e3194 = (_e3177[1] - _e3183[1]);
+                                    let _e3195 = (_e3177[2] - _e3183[2]);
+                                    let _e3196 = (_e225.member == 0u);
+                                    let _e3208 = local_5.member[1u];
+                                    let _e3214 = local_5.member_1[1u];
                                     let _e3220 = local_5.member_2[1u];
-                                    let _e3226 = select(_e3220[0], -(_e3220[0]), (_e3220[0] < 0f));
-                                    let _e3229 = select(_e3220[1], -(_e3220[1]), (_e3220[1] < 0f));
-                                    let _e3231 = select(_e3229, _e3226, (_e3226 > _e3229));
-                                    let _e3234 = select(_e3220[2], -(_e3220[2]), (_e3220[2] < 0f));
-                                    let _e3236 = select(_e3234, _e3231, (_e3231 > _e3234));
-                                    let _e3240 = local_5.member_3;
-                                    let _e3247 = local_5.member_3;
-                                    local_1 = type_30(array<array<array<f32, 3>, 4>, 2>(array<array<f32, 3>, 4>(_e3053, array<f32, 3>(_e3069, _e3070, _e3071), array<f32, 3>((_e3053[0] - _e3065[0]), (_e3053[1] - _e3065[1]), (_e3053[2] - _e3065[2])), array<f32, 3>(select((_e3069 - _e3065[0]), _e3053[0], _e3072), select((_e3070 - _e3065[1]), _e3053[1], _e3072), select((_e3071 - _e3065[2]), _e3053[2], _e3072))), array<array<f32, 3>, 4>(_e3084, array<f32, 3>(_e3100, _e3101, _e3102), array<f32, 3>((_e3084[0] - _e3096[0]), (_e3084[1] - _e3096[1]), (_e3084[2] - _e3096[2])), array<f32, 3>(select((_e3100 - _e3096[0]), _e3084[0], _e3103), select((_e3101 - _e3096[1]), _e3084[1], _e3103), select((_e3102 - _e3096[2]), _e3084[2], _e3103)))), ((((((select(_e3150, _e3131, (_e3131 > _e3150)) + _e3154) + (select(_e3193, _e3174, (_e3174 > _e3193)) + _e3197)) + (select(_e3236, _e3217, (_e3217 > _e3236)) + _e3240)) * (0.000000059604645f * 16f)) + (_e3247 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)), _e609.member_1);
-                                    let _e3263 = local_1.member_1;
-                                    if (_e3050 > _e3263) {
-                                        if ((bitcast<u32>(_e3050) & 2139095040u) != 2139095040u) {
-                                            let _e3268 = (1f / _e3050);
-                                            let _e3270 = (_e3036[0] * _e3268);
-                                            let _e3272 = (_e3036[1] * _e3268);
-                                            let _e3274 = (_e3036[2] * _e3268);
-                                            let _e3279 = (((_e3270 * _e3270) + (_e3272 * _e3272)) + (_e3274 * _e3274));
-                                            if (_e3279 <= 0.000000000000000000000000000000000000011754944f) {
-                                                phi_5540_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3279 > 0f));
+                                    let _e3224 = (_e3208[0] - _e3214[0]);
+                                    let _e3225 = (_e3208[1] - _e3214[1]);
+                                    let _e3226 = (_e3208[2] - _e3214[2]);
+                                    let _e3227 = (_e225.member == 0u);
+                                    let _e3239 = local_5.member[0u];
+                                    let _e3245 = select(_e3239[0], -(_e3239[0]), (_e3239[0] < 0f));
+                                    let _e3248 = select(_e3239[1], -(_e3239[1]), (_e3239[1] < 0f));
+                                    let _e3250 = select(_e3248, _e3245, (_e3245 > _e3248));
+                                    let _e3253 = select(_e3239[2], -(_e3239[2]), (_e3239[2] < 0f));
+                                    let _e3255 = select(_e3253, _e3250, (_e3250 > _e3253));
+                                    let _e3258 = local_5.member[1u];
+                                    let _e3264 = select(_e3258[0], -(_e3258[0]), (_e3258[0] < 0f));
+                                    let _e3267 = select(_e3258[1], -(_e3258[1]), (_e3258[1] < 0f));
+                                    let _e3269 = select(_e3267, _e3264, (_e3264 > _e3267));
+                                    let _e3272 = select(_e3258[2], -(_e3258[2]), (_e3258[2] < 0f));
+                                    let _e3274 = select(_e3272, _e3269, (_e3269 > _e3272));
+                                    let _e3278 = local_5.member_3;
+                                    let _e3282 = local_5.member_1[0u];
+                                    let _e3288 = select(_e3282[0], -(_e3282[0]), (_e3282[0] < 0f));
+                                    let _e3291 = select(_e3282[1], -(_e3282[1]), (_e3282[1] < 0f));
+                                    let _e3293 = select(_e3291, _e3288, (_e3288 > _e3291));
+                                    let _e3296 = select(_e3282[2], -(_e3282[2]), (_e3282[2] < 0f));
+                                    let _e3298 = select(_e3296, _e3293, (_e3293 > _e3296));
+                                    let _e3301 = local_5.member_1[1u];
+                                    let _e3307 = select(_e3301[0], -(_e3301[0]), (_e3301[0] < 0f));
+                                    let _e3310 = select(_e3301[1], -(_e3301[1]), (_e3301[1] < 0f));
+                                    let _e3312 = select(_e3310, _e3307, (_e3307 > _e3310));
+                                    let _e3315 = select(_e3301[2], -(_e3301[2]), (_e3301[2] < 0f));
+                                    let _e3317 = select(_e3315, _e3312, (_e3312 > _e3315));
+                                    let _e3321 = local_5.member_3;
+                                    let _e3325 = local_5.member_2[0u];
+                                    let _e3331 = select(_e3325[0], -(_e3325[0]), (_e3325[0] < 0f));
+                                    let _e3334 = select(_e3325[1], -(_e3325[1]), (_e3325[1] < 0f));
+                                    let _e3336 = select(_e3334, _e3331, (_e3331 > _e3334));
+                                    let _e3339 = select(_e3325[2], -(_e3325[2]), (_e3325[2] < 0f));
+                                    let _e3341 = select(_e3339, _e3336, (_e3336 > _e3339));
+                                    let _e3344 = local_5.member_2[1u];
+                                    let _e3350 = select(_e3344[0], -(_e3344[0]), (_e3344[0] < 0f));
+                                    let _e3353 = select(_e3344[1], -(_e3344[1]), (_e3344[1] < 0f));
+                                    let _e3355 = select(_e3353, _e3350, (_e3350 > _e3353));
+                                    let _e3358 = select(_e3344[2], -(_e3344[2]), (_e3344[2] < 0f));
+                                    let _e3360 = select(_e3358, _e3355, (_e3355 > _e3358));
+                                    let _e3364 = local_5.member_3;
+                                    let _e3371 = local_5.member_3;
+                                    local_1 = type_30(array<array<array<f32, 3>, 4>, 2>(array<array<f32, 3>, 4>(_e3177, array<f32, 3>(_e3193, _e3194, _e3195), array<f32, 3>((_e3177[0] - _e3189[0]), (_e3177[1] - _e3189[1]), (_e3177[2] - _e3189[2])), array<f32, 3>(select((_e3193 - _e3189[0]), _e3177[0], _e3196), select((_e3194 - _e3189[1]), _e3177[1], _e3196), select((_e3195 - _e3189[2]), _e3177[2], _e3196))), array<array<f32, 3>, 4>(_e3208, array<f32, 3>(_e3224, _e3225, _e3226), array<f32, 3>((_e3208[0] - _e3220[0]), (_e3208[1] - _e3220[1]), (_e3208[2] - _e3220[2])), array<f32, 3>(select((_e3224 - _e3220[0]), _e3208[0], _e3227), select((_e3225 - _e3220[1]), _e3208[1], _e3227), select((_e3226 - _e3220[2]), _e3208[2], _e3227)))), ((((((select(_e3274, _e3255, (_e3255 > _e3274)) + _e3278) + (select(_e3317, _e3298, (_e3298 > _e3317)) + _e3321)) + (select(_e3360, _e3341, (_e3341 > _e3360)) + _e3364)) * (0.000000059604645f * 16f)) + (_e3371 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)), _e733.member_1);
+                                    let _e3387 = local_1.member_1;
+                                    if (_e3174 > _e3387) {
+                                        if ((bitcast<u32>(_e3174) & 2139095040u) != 2139095040u) {
+                                            let _e3392 = (1f / _e3174);
+                                            let _e3394 = (_e3160[0] * _e3392);
+                                            let _e3396 = (_e3160[1] * _e3392);
+                                            let _e3398 = (_e3160[2] * _e3392);
+                                            let _e3403 = (((_e3394 * _e3394) + (_e3396 * _e3396)) + (_e3398 * _e3398));
+                                            if (_e3403 <= 0.000000000000000000000000000000000000011754944f) {
+                                                phi_5763_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3403 > 0f));
                                             } else {
-                                                phi_5483_ = type_14(0i, 5i);
-                                                phi_5486_ = bitcast<f32>(((bitcast<u32>(_e3279) >> bitcast<u32>(1i)) + 532369198u));
+                                                phi_5706_ = type_14(0i, 5i);
+                                                phi_5709_ = bitcast<f32>(((bitcast<u32>(_e3403) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
-                                                    let _e3287 = phi_5483_;
-                                                    let _e3289 = phi_5486_;
-                                                    local_25 = _e3289;
-                                                    if (_e3287.member < _e3287.member_1) {
-                                                        let _e3296 = (_e3287.member + 1i);
-                                                        phi_5484_ = type_14(select(_e3296, type_15().member_1, select(false, true, ((false == (_e3296 > _e3287.member)) != false))), _e3287.member_1);
-                                                        phi_5527_ = type_15(1u, _e3287.member);
+                                                    let _e3411 = phi_5706_;
+                                                    let _e3413 = phi_5709_;
+                                                    local_25 = _e3413;
+                                                    if (_e3411.member < _e3411.member_1) {
+                                                        let _e3420 = (_e3411.member + 1i);
+                                                        phi_5707_ = type_14(select(_e3420, type_15().member_1, select(false, true, ((false == (_e3420 > _e3411.member)) != false))), _e3411.member_1);
+                                                        phi_5750_ = type_15(1u, _e3411.member);
                                                     } else {
-                                                        phi_5484_ = _e3287;
-                                                        phi_5527_ = type_15(0u, type_15().member_1);
+                                                        phi_5707_ = _e3411;
+                                                        phi_5750_ = type_15(0u, type_15().member_1);
                                                     }
-                                                    let _e3307 = phi_5484_;
-                                                    let _e3309 = phi_5527_;
-                                                    let _e3312 = (bitcast<i32>(_e3309.member) != 0i);
-                                                    if _e3312 {
-                                                        phi_5487_ = (0.5f * (_e3289 + (_e3279 / _e3289)));
+                                                    let _e3431 = phi_5707_;
+                                                    let _e3433 = phi_5750_;
+                                                    let _e3436 = (bitcast<i32>(_e3433.member) != 0i);
+                                                    if _e3436 {
+                                                        phi_5710_ = (0.5f * (_e3413 + (_e3403 / _e3413)));
                                                     } else {
-                                                        phi_5487_ = f32();
+                                                        phi_5710_ = f32();
                                                     }
-                                                    let _e3317 = phi_5487_;
+                                                    let _e3441 = phi_5710_;
                                                     continue;
                                                     continuing {
-                                                        phi_5483_ = _e3307;
-                                                        phi_5486_ = _e3317;
-                                                        break if !(_e3312);
+                                                        phi_5706_ = _e3431;
+                                                        phi_5709_ = _e3441;
+                                                        break if !(_e3436);
                                                     }
                                                 }
-                                                let _e3322 = local_25;
-                                                phi_5540_ = (_e3322 * (1f + (8f * 0.000000059604645f)));
+                                                let _e3446 = local_25;
+                                                phi_5763_ = (_e3446 * (1f + (8f * 0.000000059604645f)));
                                             }
-                                            let _e3328 = phi_5540_;
-                                            let _e3329 = (0.000000059604645f * 12f);
-                                            let _e3331 = local_1.member_1;
-                                            let _e3334 = local_1.member_2;
-                                            let _e3338 = ((_e3331 * 1.01f) + ((_e3334 * _e3328) * (1f + _e3329)));
-                                            let _e3342 = local_1.member[0u][0u];
-                                            let _e3350 = (((_e3270 * _e3342[0]) + (_e3272 * _e3342[1])) + (_e3274 * _e3342[2]));
-                                            let _e3354 = local_1.member[0u][1u];
-                                            let _e3362 = (((_e3270 * _e3354[0]) + (_e3272 * _e3354[1])) + (_e3274 * _e3354[2]));
-                                            let _e3366 = local_1.member[0u][2u];
-                                            let _e3374 = (((_e3270 * _e3366[0]) + (_e3272 * _e3366[1])) + (_e3274 * _e3366[2]));
-                                            let _e3378 = local_1.member[0u][3u];
-                                            let _e3386 = (((_e3270 * _e3378[0]) + (_e3272 * _e3378[1])) + (_e3274 * _e3378[2]));
-                                            let _e3390 = local_1.member[1u][0u];
-                                            let _e3398 = (((_e3270 * _e3390[0]) + (_e3272 * _e3390[1])) + (_e3274 * _e3390[2]));
-                                            let _e3402 = local_1.member[1u][1u];
-                                            let _e3410 = (((_e3270 * _e3402[0]) + (_e3272 * _e3402[1])) + (_e3274 * _e3402[2]));
-                                            let _e3414 = local_1.member[1u][2u];
-                                            let _e3422 = (((_e3270 * _e3414[0]) + (_e3272 * _e3414[1])) + (_e3274 * _e3414[2]));
-                                            let _e3426 = local_1.member[1u][3u];
-                                            let _e3434 = (((_e3270 * _e3426[0]) + (_e3272 * _e3426[1])) + (_e3274 * _e3426[2]));
-                                            local_2 = type_31(array<f32, 4>(_e3350, _e3362, _e3374, _e3386), array<f32, 4>(_e3398, _e3410, _e3422, _e3434), array<f32, 4>((_e3338 + ((select(_e3350, -(_e3350), (_e3350 < 0f)) + select(_e3398, -(_e3398), (_e3398 < 0f))) * _e3329)), (_e3338 + ((select(_e3362, -(_e3362), (_e3362 < 0f)) + select(_e3410, -(_e3410), (_e3410 < 0f))) * _e3329)), (_e3338 + ((select(_e3374, -(_e3374), (_e3374 < 0f)) + select(_e3422, -(_e3422), (_e3422 < 0f))) * _e3329)), (_e3338 + ((select(_e3386, -(_e3386), (_e3386 < 0f)) + select(_e3434, -(_e3434), (_e3434 < 0f))) * _e3329))));
-                                            let _e3479 = (((_e3270 * _e3270) + (_e3272 * _e3272)) + (_e3274 * _e3274));
-                                            if (_e3479 <= 0.000000000000000000000000000000000000011754944f) {
-                                                phi_5832_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3479 > 0f));
+                                            let _e3452 = phi_5763_;
+                                            let _e3453 = (0.000000059604645f * 12f);
+                                            let _e3455 = local_1.member_1;
+                                            let _e3458 = local_1.member_2;
+                                            let _e3462 = ((_e3455 * 1.01f) + ((_e3458 * _e3452) * (1f + _e3453)));
+                                            let _e3466 = local_1.member[0u][0u];
+                                            let _e3474 = (((_e3394 * _e3466[0]) + (_e3396 * _e3466[1])) + (_e3398 * _e3466[2]));
+                                            let _e3478 = local_1.member[0u][1u];
+                                            let _e3486 = (((_e3394 * _e3478[0]) + (_e3396 * _e3478[1])) + (_e3398 * _e3478[2]));
+                                            let _e3490 = local_1.member[0u][2u];
+                                            let _e3498 = (((_e3394 * _e3490[0]) + (_e3396 * _e3490[1])) + (_e3398 * _e3490[2]));
+                                            let _e3502 = local_1.member[0u][3u];
+                                            let _e3510 = (((_e3394 * _e3502[0]) + (_e3396 * _e3502[1])) + (_e3398 * _e3502[2]));
+                                            let _e3514 = local_1.member[1u][0u];
+                                            let _e3522 = (((_e3394 * _e3514[0]) + (_e3396 * _e3514[1])) + (_e3398 * _e3514[2]));
+                                            let _e3526 = local_1.member[1u][1u];
+                                            let _e3534 = (((_e3394 * _e3526[0]) + (_e3396 * _e3526[1])) + (_e3398 * _e3526[2]));
+                                            let _e3538 = local_1.member[1u][2u];
+                                            let _e3546 = (((_e3394 * _e3538[0]) + (_e3396 * _e3538[1])) + (_e3398 * _e3538[2]));
+                                            let _e3550 = local_1.member[1u][3u];
+                                            let _e3558 = (((_e3394 * _e3550[0]) + (_e3396 * _e3550[1])) + (_e3398 * _e3550[2]));
+                                            local_2 = type_31(array<f32, 4>(_e3474, _e3486, _e3498, _e3510), array<f32, 4>(_e3522, _e3534, _e3546, _e3558), array<f32, 4>((_e3462 + ((select(_e3474, -(_e3474), (_e3474 < 0f)) + select(_e3522, -(_e3522), (_e3522 < 0f))) * _e3453)), (_e3462 + ((select(_e3486, -(_e3486), (_e3486 < 0f)) + select(_e3534, -(_e3534), (_e3534 < 0f))) * _e3453)), (_e3462 + ((select(_e3498, -(_e3498), (_e3498 < 0f)) + select(_e3546, -(_e3546), (_e3546 < 0f))) * _e3453)), (_e3462 + ((select(_e3510, -(_e3510), (_e3510 < 0f)) + select(_e3558, -(_e3558), (_e3558 < 0f))) * _e3453))));
+                                            let _e3603 = (((_e3394 * _e3394) + (_e3396 * _e3396)) + (_e3398 * _e3398));
+                                            if (_e3603 <= 0.000000000000000000000000000000000000011754944f) {
+                                                phi_6055_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3603 > 0f));
                                             } else {
-                                                phi_5775_ = type_14(0i, 5i);
-                                                phi_5778_ = bitcast<f32>(((bitcast<u32>(_e3479) >> bitcast<u32>(1i)) + 532369198u));
+                                                phi_5998_ = type_14(0i, 5i);
+                                                phi_6001_ = bitcast<f32>(((bitcast<u32>(_e3603) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
-                                                    let _e3487 = phi_5775_;
-                                                    let _e3489 = phi_5778_;
-                                                    local_26 = _e3489;
-                                                    if (_e3487.member < _e3487.member_1) {
-                                                        let _e3496 = (_e3487.member + 1i);
-                                                        phi_5776_ = type_14(select(_e3496, type_15().member_1, select(false, true, ((false == (_e3496 > _e3487.member)) != false))), _e3487.member_1);
-                                                        phi_5819_ = type_15(1u, _e3487.member);
+                                                    let _e3611 = phi_5998_;
+                                                    let _e3613 = phi_6001_;
+                                                    local_26 = _e3613;
+                                                    if (_e3611.member < _e3611.member_1) {
+                                                        let _e3620 = (_e3611.member + 1i);
+                                                        phi_5999_ = type_14(select(_e3620, type_15().member_1, select(false, true, ((false == (_e3620 > _e3611.member)) != false))), _e3611.member_1);
+                                                        phi_6042_ = type_15(1u, _e3611.member);
                                                     } else {
-                                                        phi_5776_ = _e3487;
-                                                        phi_5819_ = type_15(0u, type_15().member_1);
+                                                        phi_5999_ = _e3611;
+                                                        phi_6042_ = type_15(0u, type_15().member_1);
                                                     }
-                                                    let _e3507 = phi_5776_;
-                                                    let _e3509 = phi_5819_;
-                                                    let _e3512 = (bitcast<i32>(_e3509.member) != 0i);
-                                                    if _e3512 {
-                                                        phi_5779_ = (0.5f * (_e3489 + (_e3479 / _e3489)));
+                                                    let _e3631 = phi_5999_;
+                                                    let _e3633 = phi_6042_;
+                                                    let _e3636 = (bitcast<i32>(_e3633.member) != 0i);
+                                                    if _e3636 {
+                                                        phi_6002_ = (0.5f * (_e3613 + (_e3603 / _e3613)));
                                                     } else {
-                                                        phi_5779_ = f32();
+                                                        phi_6002_ = f32();
                                                     }
-                                                    let _e3517 = phi_5779_;
+                                                    let _e3641 = phi_6002_;
                                                     continue;
                                                     continuing {
-                                                        phi_5775_ = _e3507;
-                                                        phi_5778_ = _e3517;
-                                                        break if !(_e3512);
+                                                        phi_5998_ = _e3631;
+                                                        phi_6001_ = _e3641;
+                                                        break if !(_e3636);
                                                     }
                                                 }
-                                                let _e3522 = local_26;
-                                                phi_5832_ = (_e3522 * (1f + (8f * 0.000000059604645f)));
+                                                let _e3646 = local_26;
+                                                phi_6055_ = (_e3646 * (1f + (8f * 0.000000059604645f)));
                                             }
-                                            let _e3528 = phi_5832_;
-                                            let _e3539 = (((_e3036[0] * _e3036[0]) + (_e3036[1] * _e3036[1])) + (_e3036[2] * _e3036[2]));
-                                            if (_e3539 <= 0.000000000000000000000000000000000000011754944f) {
-                                                phi_5921_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3539 > 0f));
+                                            let _e3652 = phi_6055_;
+                                            let _e3663 = (((_e3160[0] * _e3160[0]) + (_e3160[1] * _e3160[1])) + (_e3160[2] * _e3160[2]));
+                                            if (_e3663 <= 0.000000000000000000000000000000000000011754944f) {
+                                                phi_6144_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3663 > 0f));
                                             } else {
-                                                phi_5864_ = type_14(0i, 5i);
-                                                phi_5867_ = bitcast<f32>(((bitcast<u32>(_e3539) >> bitcast<u32>(1i)) + 532369198u));
+                                                phi_6087_ = type_14(0i, 5i);
+                                                phi_6090_ = bitcast<f32>(((bitcast<u32>(_e3663) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
-                                                    let _e3547 = phi_5864_;
-                                                    let _e3549 = phi_5867_;
-                                                    local_27 = _e3549;
-                                                    if (_e3547.member < _e3547.member_1) {
-                                                        let _e3556 = (_e3547.member + 1i);
-                                                        phi_5865_ = type_14(select(_e3556, type_15().member_1, select(false, true, ((false == (_e3556 > _e3547.member)) != false))), _e3547.member_1);
-                                                        phi_5908_ = type_15(1u, _e3547.member);
+                                                    let _e3671 = phi_6087_;
+                                                    let _e3673 = phi_6090_;
+                                                    local_27 = _e3673;
+                                                    if (_e3671.member < _e3671.member_1) {
+                                                        let _e3680 = (_e3671.member + 1i);
+                                                        phi_6088_ = type_14(select(_e3680, type_15().member_1, select(false, true, ((false == (_e3680 > _e3671.member)) != false))), _e3671.member_1);
+                                                        phi_6131_ = type_15(1u, _e3671.member);
                                                     } else {
-                                                        phi_5865_ = _e3547;
-                                                        phi_5908_ = type_15(0u, type_15().member_1);
+                                                        phi_6088_ = _e3671;
+                                                        phi_6131_ = type_15(0u, type_15().member_1);
                                                     }
-                                                    let _e3567 = phi_5865_;
-                                                    let _e3569 = phi_5908_;
-                                                    let _e3572 = (bitcast<i32>(_e3569.member) != 0i);
-                                                    if _e3572 {
-                                                        phi_5868_ = (0.5f * (_e3549 + (_e3539 / _e3549)));
+                                                    let _e3691 = phi_6088_;
+                                                    let _e3693 = phi_6131_;
+                                                    let _e3696 = (bitcast<i32>(_e3693.member) != 0i);
+                                                    if _e3696 {
+                                                        phi_6091_ = (0.5f * (_e3673 + (_e3663 / _e3673)));
                                                     } else {
-                                                        phi_5868_ = f32();
+                                                        phi_6091_ = f32();
                                                     }
-                                                    let _e3577 = phi_5868_;
+                                                    let _e3701 = phi_6091_;
                                                     continue;
                                                     continuing {
-                                                        phi_5864_ = _e3567;
-                                                        phi_5867_ = _e3577;
-                                                        break if !(_e3572);
+                                                        phi_6087_ = _e3691;
+                                                        phi_6090_ = _e3701;
+                                                        break if !(_e3696);
                                                     }
                                                 }
-                                                let _e3582 = local_27;
-                                                phi_5921_ = (_e3582 * (1f + (8f * 0.000000059604645f)));
+                                                let _e3706 = local_27;
+                                                phi_6144_ = (_e3706 * (1f + (8f * 0.000000059604645f)));
                                             }
-                                            let _e3588 = phi_5921_;
-                                            let _e3594 = local_5.member[0u];
-                                            let _e3600 = select(_e3594[0], -(_e3594[0]), (_e3594[0] < 0f));
-                                            let _e3603 = select(_e3594[1], -(_e3594[1]), (_e3594[1] < 0f));
-                                            let _e3605 = select(_e3603, _e3600, (_e3600 > _e3603));
-                                            let _e3608 = select(_e3594[2], -(_e3594[2]), (_e3594[2] < 0f));
-                                            let _e3610 = select(_e3608, _e3605, (_e3605 > _e3608));
-                                            let _e3613 = local_5.member[1u];
-                                            let _e3619 = select(_e3613[0], -(_e3613[0]), (_e3613[0] < 0f));
-                                            let _e3622 = select(_e3613[1], -(_e3613[1]), (_e3613[1] < 0f));
-                                            let _e3624 = select(_e3622, _e3619, (_e3619 > _e3622));
-                                            let _e3627 = select(_e3613[2], -(_e3613[2]), (_e3613[2] < 0f));
-                                            let _e3629 = select(_e3627, _e3624, (_e3624 > _e3627));
-                                            let _e3633 = local_5.member_3;
-                                            let _e3637 = local_5.member_1[0u];
-                                            let _e3643 = select(_e3637[0], -(_e3637[0]), (_e3637[0] < 0f));
-                                            let _e3646 = select(_e3637[1], -(_e3637[1]), (_e3637[1] < 0f));
-                                            let _e3648 = select(_e3646, _e3643, (_e3643 > _e3646));
-                                            let _e3651 = select(_e3637[2], -(_e3637[2]), (_e3637[2] < 0f));
-                                            let _e3653 = select(_e3651, _e3648, (_e3648 > _e3651));
-                                            let _e3656 = local_5.member_1[1u];
-                                            let _e3662 = select(_e3656[0], -(_e3656[0]), (_e3656[0] < 0f));
-                                            let _e3665 = select(_e3656[1], -(_e3656[1]), (_e3656[1] < 0f));
-                                            let _e3667 = select(_e3665, _e3662, (_e3662 > _e3665));
-                                            let _e3670 = select(_e3656[2], -(_e3656[2]), (_e3656[2] < 0f));
-                                            let _e3672 = select(_e3670, _e3667, (_e3667 > _e3670));
-                                            let _e3676 = local_5.member_3;
-                                            let _e3680 = local_5.member_2[0u];
-                                            let _e3686 = select(_e3680[0], -(_e3680[0]), (_e3680[0] < 0f));
-                                            let _e3689 = select(_e3680[1], -(_e3680[1]), (_e3680[1] < 0f));
-                                            let _e3691 = select(_e3689, _e3686, (_e3686 > _e3689));
-                                            let _e3694 = select(_e3680[2], -(_e3680[2]), (_e3680[2] < 0f));
-                                            let _e3696 = select(_e3694, _e3691, (_e3691 > _e3694));
-                                            let _e3699 = local_5.member_2[1u];
-                                            let _e3705 = select(_e3699[0], -(_e3699[0]), (_e3699[0] < 0f));
-                                            let _e3708 = select(_e3699[1], -(_e3699[1]), (_e3699[1] < 0f));
-                                            let _e3710 = select(_e3708, _e3705, (_e3705 > _e3708));
-                                            let _e3713 = select(_e3699[2], -(_e3699[2]), (_e3699[2] < 0f));
-                                            let _e3715 = select(_e3713, _e3710, (_e3710 > _e3713));
-                                            let _e3719 = local_5.member_3;
-                                            let _e3726 = local_5.member_3;
-                                            let _e3736 = ((((_e3588 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e3629, _e3610, (_e3610 > _e3629)) + _e3633) + (select(_e3672, _e3653, (_e3653 > _e3672)) + _e3676)) + (select(_e3715, _e3696, (_e3696 > _e3715)) + _e3719)) * (0.000000059604645f * 16f)) + (_e3726 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) * _e3528) * (1f + (0.000000059604645f * 64f)));
-                                            let _e3739 = local_2.member[0u];
-                                            let _e3742 = local_2.member_1[0u];
-                                            phi_6229_ = type_9(1u, 4u);
-                                            phi_6232_ = ((_e3739 + ((_e3742 - _e3739) * _e1323)) - ((_e3263 * 1.01f) + ((select(_e3739, -(_e3739), (_e3739 < 0f)) + select(_e3742, -(_e3742), (_e3742 < 0f))) * (0.000000059604645f * 12f))));
+                                            let _e3712 = phi_6144_;
+                                            let _e3718 = local_5.member[0u];
+                                            let _e3724 = select(_e3718[0], -(_e3718[0]), (_e3718[0] < 0f));
+                                            let _e3727 = select(_e3718[1], -(_e3718[1]), (_e3718[1] < 0f));
+                                            let _e3729 = select(_e3727, _e3724, (_e3724 > _e3727));
+                                            let _e3732 = select(_e3718[2], -(_e3718[2]), (_e3718[2] < 0f));
+                                            let _e3734 = select(_e3732, _e3729, (_e3729 > _e3732));
+                                            let _e3737 = local_5.member[1u];
+                                            let _e3743 = select(_e3737[0], -(_e3737[0]), (_e3737[0] < 0f));
+                                            let _e3746 = select(_e3737[1], -(_e3737[1]), (_e3737[1] < 0f));
+                                            let _e3748 = select(_e3746, _e3743, (_e3743 > _e3746));
+                                            let _e3751 = select(_e3737[2], -(_e3737[2]), (_e3737[2] < 0f));
+                                            let _e3753 = select(_e3751, _e3748, (_e3748 > _e3751));
+                                            let _e3757 = local_5.member_3;
+                                            let _e3761 = local_5.member_1[0u];
+                                            let _e3767 = select(_e3761[0], -(_e3761[0]), (_e3761[0] < 0f));
+                                            let _e3770 = select(_e3761[1], -(_e3761[1]), (_e3761[1] < 0f));
+                                            let _e3772 = select(_e3770, _e3767, (_e3767 > _e3770));
+                                            let _e3775 = select(_e3761[2], -(_e3761[2]), (_e3761[2] < 0f));
+                                            let _e3777 = select(_e3775, _e3772, (_e3772 > _e3775));
+                                            let _e3780 = local_5.member_1[1u];
+                                            let _e3786 = select(_e3780[0], -(_e3780[0]), (_e3780[0] < 0f));
+                                            let _e3789 = select(_e3780[1], -(_e3780[1]), (_e3780[1] < 0f));
+                                            let _e3791 = select(_e3789, _e3786, (_e3786 > _e3789));
+                                            let _e3794 = select(_e3780[2], -(_e3780[2]), (_e3780[2] < 0f));
+                                            let _e3796 = select(_e3794, _e3791, (_e3791 > _e3794));
+                                            let _e3800 = local_5.member_3;
+                                            let _e3804 = local_5.member_2[0u];
+                                            let _e3810 = select(_e3804[0], -(_e3804[0]), (_e3804[0] < 0f));
+                                            let _e3813 = select(_e3804[1], -(_e3804[1]), (_e3804[1] < 0f));
+                                            let _e3815 = select(_e3813, _e3810, (_e3810 > _e3813));
+                                            let _e3818 = select(_e3804[2], -(_e3804[2]), (_e3804[2] < 0f));
+                                            let _e3820 = select(_e3818, _e3815, (_e3815 > _e3818));
+                                            let _e3823 = local_5.member_2[1u];
+                                            let _e3829 = select(_e3823[0], -(_e3823[0]), (_e3823[0] < 0f));
+                                            let _e3832 = select(_e3823[1], -(_e3823[1]), (_e3823[1] < 0f));
+                                            let _e3834 = select(_e3832, _e3829, (_e3829 > _e3832));
+                                            let _e3837 = select(_e3823[2], -(_e3823[2]), (_e3823[2] < 0f));
+                                            let _e3839 = select(_e3837, _e3834, (_e3834 > _e3837));
+                                            let _e3843 = local_5.member_3;
+                                            let _e3850 = local_5.member_3;
+                                            let _e3860 = ((((_e3712 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e3753, _e3734, (_e3734 > _e3753)) + _e3757) + (select(_e3796, _e3777, (_e3777 > _e3796)) + _e3800)) + (select(_e3839, _e3820, (_e3820 > _e3839)) + _e3843)) * (0.000000059604645f * 16f)) + (_e3850 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) * _e3652) * (1f + (0.000000059604645f * 64f)));
+                                            let _e3863 = local_2.member[0u];
+                                            let _e3866 = local_2.member_1[0u];
+                                            phi_6452_ = type_9(1u, 4u);
+                                            phi_6455_ = ((_e3863 + ((_e3866 - _e3863) * _e1447)) - ((_e3387 * 1.01f) + ((select(_e3863, -(_e3863), (_e3863 < 0f)) + select(_e3866, -(_e3866), (_e3866 < 0f))) * (0.000000059604645f * 12f))));
                                             loop {
-                                                let _e3759 = phi_6229_;
-                                                let _e3761 = phi_6232_;
-                                                local_28 = _e3761;
-                                                local_29 = _e3761;
-                                                let _e3764 = (_e3759.member < _e3759.member_1);
-                                                let _e3775 = select(type_9().member_1, _e3759.member, _e3764);
-                                                let _e3777 = (bitcast<i32>(select(0u, 1u, _e3764)) != 0i);
-                                                if _e3777 {
-                                                    let _e3780 = local_2.member[_e3775];
-                                                    let _e3783 = local_2.member_1[_e3775];
-                                                    let _e3798 = ((_e3780 + ((_e3783 - _e3780) * _e1323)) - ((_e3263 * 1.01f) + ((select(_e3780, -(_e3780), (_e3780 < 0f)) + select(_e3783, -(_e3783), (_e3783 < 0f))) * (0.000000059604645f * 12f))));
-                                                    phi_6233_ = select(_e3798, _e3761, (_e3761 < _e3798));
+                                                let _e3883 = phi_6452_;
+                                                let _e3885 = phi_6455_;
+                                                local_28 = _e3885;
+                                                local_29 = _e3885;
+                                                let _e3888 = (_e3883.member < _e3883.member_1);
+                                                let _e3899 = select(type_9().member_1, _e3883.member, _e3888);
+                                                let _e3901 = (bitcast<i32>(select(0u, 1u, _e3888)) != 0i);
+                                                if _e3901 {
+                                                    let _e3904 = local_2.member[_e3899];
+                                                    let _e3907 = local_2.member_1[_e3899];
+                                                    let _e3922 = ((_e3904 + ((_e3907 - _e3904) * _e1447)) - ((_e3387 * 1.01f) + ((select(_e3904, -(_e3904), (_e3904 < 0f)) + select(_e3907, -(_e3907), (_e3907 < 0f))) * (0.000000059604645f * 12f))));
+                                                    phi_6456_ = select(_e3922, _e3885, (_e3885 < _e3922));
                                                 } else {
-                                                    phi_6233_ = f32();
+                                                    phi_6456_ = f32();
                                                 }
-                                                let _e3802 = phi_6233_;
+                                                let _e3926 = phi_6456_;
                                                 continue;
                                                 continuing {
-                                                    phi_6229_ = type_9(select(_e3759.member, (_e3759.member + 1u), _e3764), select(_e3759.member_1, _e3759.member_1, _e3764));
-                                                    phi_6232_ = _e3802;
-                                                    break if !(_e3777);
+                                                    phi_6452_ = type_9(select(_e3883.member, (_e3883.member + 1u), _e3888), select(_e3883.member_1, _e3883.member_1, _e3888));
+                                                    phi_6455_ = _e3926;
+                                                    break if !(_e3901);
                                                 }
                                             }
-                                            let _e3805 = local_28;
-                                            if (_e3805 > 0f) {
-                                                let _e3809 = local_29;
-                                                let _e3812 = (((_e3736 - _e3809) / _e3736) * 2.02f);
-                                                if (_e3812 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_6388_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3812 > 0f));
+                                            let _e3929 = local_28;
+                                            if (_e3929 > 0f) {
+                                                let _e3933 = local_29;
+                                                let _e3936 = (((_e3860 - _e3933) / _e3860) * 2.02f);
+                                                if (_e3936 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_6611_ = select(0f, (0.000000000000000000106433627f * 2f), (_e3936 > 0f));
                                                 } else {
-                                                    phi_6331_ = type_14(0i, 5i);
-                                                    phi_6334_ = bitcast<f32>(((bitcast<u32>(_e3812) >> bitcast<u32>(1i)) + 532369198u));
+                                                    phi_6554_ = type_14(0i, 5i);
+                                                    phi_6557_ = bitcast<f32>(((bitcast<u32>(_e3936) >> bitcast<u32>(1i)) + 532369198u));
                                                     loop {
-                                                        let _e3820 = phi_6331_;
-                                                        let _e3822 = phi_6334_;
-                                                        local_30 = _e3822;
-                                                        if (_e3820.member < _e3820.member_1) {
-                                                            let _e3829 = (_e3820.member + 1i);
-                                                            phi_6332_ = type_14(select(_e3829, type_15().member_1, select(false, true, ((false == (_e3829 > _e3820.member)) != false))), _e3820.member_1);
-                                                            phi_6375_ = type_15(1u, _e3820.member);
+                                                        let _e3944 = phi_6554_;
+                                                        let _e3946 = phi_6557_;
+                                                        local_30 = _e3946;
+                                                        if (_e3944.member < _e3944.member_1) {
+                                                            let _e3953 = (_e3944.member + 1i);
+                                                            phi_6555_ = type_14(select(_e3953, type_15().member_1, select(false, true, ((false == (_e3953 > _e3944.member)) != false))), _e3944.member_1);
+                                                            phi_6598_ = type_15(1u, _e3944.member);
                                                         } else {
-                                                            phi_6332_ = _e3820;
-                                                            phi_6375_ = type_15(0u, type_15().member_1);
+                                                            phi_6555_ = _e3944;
+                                                            phi_6598_ = type_15(0u, type_15().member_1);
                                                         }
-                                                        let _e3840 = phi_6332_;
-                                                        let _e3842 = phi_6375_;
-                                                        let _e3845 = (bitcast<i32>(_e3842.member) != 0i);
-                                                        if _e3845 {
-                                                            phi_6335_ = (0.5f * (_e3822 + (_e3812 / _e3822)));
+                                                        let _e3964 = phi_6555_;
+                                                        let _e3966 = phi_6598_;
+                                                        let _e3969 = (bitcast<i32>(_e3966.member) != 0i);
+                                                        if _e3969 {
+                                                            phi_6558_ = (0.5f * (_e3946 + (_e3936 / _e3946)));
                                                         } else {
-                                                            phi_6335_ = f32();
+                                                            phi_6558_ = f32();
                                                         }
-                                                        let _e3850 = phi_6335_;
+                                                        let _e3974 = phi_6558_;
                                                         continue;
                                                         continuing {
-                                                            phi_6331_ = _e3840;
-                                                            phi_6334_ = _e3850;
-                                                            break if !(_e3845);
+                                                            phi_6554_ = _e3964;
+                                                            phi_6557_ = _e3974;
+                                                            break if !(_e3969);
                                                         }
                                                     }
-                                                    let _e3855 = local_30;
-                                                    phi_6388_ = (_e3855 * (1f + (8f * 0.000000059604645f)));
+                                                    let _e3979 = local_30;
+                                                    phi_6611_ = (_e3979 * (1f + (8f * 0.000000059604645f)));
                                                 }
-                                                let _e3861 = phi_6388_;
-                                                let _e3863 = ((_e3861 * _e3528) * 1.01f);
-                                                phi_6393_ = type_9(0u, 4u);
-                                                phi_6396_ = 2f;
-                                                phi_6398_ = true;
-                                                phi_6400_ = true;
+                                                let _e3985 = phi_6611_;
+                                                let _e3987 = ((_e3985 * _e3652) * 1.01f);
+                                                phi_6616_ = type_9(0u, 4u);
+                                                phi_6619_ = 2f;
+                                                phi_6621_ = true;
+                                                phi_6623_ = true;
                                                 loop {
-                                                    let _e3865 = phi_6393_;
-                                                    let _e3867 = phi_6396_;
-                                                    let _e3869 = phi_6398_;
-                                                    let _e3871 = phi_6400_;
-                                                    local_31 = _e3867;
-                                                    local_32 = _e3867;
-                                                    local_33 = _e3869;
-                                                    local_34 = _e3871;
-                                                    local_35 = _e3871;
-                                                    local_36 = _e3871;
-                                                    local_61 = _e3871;
-                                                    local_37 = _e3871;
-                                                    let _e3874 = (_e3865.member < _e3865.member_1);
-                                                    let _e3885 = select(type_9().member_1, _e3865.member, _e3874);
-                                                    let _e3887 = (bitcast<i32>(select(0u, 1u, _e3874)) != 0i);
-                                                    if _e3887 {
-                                                        let _e3891 = local_1.member[0u][_e3885];
-                                                        let _e3898 = local_1.member[1u][_e3885];
-                                                        let _e3912 = ((select(_e3891[0], -(_e3891[0]), (_e3891[0] < 0f)) + select(_e3891[1], -(_e3891[1]), (_e3891[1] < 0f))) + select(_e3891[2], -(_e3891[2]), (_e3891[2] < 0f)));
-                                                        let _e3923 = ((select(_e3898[0], -(_e3898[0]), (_e3898[0] < 0f)) + select(_e3898[1], -(_e3898[1]), (_e3898[1] < 0f))) + select(_e3898[2], -(_e3898[2]), (_e3898[2] < 0f)));
-                                                        let _e3929 = (_e3898[0] - _e3891[0]);
-                                                        let _e3930 = (_e3898[1] - _e3891[1]);
-                                                        let _e3931 = (_e3898[2] - _e3891[2]);
-                                                        let _e3948 = local_2.member[_e3885];
-                                                        let _e3951 = local_2.member_1[_e3885];
-                                                        let _e3962 = ((_e3263 * 1.01f) + ((select(_e3948, -(_e3948), (_e3948 < 0f)) + select(_e3951, -(_e3951), (_e3951 < 0f))) * (0.000000059604645f * 12f)));
-                                                        let _e3969 = local_2.member_1[_e3885];
-                                                        let _e3972 = local_2.member[_e3885];
-                                                        let _e3973 = (_e3969 - _e3972);
-                                                        let _e3976 = ((_e3962 + _e3962) + (_e3863 * ((((select(_e3929, -(_e3929), (_e3929 < 0f)) + select(_e3930, -(_e3930), (_e3930 < 0f))) + select(_e3931, -(_e3931), (_e3931 < 0f))) + (_e3263 * 6f)) * 1.01f)));
-                                                        let _e3979 = ((((_e3948 + ((_e3951 - _e3948) * _e1323)) - _e3962) - (_e3863 * ((select(_e3923, _e3912, (_e3912 > _e3923)) + (_e3263 * 3f)) * 1.01f))) - _e3736);
-                                                        let _e3980 = (_e3979 > 0.000000000000000000000000000000000000011754944f);
-                                                        let _e3981 = (_e3973 > _e3976);
-                                                        if _e3981 {
-                                                            phi_6631_ = _e3867;
+                                                    let _e3989 = phi_6616_;
+                                                    let _e3991 = phi_6619_;
+                                                    let _e3993 = phi_6621_;
+                                                    let _e3995 = phi_6623_;
+                                                    local_31 = _e3991;
+                                                    local_32 = _e3991;
+                                                    local_33 = _e3993;
+                                                    local_34 = _e3995;
+                                                    local_35 = _e3995;
+                                                    local_36 = _e3995;
+                                                    local_61 = _e3995;
+                                                    local_37 = _e3995;
+                                                    let _e3998 = (_e3989.member < _e3989.member_1);
+                                                    let _e4009 = select(type_9().member_1, _e3989.member, _e3998);
+                                                    let _e4011 = (bitcast<i32>(select(0u, 1u, _e3998)) != 0i);
+                                                    if _e4011 {
+                                                        let _e4015 = local_1.member[0u][_e4009];
+                                                        let _e4022 = local_1.member[1u][_e4009];
+                                                        let _e4036 = ((select(_e4015[0], -(_e4015[0]), (_e4015[0] < 0f)) + select(_e4015[1], -(_e4015[1]), (_e4015[1] < 0f))) + select(_e4015[2], -(_e4015[2]), (_e4015[2] < 0f)));
+                                                        let _e4047 = ((select(_e4022[0], -(_e4022[0]), (_e4022[0] < 0f)) + select(_e4022[1], -(_e4022[1]), (_e4022[1] < 0f))) + select(_e4022[2], -(_e4022[2]), (_e4022[2] < 0f)));
+                                                        let _e4053 = (_e4022[0] - _e4015[0]);
+                                                        let _e4054 = (_e4022[1] - _e4015[1]);
+                                                        let _e4055 = (_e4022[2] - _e4015[2]);
+                                                        let _e4072 = local_2.member[_e4009];
+                                                        let _e4075 = local_2.member_1[_e4009];
+                                                        let _e4086 = ((_e3387 * 1.01f) + ((select(_e4072, -(_e4072), (_e4072 < 0f)) + select(_e4075, -(_e4075), (_e4075 < 0f))) * (0.000000059604645f * 12f)));
+                                                        let _e4093 = local_2.member_1[_e4009];
+                                                        let _e4096 = local_2.member[_e4009];
+                                                        let _e4097 = (_e4093 - _e4096);
+                                                        let _e4100 = ((_e4086 + _e4086) + (_e3987 * ((((select(_e4053, -(_e4053), (_e4053 < 0f)) + select(_e4054, -(_e4054), (_e4054 < 0f))) + select(_e4055, -(_e4055), (_e4055 < 0f))) + (_e3387 * 6f)) * 1.01f)));
+                                                        let _e4103 = ((((_e4072 + ((_e4075 - _e4072) * _e1447)) - _e4086) - (_e3987 * ((select(_e4047, _e4036, (_e4036 > _e4047)) + (_e3387 * 3f)) * 1.01f))) - _e3860);
+                                                        let _e4104 = (_e4103 > 0.000000000000000000000000000000000000011754944f);
+                                                        let _e4105 = (_e4097 > _e4100);
+                                                        if _e4105 {
+                                                            phi_6854_ = _e3991;
                                                         } else {
-                                                            if _e3980 {
-                                                                let _e3988 = (_e3976 - _e3973);
-                                                                let _e3991 = (_e3979 / select(0.000000000000000000000000000000000000011754944f, _e3988, (_e3988 > 0.000000000000000000000000000000000000011754944f)));
-                                                                phi_6630_ = select(_e3991, _e3867, (_e3867 < _e3991));
+                                                            if _e4104 {
+                                                                let _e4112 = (_e4100 - _e4097);
+                                                                let _e4115 = (_e4103 / select(0.000000000000000000000000000000000000011754944f, _e4112, (_e4112 > 0.000000000000000000000000000000000000011754944f)));
+                                                                phi_6853_ = select(_e4115, _e3991, (_e3991 < _e4115));
                                                             } else {
-                                                                phi_6630_ = _e3867;
+                                                                phi_6853_ = _e3991;
                                                             }
-                                                            let _e3995 = phi_6630_;
-                                                            phi_6631_ = _e3995;
+                                                            let _e4119 = phi_6853_;
+                                                            phi_6854_ = _e4119;
                                                         }
-                                                        let _e3997 = phi_6631_;
-                                                        phi_6397_ = _e3997;
-                                                        phi_6399_ = (_e3869 && select(_e3980, true, (_e3973 < -(_e3976))));
-                                                        phi_6401_ = (_e3871 && select(_e3980, true, _e3981));
+                                                        let _e4121 = phi_6854_;
+                                                        phi_6620_ = _e4121;
+                                                        phi_6622_ = (_e3993 && select(_e4104, true, (_e4097 < -(_e4100))));
+                                                        phi_6624_ = (_e3995 && select(_e4104, true, _e4105));
                                                     } else {
-                                                        phi_6397_ = f32();
-                                                        phi_6399_ = bool();
-                                                        phi_6401_ = bool();
+                                                        phi_6620_ = f32();
+                                                        phi_6622_ = bool();
+                                                        phi_6624_ = bool();
                                                     }
-                                                    let _e3999 = phi_6397_;
-                                                    let _e4001 = phi_6399_;
-                                                    let _e4003 = phi_6401_;
+                                                    let _e4123 = phi_6620_;
+                                                    let _e4125 = phi_6622_;
+                                                    let _e4127 = phi_6624_;
                                                     continue;
                                                     continuing {
-                                                        phi_6393_ = type_9(select(_e3865.member, (_e3865.member + 1u), _e3874), select(_e3865.member_1, _e3865.member_1, _e3874));
-                                                        phi_6396_ = _e3999;
-                                                        phi_6398_ = _e4001;
-                                                        phi_6400_ = _e4003;
-                                                        break if !(_e3887);
+                                                        phi_6616_ = type_9(select(_e3989.member, (_e3989.member + 1u), _e3998), select(_e3989.member_1, _e3989.member_1, _e3998));
+                                                        phi_6619_ = _e4123;
+                                                        phi_6621_ = _e4125;
+                                                        phi_6623_ = _e4127;
+                                                        break if !(_e4011);
                                                     }
                                                 }
-                                                let _e4006 = local_31;
-                                                let _e4009 = local_32;
-                                                let _e4011 = (select(2f, _e4009, (_e4006 < 2f)) * 0.999f);
-                                                let _e4013 = local_33;
-                                                if _e4013 {
-                                                    let _e4016 = local_34;
-                                                    let _e4020 = local_35;
-                                                    let _e4024 = local_36;
-                                                    phi_6646_ = type_36(select(1u, type_36().member, _e4016), select(_e1323, type_36().member_1, _e4020), select(2f, type_36().member_2, _e4024));
-                                                    let _e5163 = local_61;
-                                                    phi_6647_ = _e5163;
+                                                let _e4130 = local_31;
+                                                let _e4133 = local_32;
+                                                let _e4135 = (select(2f, _e4133, (_e4130 < 2f)) * 0.999f);
+                                                let _e4137 = local_33;
+                                                if _e4137 {
+                                                    let _e4140 = local_34;
+                                                    let _e4144 = local_35;
+                                                    let _e4148 = local_36;
+                                                    phi_6869_ = type_36(select(1u, type_36().member, _e4140), select(_e1447, type_36().member_1, _e4144), select(2f, type_36().member_2, _e4148));
+                                                    let _e5287 = local_61;
+                                                    phi_6870_ = _e5287;
                                                 } else {
-                                                    phi_6646_ = type_36();
-                                                    phi_6647_ = true;
+                                                    phi_6869_ = type_36();
+                                                    phi_6870_ = true;
                                                 }
-                                                let _e4028 = phi_6646_;
-                                                let _e4030 = phi_6647_;
-                                                if _e4030 {
-                                                    let _e4032 = local_37;
-                                                    if _e4032 {
-                                                        let _e4036 = (_e1323 + _e4011);
-                                                        let _e4039 = select(_e1323, select(_e382, _e4036, (_e4036 < _e382)), (_e4011 > (0.000000059604645f * 4096f)));
-                                                        phi_6668_ = type_9(0u, 4u);
-                                                        phi_6671_ = _e4039;
-                                                        phi_6673_ = _e1323;
+                                                let _e4152 = phi_6869_;
+                                                let _e4154 = phi_6870_;
+                                                if _e4154 {
+                                                    let _e4156 = local_37;
+                                                    if _e4156 {
+                                                        let _e4160 = (_e1447 + _e4135);
+                                                        let _e4163 = select(_e1447, select(_e382, _e4160, (_e4160 < _e382)), (_e4135 > (0.000000059604645f * 4096f)));
+                                                        phi_6891_ = type_9(0u, 4u);
+                                                        phi_6894_ = _e4163;
+                                                        phi_6896_ = _e1447;
                                                         loop {
-                                                            let _e4041 = phi_6668_;
-                                                            let _e4043 = phi_6671_;
-                                                            let _e4045 = phi_6673_;
-                                                            local_38 = _e4043;
-                                                            local_39 = _e4045;
-                                                            local_40 = _e4045;
-                                                            let _e4048 = (_e4041.member < _e4041.member_1);
-                                                            let _e4059 = select(type_9().member_1, _e4041.member, _e4048);
-                                                            let _e4061 = (bitcast<i32>(select(0u, 1u, _e4048)) != 0i);
-                                                            if _e4061 {
-                                                                let _e4064 = local_2.member[_e4059];
-                                                                let _e4067 = local_2.member_1[_e4059];
-                                                                let _e4070 = local_2.member[_e4059];
-                                                                let _e4076 = local_2.member_2[_e4059];
-                                                                let _e4077 = ((_e4064 + ((_e4067 - _e4070) * _e1323)) - _e4076);
-                                                                let _e4080 = local_2.member_1[_e4059];
-                                                                let _e4083 = local_2.member[_e4059];
-                                                                let _e4084 = (_e4080 - _e4083);
-                                                                if (_e4084 > 0f) {
-                                                                    let _e4097 = (_e1323 - (_e4077 / _e4084));
-                                                                    phi_6782_ = _e4043;
-                                                                    phi_6783_ = select(_e4097, _e4045, (_e4045 > _e4097));
+                                                            let _e4165 = phi_6891_;
+                                                            let _e4167 = phi_6894_;
+                                                            let _e4169 = phi_6896_;
+                                                            local_38 = _e4167;
+                                                            local_39 = _e4169;
+                                                            local_40 = _e4169;
+                                                            let _e4172 = (_e4165.member < _e4165.member_1);
+                                                            let _e4183 = select(type_9().member_1, _e4165.member, _e4172);
+                                                            let _e4185 = (bitcast<i32>(select(0u, 1u, _e4172)) != 0i);
+                                                            if _e4185 {
+                                                                let _e4188 = local_2.member[_e4183];
+                                                                let _e4191 = local_2.member_1[_e4183];
+                                                                let _e4194 = local_2.member[_e4183];
+                                                                let _e4200 = local_2.member_2[_e4183];
+                                                                let _e4201 = ((_e4188 + ((_e4191 - _e4194) * _e1447)) - _e4200);
+                                                                let _e4204 = local_2.member_1[_e4183];
+                                                                let _e4207 = local_2.member[_e4183];
+                                                                let _e4208 = (_e4204 - _e4207);
+                                                                if (_e4208 > 0f) {
+                                                                    let _e4221 = (_e1447 - (_e4201 / _e4208));
+                                                                    phi_7005_ = _e4167;
+                                                                    phi_7006_ = select(_e4221, _e4169, (_e4169 > _e4221));
                                                                 } else {
-                                                                    if (_e4077 > 0f) {
-                                                                        if (_e4084 < 0f) {
-                                                                            let _e4089 = (_e1323 - (_e4077 / _e4084));
-                                                                            phi_6780_ = select(_e4089, _e4043, (_e4043 < _e4089));
+                                                                    if (_e4201 > 0f) {
+                                                                        if (_e4208 < 0f) {
+                                                                            let _e4213 = (_e1447 - (_e4201 / _e4208));
+                                                                            phi_7003_ = select(_e4213, _e4167, (_e4167 < _e4213));
                                                                         } else {
-                                                                            phi_6780_ = _e4043;
+                                                                            phi_7003_ = _e4167;
                                                                         }
-                                                                        let _e4093 = phi_6780_;
-                                                                        phi_6781_ = _e4093;
+                                                                        let _e4217 = phi_7003_;
+                                                                        phi_7004_ = _e4217;
                                                                     } else {
-                                                                        phi_6781_ = _e4043;
+                                                                        phi_7004_ = _e4167;
                                                                     }
-                                                                    let _e4095 = phi_6781_;
-                                                                    phi_6782_ = _e4095;
-                                                                    phi_6783_ = _e4045;
+                                                                    let _e4219 = phi_7004_;
+                                                                    phi_7005_ = _e4219;
+                                                                    phi_7006_ = _e4169;
                                                                 }
-                                                                let _e4101 = phi_6782_;
-                                                                let _e4103 = phi_6783_;
-                                                                phi_6672_ = _e4101;
-                                                                phi_6674_ = _e4103;
+                                                                let _e4225 = phi_7005_;
+                                                                let _e4227 = phi_7006_;
+                                                                phi_6895_ = _e4225;
+                                                                phi_6897_ = _e4227;
                                                             } else {
-                                                                phi_6672_ = f32();
-                                                                phi_6674_ = f32();
+                                                                phi_6895_ = f32();
+                                                                phi_6897_ = f32();
                                                             }
-                                                            let _e4105 = phi_6672_;
-                                                            let _e4107 = phi_6674_;
+                                                            let _e4229 = phi_6895_;
+                                                            let _e4231 = phi_6897_;
                                                             continue;
                                                             continuing {
-                                                                phi_6668_ = type_9(select(_e4041.member, (_e4041.member + 1u), _e4048), select(_e4041.member_1, _e4041.member_1, _e4048));
-                                                                phi_6671_ = _e4105;
-                                                                phi_6673_ = _e4107;
-                                                                break if !(_e4061);
+                                                                phi_6891_ = type_9(select(_e4165.member, (_e4165.member + 1u), _e4172), select(_e4165.member_1, _e4165.member_1, _e4172));
+                                                                phi_6894_ = _e4229;
+                                                                phi_6896_ = _e4231;
+                                                                break if !(_e4185);
                                                             }
                                                         }
-                                                        let _e4110 = local_38;
-                                                        let _e4112 = local_39;
-                                                        let _e4116 = local_40;
-                                                        let _e4117 = (_e4116 + ((_e4110 - _e4112) * 0.5f));
-                                                        if (_e4117 > _e1323) {
-                                                            if (_e4117 <= _e4039) {
-                                                                let _e4122 = local_2.member[0u];
-                                                                let _e4125 = local_2.member_1[0u];
-                                                                let _e4128 = local_2.member[0u];
-                                                                let _e4134 = local_2.member_2[0u];
-                                                                if (((_e4122 + ((_e4125 - _e4128) * _e4117)) - _e4134) > 0f) {
-                                                                    let _e4139 = local_2.member[1u];
-                                                                    let _e4142 = local_2.member_1[1u];
-                                                                    let _e4145 = local_2.member[1u];
-                                                                    let _e4151 = local_2.member_2[1u];
-                                                                    if (((_e4139 + ((_e4142 - _e4145) * _e4117)) - _e4151) > 0f) {
-                                                                        let _e4156 = local_2.member[2u];
-                                                                        let _e4159 = local_2.member_1[2u];
-                                                                        let _e4162 = local_2.member[2u];
-                                                                        let _e4168 = local_2.member_2[2u];
-                                                                        if (((_e4156 + ((_e4159 - _e4162) * _e4117)) - _e4168) > 0f) {
-                                                                            let _e4173 = local_2.member[3u];
-                                                                            let _e4176 = local_2.member_1[3u];
-                                                                            let _e4179 = local_2.member[3u];
-                                                                            let _e4185 = local_2.member_2[3u];
-                                                                            phi_6944_ = (((_e4173 + ((_e4176 - _e4179) * _e4117)) - _e4185) > 0f);
-                                                                            phi_6945_ = false;
+                                                        let _e4234 = local_38;
+                                                        let _e4236 = local_39;
+                                                        let _e4240 = local_40;
+                                                        let _e4241 = (_e4240 + ((_e4234 - _e4236) * 0.5f));
+                                                        if (_e4241 > _e1447) {
+                                                            if (_e4241 <= _e4163) {
+                                                                let _e4246 = local_2.member[0u];
+                                                                let _e4249 = local_2.member_1[0u];
+                                                                let _e4252 = local_2.member[0u];
+                                                                let _e4258 = local_2.member_2[0u];
+                                                                if (((_e4246 + ((_e4249 - _e4252) * _e4241)) - _e4258) > 0f) {
+                                                                    let _e4263 = local_2.member[1u];
+                                                                    let _e4266 = local_2.member_1[1u];
+                                                                    let _e4269 = local_2.member[1u];
+                                                                    let _e4275 = local_2.member_2[1u];
+                                                                    if (((_e4263 + ((_e4266 - _e4269) * _e4241)) - _e4275) > 0f) {
+                                                                        let _e4280 = local_2.member[2u];
+                                                                        let _e4283 = local_2.member_1[2u];
+                                                                        let _e4286 = local_2.member[2u];
+                                                                        let _e4292 = local_2.member_2[2u];
+                                                                        if (((_e4280 + ((_e4283 - _e4286) * _e4241)) - _e4292) > 0f) {
+                                                                            let _e4297 = local_2.member[3u];
+                                                                            let _e4300 = local_2.member_1[3u];
+                                                                            let _e4303 = local_2.member[3u];
+                                                                            let _e4309 = local_2.member_2[3u];
+                                                                            phi_7167_ = (((_e4297 + ((_e4300 - _e4303) * _e4241)) - _e4309) > 0f);
+                                                                            phi_7168_ = false;
                                                                         } else {
-                                                                            phi_6944_ = bool();
-                                                                            phi_6945_ = true;
+                                                                            phi_7167_ = bool();
+                                                                            phi_7168_ = true;
                                                                         }
-                                                                        let _e4189 = phi_6944_;
-                                                                        let _e4191 = phi_6945_;
-                                                                        phi_6946_ = _e4189;
-                                                                        phi_6947_ = _e4191;
+                                                                        let _e4313 = phi_7167_;
+                                                                        let _e4315 = phi_7168_;
+                                                                        phi_7169_ = _e4313;
+                                                                        phi_7170_ = _e4315;
                                                                     } else {
-                                                                        phi_6946_ = bool();
-                                                                        phi_6947_ = true;
+                                                                        phi_7169_ = bool();
+                                                                        phi_7170_ = true;
                                                                     }
-                                                                    let _e4193 = phi_6946_;
-                                                                    let _e4195 = phi_6947_;
-                                                                    phi_6948_ = _e4193;
-                                                                    phi_6949_ = _e4195;
+                                                                    let _e4317 = phi_7169_;
+                                                                    let _e4319 = phi_7170_;
+                                                                    phi_7171_ = _e4317;
+                                                                    phi_7172_ = _e4319;
                                                                 } else {
-                                                                    phi_6948_ = bool();
-                                                                    phi_6949_ = true;
+                                                                    phi_7171_ = bool();
+                                                                    phi_7172_ = true;
                                                                 }
-                                                                let _e4197 = phi_6948_;
-                                                                let _e4199 = phi_6949_;
-                                                                phi_6958_ = select(true, false, select(_e4197, false, _e4199));
+                                                                let _e4321 = phi_7171_;
+                                                                let _e4323 = phi_7172_;
+                                                                phi_7181_ = select(true, false, select(_e4321, false, _e4323));
                                                             } else {
-                                                                phi_6958_ = true;
+                                                                phi_7181_ = true;
                                                             }
-                                                            let _e4203 = phi_6958_;
-                                                            phi_6959_ = _e4203;
+                                                            let _e4327 = phi_7181_;
+                                                            phi_7182_ = _e4327;
                                                         } else {
-                                                            phi_6959_ = true;
+                                                            phi_7182_ = true;
                                                         }
-                                                        let _e4205 = phi_6959_;
-                                                        phi_6966_ = type_36(2u, _e4039, select(_e4117, 2f, _e4205));
-                                                        phi_6967_ = type_36();
-                                                        phi_6968_ = false;
+                                                        let _e4329 = phi_7182_;
+                                                        phi_7189_ = type_36(2u, _e4163, select(_e4241, 2f, _e4329));
+                                                        phi_7190_ = type_36();
+                                                        phi_7191_ = false;
                                                     } else {
-                                                        phi_6966_ = type_36();
-                                                        phi_6967_ = type_36(0u, _e1323, 2f);
-                                                        phi_6968_ = true;
+                                                        phi_7189_ = type_36();
+                                                        phi_7190_ = type_36(0u, _e1447, 2f);
+                                                        phi_7191_ = true;
                                                     }
-                                                    let _e4209 = phi_6966_;
-                                                    let _e4211 = phi_6967_;
-                                                    let _e4213 = phi_6968_;
-                                                    phi_6969_ = _e4209;
-                                                    phi_6970_ = _e4211;
-                                                    phi_6971_ = _e4213;
+                                                    let _e4333 = phi_7189_;
+                                                    let _e4335 = phi_7190_;
+                                                    let _e4337 = phi_7191_;
+                                                    phi_7192_ = _e4333;
+                                                    phi_7193_ = _e4335;
+                                                    phi_7194_ = _e4337;
                                                 } else {
-                                                    phi_6969_ = type_36();
-                                                    phi_6970_ = _e4028;
-                                                    phi_6971_ = true;
+                                                    phi_7192_ = type_36();
+                                                    phi_7193_ = _e4152;
+                                                    phi_7194_ = true;
                                                 }
-                                                let _e4215 = phi_6969_;
-                                                let _e4217 = phi_6970_;
-                                                let _e4219 = phi_6971_;
-                                                phi_6976_ = _e4217;
-                                                phi_6977_ = _e4215;
-                                                phi_6978_ = _e4219;
+                                                let _e4339 = phi_7192_;
+                                                let _e4341 = phi_7193_;
+                                                let _e4343 = phi_7194_;
+                                                phi_7199_ = _e4341;
+                                                phi_7200_ = _e4339;
+                                                phi_7201_ = _e4343;
                                             } else {
-                                                phi_6976_ = type_36(0u, _e1323, 2f);
-                                                phi_6977_ = type_36();
-                                                phi_6978_ = true;
+                                                phi_7199_ = type_36(0u, _e1447, 2f);
+                                                phi_7200_ = type_36();
+                                                phi_7201_ = true;
                                             }
-                                            let _e4221 = phi_6976_;
-                                            let _e4223 = phi_6977_;
-                                            let _e4225 = phi_6978_;
-                                            phi_6982_ = _e4221;
-                                            phi_6983_ = _e4223;
-                                            phi_6984_ = false;
-                                            phi_6985_ = _e4225;
+                                            let _e4345 = phi_7199_;
+                                            let _e4347 = phi_7200_;
+                                            let _e4349 = phi_7201_;
+                                            phi_7205_ = _e4345;
+                                            phi_7206_ = _e4347;
+                                            phi_7207_ = false;
+                                            phi_7208_ = _e4349;
                                         } else {
-                                            phi_6982_ = type_36();
-                                            phi_6983_ = type_36();
-                                            phi_6984_ = true;
-                                            phi_6985_ = false;
+                                            phi_7205_ = type_36();
+                                            phi_7206_ = type_36();
+                                            phi_7207_ = true;
+                                            phi_7208_ = false;
                                         }
-                                        let _e4227 = phi_6982_;
-                                        let _e4229 = phi_6983_;
-                                        let _e4231 = phi_6984_;
-                                        let _e4233 = phi_6985_;
-                                        phi_6986_ = _e4227;
-                                        phi_6987_ = _e4229;
-                                        phi_6988_ = _e4231;
-                                        phi_6989_ = _e4233;
+                                        let _e4351 = phi_7205_;
+                                        let _e4353 = phi_7206_;
+                                        let _e4355 = phi_7207_;
+                                        let _e4357 = phi_7208_;
+                                        phi_7209_ = _e4351;
+                                        phi_7210_ = _e4353;
+                                        phi_7211_ = _e4355;
+                                        phi_7212_ = _e4357;
                                     } else {
-                                        phi_6986_ = type_36();
-                                        phi_6987_ = type_36();
-                                        phi_6988_ = true;
-                                        phi_6989_ = false;
+                                        phi_7209_ = type_36();
+                                        phi_7210_ = type_36();
+                                        phi_7211_ = true;
+                                        phi_7212_ = false;
                                     }
-                                    let _e4235 = phi_6986_;
-                                    let _e4237 = phi_6987_;
-                                    let _e4239 = phi_6988_;
-                                    let _e4241 = phi_6989_;
-                                    let _e4248 = select(_e4241, true, _e4239);
-                                    let _e4250 = select(_e4237.member, select(_e4235.member, 0u, _e4239), _e4248);
-                                    let _e4254 = select(_e4237.member_2, select(_e4235.member_2, 2f, _e4239), _e4248);
+                                    let _e4359 = phi_7209_;
+                                    let _e4361 = phi_7210_;
+                                    let _e4363 = phi_7211_;
+                                    let _e4365 = phi_7212_;
+                                    let _e4372 = select(_e4365, true, _e4363);
+                                    let _e4374 = select(_e4361.member, select(_e4359.member, 0u, _e4363), _e4372);
+                                    let _e4378 = select(_e4361.member_2, select(_e4359.member_2, 2f, _e4363), _e4372);
                                     if select(false, _e374, ((_e384 & 64u) != 0u)) {
-                                        let _e4256 = (_e4250 == 2u);
-                                        let _e4257 = (_e4254 <= _e382);
-                                        phi_7023_ = select(f32(), select(f32(), _e4254, _e4257), _e4256);
-                                        phi_7024_ = select(f32(), select(f32(), _e4254, _e4257), _e4256);
-                                        phi_7025_ = select(false, _e4257, _e4256);
-                                        phi_7026_ = select(false, select(true, false, _e4257), _e4256);
-                                        phi_7027_ = select(true, false, _e4256);
+                                        let _e4380 = (_e4374 == 2u);
+                                        let _e4381 = (_e4378 <= _e382);
+                                        phi_7246_ = select(f32(), select(f32(), _e4378, _e4381), _e4380);
+                                        phi_7247_ = select(f32(), select(f32(), _e4378, _e4381), _e4380);
+                                        phi_7248_ = select(false, _e4381, _e4380);
+                                        phi_7249_ = select(false, select(true, false, _e4381), _e4380);
+                                        phi_7250_ = select(true, false, _e4380);
                                     } else {
-                                        phi_7023_ = f32();
-                                        phi_7024_ = f32();
-                                        phi_7025_ = false;
-                                        phi_7026_ = false;
-                                        phi_7027_ = true;
+                                        phi_7246_ = f32();
+                                        phi_7247_ = f32();
+                                        phi_7248_ = false;
+                                        phi_7249_ = false;
+                                        phi_7250_ = true;
                                     }
-                                    let _e4267 = phi_7023_;
-                                    let _e4269 = phi_7024_;
-                                    let _e4271 = phi_7025_;
-                                    let _e4273 = phi_7026_;
-                                    let _e4275 = phi_7027_;
-                                    phi_7028_ = _e4267;
-                                    phi_7029_ = _e4250;
-                                    phi_7030_ = _e4269;
-                                    phi_7031_ = type_36(_e4250, select(_e4237.member_1, select(_e4235.member_1, _e1323, _e4239), _e4248), _e4254);
-                                    phi_7032_ = _e4250;
-                                    phi_7033_ = _e4250;
-                                    phi_7034_ = _e4271;
-                                    phi_7035_ = _e4273;
-                                    phi_7036_ = _e4275;
+                                    let _e4391 = phi_7246_;
+                                    let _e4393 = phi_7247_;
+                                    let _e4395 = phi_7248_;
+                                    let _e4397 = phi_7249_;
+                                    let _e4399 = phi_7250_;
+                                    phi_7251_ = _e4391;
+                                    phi_7252_ = _e4374;
+                                    phi_7253_ = _e4393;
+                                    phi_7254_ = type_36(_e4374, select(_e4361.member_1, select(_e4359.member_1, _e1447, _e4363), _e4372), _e4378);
+                                    phi_7255_ = _e4374;
+                                    phi_7256_ = _e4374;
+                                    phi_7257_ = _e4395;
+                                    phi_7258_ = _e4397;
+                                    phi_7259_ = _e4399;
                                 }
-                                let _e4277 = phi_7028_;
-                                let _e4279 = phi_7029_;
-                                let _e4281 = phi_7030_;
-                                let _e4283 = phi_7031_;
-                                let _e4285 = phi_7032_;
-                                let _e4287 = phi_7033_;
-                                let _e4289 = phi_7034_;
-                                let _e4291 = phi_7035_;
-                                let _e4293 = phi_7036_;
-                                phi_7037_ = _e4277;
-                                phi_7038_ = _e4279;
-                                phi_7039_ = _e4281;
-                                phi_7040_ = _e4283;
-                                phi_7041_ = _e4285;
-                                phi_7042_ = _e4287;
-                                phi_7043_ = _e4289;
-                                phi_7044_ = _e2969;
-                                phi_7045_ = _e4291;
-                                phi_7046_ = _e4293;
-                                phi_7047_ = false;
+                                let _e4401 = phi_7251_;
+                                let _e4403 = phi_7252_;
+                                let _e4405 = phi_7253_;
+                                let _e4407 = phi_7254_;
+                                let _e4409 = phi_7255_;
+                                let _e4411 = phi_7256_;
+                                let _e4413 = phi_7257_;
+                                let _e4415 = phi_7258_;
+                                let _e4417 = phi_7259_;
+                                phi_7260_ = _e4401;
+                                phi_7261_ = _e4403;
+                                phi_7262_ = _e4405;
+                                phi_7263_ = _e4407;
+                                phi_7264_ = _e4409;
+                                phi_7265_ = _e4411;
+                                phi_7266_ = _e4413;
+                                phi_7267_ = _e3093;
+                                phi_7268_ = _e4415;
+                                phi_7269_ = _e4417;
+                                phi_7270_ = false;
                             } else {
-                                phi_7037_ = f32();
-                                phi_7038_ = u32();
-                                phi_7039_ = f32();
-                                phi_7040_ = type_36();
-                                phi_7041_ = u32();
-                                phi_7042_ = u32();
-                                phi_7043_ = false;
-                                phi_7044_ = false;
-                                phi_7045_ = false;
-                                phi_7046_ = false;
-                                phi_7047_ = true;
+                                phi_7260_ = f32();
+                                phi_7261_ = u32();
+                                phi_7262_ = f32();
+                                phi_7263_ = type_36();
+                                phi_7264_ = u32();
+                                phi_7265_ = u32();
+                                phi_7266_ = false;
+                                phi_7267_ = false;
+                                phi_7268_ = false;
+                                phi_7269_ = false;
+                                phi_7270_ = true;
                             }
-                            let _e4295 = phi_7037_;
-                            let _e4297 = phi_7038_;
-                            let _e4299 = phi_7039_;
-                            let _e4301 = phi_7040_;
-                            let _e4303 = phi_7041_;
-                            let _e4305 = phi_7042_;
-                            let _e4307 = phi_7043_;
-                            let _e4309 = phi_7044_;
-                            let _e4311 = phi_7045_;
-                            let _e4313 = phi_7046_;
-                            let _e4315 = phi_7047_;
-                            phi_7048_ = _e2966;
-                            phi_2123_ = _e4295;
-                            phi_2125_ = _e4297;
-                            phi_2127_ = _e4299;
-                            phi_7049_ = _e4301;
-                            phi_7050_ = _e4303;
-                            phi_7051_ = _e2966;
-                            phi_7052_ = _e4305;
-                            phi_7053_ = _e4307;
-                            phi_7054_ = _e4309;
-                            phi_7055_ = _e4311;
-                            phi_7056_ = _e4313;
-                            phi_7057_ = false;
-                            phi_7058_ = _e4315;
+                            let _e4419 = phi_7260_;
+                            let _e4421 = phi_7261_;
+                            let _e4423 = phi_7262_;
+                            let _e4425 = phi_7263_;
+                            let _e4427 = phi_7264_;
+                            let _e4429 = phi_7265_;
+                            let _e4431 = phi_7266_;
+                            let _e4433 = phi_7267_;
+                            let _e4435 = phi_7268_;
+                            let _e4437 = phi_7269_;
+                            let _e4439 = phi_7270_;
+                            phi_7271_ = _e3090;
+                            phi_2346_ = _e4419;
+                            phi_2348_ = _e4421;
+                            phi_2350_ = _e4423;
+                            phi_7272_ = _e4425;
+                            phi_7273_ = _e4427;
+                            phi_7274_ = _e3090;
+                            phi_7275_ = _e4429;
+                            phi_7276_ = _e4431;
+                            phi_7277_ = _e4433;
+                            phi_7278_ = _e4435;
+                            phi_7279_ = _e4437;
+                            phi_7280_ = false;
+                            phi_7281_ = _e4439;
                         } else {
-                            phi_7048_ = f32();
-                            phi_2123_ = f32();
-                            phi_2125_ = u32();
-                            phi_2127_ = f32();
-                            phi_7049_ = type_36();
-                            phi_7050_ = u32();
-                            phi_7051_ = f32();
-                            phi_7052_ = u32();
-                            phi_7053_ = false;
-                            phi_7054_ = false;
-                            phi_7055_ = false;
-                            phi_7056_ = false;
-                            phi_7057_ = true;
-                            phi_7058_ = false;
+                            phi_7271_ = f32();
+                            phi_2346_ = f32();
+                            phi_2348_ = u32();
+                            phi_2350_ = f32();
+                            phi_7272_ = type_36();
+                            phi_7273_ = u32();
+                            phi_7274_ = f32();
+                            phi_7275_ = u32();
+                            phi_7276_ = false;
+                            phi_7277_ = false;
+                            phi_7278_ = false;
+                            phi_7279_ = false;
+                            phi_7280_ = true;
+                            phi_7281_ = false;
                         }
-                        let _e4317 = phi_7048_;
-                        let _e4319 = phi_2123_;
-                        let _e4321 = phi_2125_;
-                        let _e4323 = phi_2127_;
-                        let _e4325 = phi_7049_;
-                        let _e4327 = phi_7050_;
-                        let _e4329 = phi_7051_;
-                        let _e4331 = phi_7052_;
-                        let _e4333 = phi_7053_;
-                        let _e4335 = phi_7054_;
-                        let _e4337 = phi_7055_;
-                        let _e4339 = phi_7056_;
-                        let _e4341 = phi_7057_;
-                        let _e4343 = phi_7058_;
-                        local_41 = _e4335;
-                        local_42 = _e4337;
-                        local_43 = _e4335;
-                        local_44 = _e4339;
-                        local_45 = _e4335;
-                        local_46 = _e4341;
-                        local_47 = _e4335;
-                        local_48 = _e4343;
-                        local_49 = _e4325;
-                        local_50 = _e4325;
-                        local_51 = _e4327;
-                        local_52 = _e4325;
-                        local_62 = _e4335;
-                        local_53 = _e4331;
-                        local_55 = _e4329;
-                        local_56 = _e4317;
+                        let _e4441 = phi_7271_;
+                        let _e4443 = phi_2346_;
+                        let _e4445 = phi_2348_;
+                        let _e4447 = phi_2350_;
+                        let _e4449 = phi_7272_;
+                        let _e4451 = phi_7273_;
+                        let _e4453 = phi_7274_;
+                        let _e4455 = phi_7275_;
+                        let _e4457 = phi_7276_;
+                        let _e4459 = phi_7277_;
+                        let _e4461 = phi_7278_;
+                        let _e4463 = phi_7279_;
+                        let _e4465 = phi_7280_;
+                        let _e4467 = phi_7281_;
+                        local_41 = _e4459;
+                        local_42 = _e4461;
+                        local_43 = _e4459;
+                        local_44 = _e4463;
+                        local_45 = _e4459;
+                        local_46 = _e4465;
+                        local_47 = _e4459;
+                        local_48 = _e4467;
+                        local_49 = _e4449;
+                        local_50 = _e4449;
+                        local_51 = _e4451;
+                        local_52 = _e4449;
+                        local_62 = _e4459;
+                        local_53 = _e4455;
+                        local_55 = _e4453;
+                        local_56 = _e4441;
                         continue;
                         continuing {
-                            phi_2119_ = _e1341;
-                            phi_2122_ = _e4319;
-                            phi_2124_ = _e4321;
-                            phi_2126_ = _e4323;
-                            break if !(_e4333);
+                            phi_2342_ = _e1465;
+                            phi_2345_ = _e4443;
+                            phi_2347_ = _e4445;
+                            phi_2349_ = _e4447;
+                            break if !(_e4457);
                         }
                     }
-                    let _e4346 = local_41;
-                    let _e4348 = local_42;
-                    let _e4349 = select(_e4348, false, _e4346);
-                    let _e4351 = local_43;
-                    let _e4353 = local_44;
-                    let _e4356 = local_45;
-                    let _e4358 = local_46;
-                    let _e4361 = local_47;
-                    let _e4363 = local_48;
-                    if _e4349 {
-                        let _e4366 = local_49;
-                        if (_e4366.member_1 >= _e382) {
-                            phi_7087_ = type_35(type_34(0u, f32()), 0u);
+                    let _e4470 = local_41;
+                    let _e4472 = local_42;
+                    let _e4473 = select(_e4472, false, _e4470);
+                    let _e4475 = local_43;
+                    let _e4477 = local_44;
+                    let _e4480 = local_45;
+                    let _e4482 = local_46;
+                    let _e4485 = local_47;
+                    let _e4487 = local_48;
+                    if _e4473 {
+                        let _e4490 = local_49;
+                        if (_e4490.member_1 >= _e382) {
+                            phi_7310_ = type_35(type_34(0u, f32()), 0u);
                         } else {
-                            let _e4370 = local_50;
-                            let _e4374 = local_51;
-                            let _e4377 = local_52;
-                            phi_7087_ = type_35(type_34(2u, _e4377.member_1), select(_e4374, 0u, (_e4370.member_1 > _e380)));
+                            let _e4494 = local_50;
+                            let _e4498 = local_51;
+                            let _e4501 = local_52;
+                            phi_7310_ = type_35(type_34(2u, _e4501.member_1), select(_e4498, 0u, (_e4494.member_1 > _e380)));
                         }
-                        let _e4384 = phi_7087_;
-                        phi_7088_ = _e4384;
-                        phi_7089_ = false;
-                        phi_7090_ = false;
-                        phi_7091_ = false;
-                        phi_7092_ = false;
+                        let _e4508 = phi_7310_;
+                        phi_7311_ = _e4508;
+                        phi_7312_ = false;
+                        phi_7313_ = false;
+                        phi_7314_ = false;
+                        phi_7315_ = false;
                     } else {
-                        phi_7088_ = type_35();
-                        phi_7089_ = select(_e4353, false, _e4351);
-                        let _e5258 = local_62;
-                        phi_7090_ = _e5258;
-                        phi_7091_ = select(_e4358, false, _e4356);
-                        phi_7092_ = select(_e4363, false, _e4361);
+                        phi_7311_ = type_35();
+                        phi_7312_ = select(_e4477, false, _e4475);
+                        let _e5382 = local_62;
+                        phi_7313_ = _e5382;
+                        phi_7314_ = select(_e4482, false, _e4480);
+                        phi_7315_ = select(_e4487, false, _e4485);
                     }
-                    let _e4386 = phi_7088_;
-                    let _e4388 = phi_7089_;
-                    let _e4390 = phi_7090_;
-                    let _e4392 = phi_7091_;
-                    let _e4394 = phi_7092_;
-                    let _e4396 = local_53;
-                    let _e4398 = local_54;
-                    let _e4401 = local_55;
-                    let _e4403 = local_56;
-                    let _e4405 = select(_e4390, true, _e4388);
-                    let _e4410 = local_57;
-                    let _e4411 = select(_e4410, select(_e4403, _e4401, _e4388), _e4405);
-                    let _e4413 = local_58;
-                    let _e4414 = select(_e4413, select(_e4398, _e4396, _e4388), _e4405);
-                    if select(select(_e4392, false, _e4388), true, _e4405) {
+                    let _e4510 = phi_7311_;
+                    let _e4512 = phi_7312_;
+                    let _e4514 = phi_7313_;
+                    let _e4516 = phi_7314_;
+                    let _e4518 = phi_7315_;
+                    let _e4520 = local_53;
+                    let _e4522 = local_54;
+                    let _e4525 = local_55;
+                    let _e4527 = local_56;
+                    let _e4529 = select(_e4514, true, _e4512);
+                    let _e4534 = local_57;
+                    let _e4535 = select(_e4534, select(_e4527, _e4525, _e4512), _e4529);
+                    let _e4537 = local_58;
+                    let _e4538 = select(_e4537, select(_e4522, _e4520, _e4512), _e4529);
+                    if select(select(_e4516, false, _e4512), true, _e4529) {
                         local[0u] = 0.01f;
                         local[1u] = 0f;
                         local[2u] = 0.8f;
-                        phi_7124_ = type_9(0u, 3u);
+                        phi_7347_ = type_9(0u, 3u);
                         loop {
-                            let _e4425 = phi_7124_;
-                            let _e4428 = (_e4425.member < _e4425.member_1);
-                            if (bitcast<i32>(select(0u, 1u, _e4428)) != 0i) {
-                                let _e4443 = local[select(type_9().member_1, _e4425.member, _e4428)];
-                                let _e4445 = (_e4411 + (select(0f, _e378, (_e378 >= (0.000000059604645f * 8f))) * _e4443));
-                                let _e4447 = select(_e382, _e4445, (_e4445 < _e382));
-                                let _e4450 = local_5.member[0u];
-                                let _e4456 = local_5.member[1u];
-                                let _e4472 = local_5.member_1[0u];
-                                let _e4478 = local_5.member_1[1u];
-                                let _e4494 = local_5.member_2[0u];
-                                let _e4500 = local_5.member_2[1u];
-                                let _e4514 = function_3(array<f32, 3>((_e4450[0] + ((_e4456[0] - _e4450[0]) * _e4447)), (_e4450[1] + ((_e4456[1] - _e4450[1]) * _e4447)), (_e4450[2] + ((_e4456[2] - _e4450[2]) * _e4447))), array<f32, 3>((_e4472[0] + ((_e4478[0] - _e4472[0]) * _e4447)), (_e4472[1] + ((_e4478[1] - _e4472[1]) * _e4447)), (_e4472[2] + ((_e4478[2] - _e4472[2]) * _e4447))), array<f32, 3>((_e4494[0] + ((_e4500[0] - _e4494[0]) * _e4447)), (_e4494[1] + ((_e4500[1] - _e4494[1]) * _e4447)), (_e4494[2] + ((_e4500[2] - _e4494[2]) * _e4447))), _e225.member);
-                                let _e4525 = (((_e4514[0] * _e4514[0]) + (_e4514[1] * _e4514[1])) + (_e4514[2] * _e4514[2]));
-                                if (_e4525 <= 0.000000000000000000000000000000000000011754944f) {
-                                    phi_7356_ = select(0f, (0.000000000000000000106433627f * 2f), (_e4525 > 0f));
+                            let _e4549 = phi_7347_;
+                            let _e4552 = (_e4549.member < _e4549.member_1);
+                            if (bitcast<i32>(select(0u, 1u, _e4552)) != 0i) {
+                                let _e4567 = local[select(type_9().member_1, _e4549.member, _e4552)];
+                                let _e4569 = (_e4535 + (select(0f, _e378, (_e378 >= (0.000000059604645f * 8f))) * _e4567));
+                                let _e4571 = select(_e382, _e4569, (_e4569 < _e382));
+                                let _e4574 = local_5.member[0u];
+                                let _e4580 = local_5.member[1u];
+                                let _e4596 = local_5.member_1[0u];
+                                let _e4602 = local_5.member_1[1u];
+                                let _e4618 = local_5.member_2[0u];
+                                let _e4624 = local_5.member_2[1u];
+                                let _e4638 = function_3(array<f32, 3>((_e4574[0] + ((_e4580[0] - _e4574[0]) * _e4571)), (_e4574[1] + ((_e4580[1] - _e4574[1]) * _e4571)), (_e4574[2] + ((_e4580[2] - _e4574[2]) * _e4571))), array<f32, 3>((_e4596[0] + ((_e4602[0] - _e4596[0]) * _e4571)), (_e4596[1] + ((_e4602[1] - _e4596[1]) * _e4571)), (_e4596[2] + ((_e4602[2] - _e4596[2]) * _e4571))), array<f32, 3>((_e4618[0] + ((_e4624[0] - _e4618[0]) * _e4571)), (_e4618[1] + ((_e4624[1] - _e4618[1]) * _e4571)), (_e4618[2] + ((_e4624[2] - _e4618[2]) * _e4571))), _e225.member);
+                                let _e4649 = (((_e4638[0] * _e4638[0]) + (_e4638[1] * _e4638[1])) + (_e4638[2] * _e4638[2]));
+                                if (_e4649 <= 0.000000000000000000000000000000000000011754944f) {
+                                    phi_7579_ = select(0f, (0.000000000000000000106433627f * 2f), (_e4649 > 0f));
                                 } else {
-                                    phi_7299_ = type_14(0i, 5i);
-                                    phi_7302_ = bitcast<f32>(((bitcast<u32>(_e4525) >> bitcast<u32>(1i)) + 532369198u));
+                                    phi_7522_ = type_14(0i, 5i);
+                                    phi_7525_ = bitcast<f32>(((bitcast<u32>(_e4649) >> bitcast<u32>(1i)) + 532369198u));
                                     loop {
-                                        let _e4533 = phi_7299_;
-                                        let _e4535 = phi_7302_;
-                                        local_59 = _e4535;
-                                        if (_e4533.member < _e4533.member_1) {
-                                            let _e4542 = (_e4533.member + 1i);
-                                            phi_7300_ = type_14(select(_e4542, type_15().member_1, select(false, true, ((false == (_e4542 > _e4533.member)) != false))), _e4533.member_1);
-                                            phi_7343_ = type_15(1u, _e4533.member);
+                                        let _e4657 = phi_7522_;
+                                        let _e4659 = phi_7525_;
+                                        local_59 = _e4659;
+                                        if (_e4657.member < _e4657.member_1) {
+                                            let _e4666 = (_e4657.member + 1i);
+                                            phi_7523_ = type_14(select(_e4666, type_15().member_1, select(false, true, ((false == (_e4666 > _e4657.member)) != false))), _e4657.member_1);
+                                            phi_7566_ = type_15(1u, _e4657.member);
                                         } else {
-                                            phi_7300_ = _e4533;
-                                            phi_7343_ = type_15(0u, type_15().member_1);
+                                            phi_7523_ = _e4657;
+                                            phi_7566_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e4553 = phi_7300_;
-                                        let _e4555 = phi_7343_;
-                                        let _e4558 = (bitcast<i32>(_e4555.member) != 0i);
-                                        if _e4558 {
-                                            phi_7303_ = (0.5f * (_e4535 + (_e4525 / _e4535)));
+                                        let _e4677 = phi_7523_;
+                                        let _e4679 = phi_7566_;
+                                        let _e4682 = (bitcast<i32>(_e4679.member) != 0i);
+                                        if _e4682 {
+                                            phi_7526_ = (0.5f * (_e4659 + (_e4649 / _e4659)));
                                         } else {
-                                            phi_7303_ = f32();
+                                            phi_7526_ = f32();
                                         }
-                                        let _e4563 = phi_7303_;
+                                        let _e4687 = phi_7526_;
                                         continue;
                                         continuing {
-                                            phi_7299_ = _e4553;
-                                            phi_7302_ = _e4563;
-                                            break if !(_e4558);
+                                            phi_7522_ = _e4677;
+                                            phi_7525_ = _e4687;
+                                            break if !(_e4682);
                                         }
                                     }
-                                    let _e4568 = local_59;
-                                    phi_7356_ = (_e4568 * (1f + (8f * 0.000000059604645f)));
+                                    let _e4692 = local_59;
+                                    phi_7579_ = (_e4692 * (1f + (8f * 0.000000059604645f)));
                                 }
-                                let _e4574 = phi_7356_;
-                                let _e4580 = local_5.member[0u];
-                                let _e4586 = select(_e4580[0], -(_e4580[0]), (_e4580[0] < 0f));
-                                let _e4589 = select(_e4580[1], -(_e4580[1]), (_e4580[1] < 0f));
-                                let _e4591 = select(_e4589, _e4586, (_e4586 > _e4589));
-                                let _e4594 = select(_e4580[2], -(_e4580[2]), (_e4580[2] < 0f));
-                                let _e4596 = select(_e4594, _e4591, (_e4591 > _e4594));
-                                let _e4599 = local_5.member[1u];
-                                let _e4605 = select(_e4599[0], -(_e4599[0]), (_e4599[0] < 0f));
-                                let _e4608 = select(_e4599[1], -(_e4599[1]), (_e4599[1] < 0f));
-                                let _e4610 = select(_e4608, _e4605, (_e4605 > _e4608));
-                                let _e4613 = select(_e4599[2], -(_e4599[2]), (_e4599[2] < 0f));
-                                let _e4615 = select(_e4613, _e4610, (_e4610 > _e4613));
-                                let _e4619 = local_5.member_3;
-                                let _e4623 = local_5.member_1[0u];
-                                let _e4629 = select(_e4623[0], -(_e4623[0]), (_e4623[0] < 0f));
-                                let _e4632 = select(_e4623[1], -(_e4623[1]), (_e4623[1] < 0f));
-                                let _e4634 = select(_e4632, _e4629, (_e4629 > _e4632));
-                                let _e4637 = select(_e4623[2], -(_e4623[2]), (_e4623[2] < 0f));
-                                let _e4639 = select(_e4637, _e4634, (_e4634 > _e4637));
-                                let _e4642 = local_5.member_1[1u];
-                                let _e4648 = select(_e4642[0], -(_e4642[0]), (_e4642[0] < 0f));
-                                let _e4651 = select(_e4642[1], -(_e4642[1]), (_e4642[1] < 0f));
-                                let _e4653 = select(_e4651, _e4648, (_e4648 > _e4651));
-                                let _e4656 = select(_e4642[2], -(_e4642[2]), (_e4642[2] < 0f));
-                                let _e4658 = select(_e4656, _e4653, (_e4653 > _e4656));
-                                let _e4662 = local_5.member_3;
-                                let _e4666 = local_5.member_2[0u];
-                                let _e4672 = select(_e4666[0], -(_e4666[0]), (_e4666[0] < 0f));
-                                let _e4675 = select(_e4666[1], -(_e4666[1]), (_e4666[1] < 0f));
-                                let _e4677 = select(_e4675, _e4672, (_e4672 > _e4675));
-                                let _e4680 = select(_e4666[2], -(_e4666[2]), (_e4666[2] < 0f));
-                                let _e4682 = select(_e4680, _e4677, (_e4677 > _e4680));
-                                let _e4685 = local_5.member_2[1u];
-                                let _e4691 = select(_e4685[0], -(_e4685[0]), (_e4685[0] < 0f));
-                                let _e4694 = select(_e4685[1], -(_e4685[1]), (_e4685[1] < 0f));
-                                let _e4696 = select(_e4694, _e4691, (_e4691 > _e4694));
-                                let _e4699 = select(_e4685[2], -(_e4685[2]), (_e4685[2] < 0f));
-                                let _e4701 = select(_e4699, _e4696, (_e4696 > _e4699));
-                                let _e4705 = local_5.member_3;
-                                let _e4712 = local_5.member_3;
-                                let _e4719 = (((_e4574 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e4615, _e4596, (_e4596 > _e4615)) + _e4619) + (select(_e4658, _e4639, (_e4639 > _e4658)) + _e4662)) + (select(_e4701, _e4682, (_e4682 > _e4701)) + _e4705)) * (0.000000059604645f * 16f)) + (_e4712 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e609.member_1);
-                                phi_7627_ = select(true, false, _e4719);
-                                phi_7628_ = _e4719;
+                                let _e4698 = phi_7579_;
+                                let _e4704 = local_5.member[0u];
+                                let _e4710 = select(_e4704[0], -(_e4704[0]), (_e4704[0] < 0f));
+                                let _e4713 = select(_e4704[1], -(_e4704[1]), (_e4704[1] < 0f));
+                                let _e4715 = select(_e4713, _e4710, (_e4710 > _e4713));
+                                let _e4718 = select(_e4704[2], -(_e4704[2]), (_e4704[2] < 0f));
+                                let _e4720 = select(_e4718, _e4715, (_e4715 > _e4718));
+                                let _e4723 = local_5.member[1u];
+                                let _e4729 = select(_e4723[0], -(_e4723[0]), (_e4723[0] < 0f));
+                                let _e4732 = select(_e4723[1], -(_e4723[1]), (_e4723[1] < 0f));
+                                let _e4734 = select(_e4732, _e4729, (_e4729 > _e4732));
+                                let _e4737 = select(_e4723[2], -(_e4723[2]), (_e4723[2] < 0f));
+                                let _e4739 = select(_e4737, _e4734, (_e4734 > _e4737));
+                                let _e4743 = local_5.member_3;
+                                let _e4747 = local_5.member_1[0u];
+                                let _e4753 = select(_e4747[0], -(_e4747[0]), (_e4747[0] < 0f));
+                                let _e4756 = select(_e4747[1], -(_e4747[1]), (_e4747[1] < 0f));
+                                let _e4758 = select(_e4756, _e4753, (_e4753 > _e4756));
+                                let _e4761 = select(_e4747[2], -(_e4747[2]), (_e4747[2] < 0f));
+                                let _e4763 = select(_e4761, _e4758, (_e4758 > _e4761));
+                                let _e4766 = local_5.member_1[1u];
+                                let _e4772 = select(_e4766[0], -(_e4766[0]), (_e4766[0] < 0f));
+                                let _e4775 = select(_e4766[1], -(_e4766[1]), (_e4766[1] < 0f));
+                                let _e4777 = select(_e4775, _e4772, (_e4772 > _e4775));
+                                let _e4780 = select(_e4766[2], -(_e4766[2]), (_e4766[2] < 0f));
+                                let _e4782 = select(_e4780, _e4777, (_e4777 > _e4780));
+                                let _e4786 = local_5.member_3;
+                                let _e4790 = local_5.member_2[0u];
+                                let _e4796 = select(_e4790[0], -(_e4790[0]), (_e4790[0] < 0f));
+                                let _e4799 = select(_e4790[1], -(_e4790[1]), (_e4790[1] < 0f));
+                                let _e4801 = select(_e4799, _e4796, (_e4796 > _e4799));
+                                let _e4804 = select(_e4790[2], -(_e4790[2]), (_e4790[2] < 0f));
+                                let _e4806 = select(_e4804, _e4801, (_e4801 > _e4804));
+                                let _e4809 = local_5.member_2[1u];
+                                let _e4815 = select(_e4809[0], -(_e4809[0]), (_e4809[0] < 0f));
+                                let _e4818 = select(_e4809[1], -(_e4809[1]), (_e4809[1] < 0f));
+                                let _e4820 = select(_e4818, _e4815, (_e4815 > _e4818));
+                                let _e4823 = select(_e4809[2], -(_e4809[2]), (_e4809[2] < 0f));
+                                let _e4825 = select(_e4823, _e4820, (_e4820 > _e4823));
+                                let _e4829 = local_5.member_3;
+                                let _e4836 = local_5.member_3;
+                                let _e4843 = (((_e4698 * (1f + (0.000000059604645f * 8f))) + (((((((select(_e4739, _e4720, (_e4720 > _e4739)) + _e4743) + (select(_e4782, _e4763, (_e4763 > _e4782)) + _e4786)) + (select(_e4825, _e4806, (_e4806 > _e4825)) + _e4829)) * (0.000000059604645f * 16f)) + (_e4836 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e733.member_1);
+                                phi_7850_ = select(true, false, _e4843);
+                                phi_7851_ = _e4843;
                             } else {
-                                phi_7627_ = false;
-                                phi_7628_ = false;
+                                phi_7850_ = false;
+                                phi_7851_ = false;
                             }
-                            let _e4722 = phi_7627_;
-                            let _e4724 = phi_7628_;
-                            local_60 = _e4724;
+                            let _e4846 = phi_7850_;
+                            let _e4848 = phi_7851_;
+                            local_60 = _e4848;
                             continue;
                             continuing {
-                                phi_7124_ = type_9(select(_e4425.member, (_e4425.member + 1u), _e4428), select(_e4425.member_1, _e4425.member_1, _e4428));
-                                break if !(_e4722);
+                                phi_7347_ = type_9(select(_e4549.member, (_e4549.member + 1u), _e4552), select(_e4549.member_1, _e4549.member_1, _e4552));
+                                break if !(_e4846);
                             }
                         }
-                        let _e4727 = local_60;
-                        if _e4727 {
-                            phi_7640_ = type_35(type_34(1u, _e4411), select(_e4414, 1u, (_e4411 > _e380)));
-                            phi_7641_ = false;
+                        let _e4851 = local_60;
+                        if _e4851 {
+                            phi_7863_ = type_35(type_34(1u, _e4535), select(_e4538, 1u, (_e4535 > _e380)));
+                            phi_7864_ = false;
                         } else {
-                            phi_7640_ = type_35();
-                            phi_7641_ = true;
+                            phi_7863_ = type_35();
+                            phi_7864_ = true;
                         }
-                        let _e4733 = phi_7640_;
-                        let _e4735 = phi_7641_;
-                        if _e4735 {
-                            phi_7653_ = type_35(type_34(2u, _e4411), select(_e4414, 0u, (_e4411 > _e380)));
+                        let _e4857 = phi_7863_;
+                        let _e4859 = phi_7864_;
+                        if _e4859 {
+                            phi_7876_ = type_35(type_34(2u, _e4535), select(_e4538, 0u, (_e4535 > _e380)));
                         } else {
-                            phi_7653_ = _e4733;
+                            phi_7876_ = _e4857;
                         }
-                        let _e4741 = phi_7653_;
-                        phi_7654_ = _e4741;
-                        phi_7655_ = false;
-                        phi_7656_ = false;
+                        let _e4865 = phi_7876_;
+                        phi_7877_ = _e4865;
+                        phi_7878_ = false;
+                        phi_7879_ = false;
                     } else {
-                        phi_7654_ = type_35();
-                        phi_7655_ = select(select(_e4394, false, _e4388), false, _e4405);
-                        phi_7656_ = select(select(_e4349, false, _e4388), false, _e4405);
+                        phi_7877_ = type_35();
+                        phi_7878_ = select(select(_e4518, false, _e4512), false, _e4529);
+                        phi_7879_ = select(select(_e4473, false, _e4512), false, _e4529);
                     }
-                    let _e4743 = phi_7654_;
-                    let _e4745 = phi_7655_;
-                    let _e4747 = phi_7656_;
-                    if _e4745 {
-                        phi_7663_ = type_35(type_34(0u, f32()), 0u);
-                        phi_7664_ = true;
+                    let _e4867 = phi_7877_;
+                    let _e4869 = phi_7878_;
+                    let _e4871 = phi_7879_;
+                    if _e4869 {
+                        phi_7886_ = type_35(type_34(0u, f32()), 0u);
+                        phi_7887_ = true;
                     } else {
-                        phi_7663_ = _e4386;
-                        phi_7664_ = _e4747;
+                        phi_7886_ = _e4510;
+                        phi_7887_ = _e4871;
                     }
-                    let _e4751 = phi_7663_;
-                    let _e4753 = phi_7664_;
-                    phi_7668_ = _e4751;
-                    phi_7669_ = _e4743;
-                    phi_7670_ = _e4753;
+                    let _e4875 = phi_7886_;
+                    let _e4877 = phi_7887_;
+                    phi_7891_ = _e4875;
+                    phi_7892_ = _e4867;
+                    phi_7893_ = _e4877;
                 } else {
-                    phi_7668_ = _e1313;
-                    phi_7669_ = type_35();
-                    phi_7670_ = true;
+                    phi_7891_ = _e1437;
+                    phi_7892_ = type_35();
+                    phi_7893_ = true;
                 }
-                let _e4755 = phi_7668_;
-                let _e4757 = phi_7669_;
-                let _e4759 = phi_7670_;
-                if _e4759 {
-                    phi_7674_ = _e4755;
+                let _e4879 = phi_7891_;
+                let _e4881 = phi_7892_;
+                let _e4883 = phi_7893_;
+                if _e4883 {
+                    phi_7897_ = _e4879;
                 } else {
-                    phi_7674_ = _e4757;
+                    phi_7897_ = _e4881;
                 }
-                let _e4761 = phi_7674_;
-                switch bitcast<i32>(_e4761.member.member) {
+                let _e4885 = phi_7897_;
+                switch bitcast<i32>(_e4885.member.member) {
                     case 0: {
-                        phi_7692_ = type_32(0u, _e4761.member_1, array<u32, 2>(0u, 0u), false);
+                        phi_7915_ = type_32(0u, _e4885.member_1, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e4772 = function_(_e4761.member.member_1);
-                        phi_7692_ = type_32(0u, _e4761.member_1, _e4772, true);
+                        let _e4896 = function_(_e4885.member.member_1);
+                        phi_7915_ = type_32(0u, _e4885.member_1, _e4896, true);
                         break;
                     }
                     case 2: {
-                        let _e4768 = function_(_e4761.member.member_1);
-                        phi_7692_ = type_32(1u, _e4761.member_1, _e4768, true);
+                        let _e4892 = function_(_e4885.member.member_1);
+                        phi_7915_ = type_32(1u, _e4885.member_1, _e4892, true);
                         break;
                     }
                     default: {
-                        phi_7692_ = type_32();
+                        phi_7915_ = type_32();
                         break;
                     }
                 }
-                let _e4776 = phi_7692_;
-                let _e4780 = params.member.member.member_12;
-                let _e4781 = bitcast<u32>(_e4780);
-                if (_e4776.member_2[0] == select((_e4781 << bitcast<u32>(29i)), 0u, ((_e4781 & 2147483647u) < 8388608u))) {
-                    let _e4791 = params.member.member.member_12;
-                    let _e4792 = bitcast<u32>(_e4791);
-                    let _e4793 = (_e4792 & 2147483647u);
-                    phi_7732_ = (_e4776.member_2[1] == select(((_e4792 ^ _e4793) | ((_e4793 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e4793 < 8388608u)));
+                let _e4900 = phi_7915_;
+                let _e4904 = params.member.member.member_12;
+                let _e4905 = bitcast<u32>(_e4904);
+                if (_e4900.member_2[0] == select((_e4905 << bitcast<u32>(29i)), 0u, ((_e4905 & 2147483647u) < 8388608u))) {
+                    let _e4915 = params.member.member.member_12;
+                    let _e4916 = bitcast<u32>(_e4915);
+                    let _e4917 = (_e4916 & 2147483647u);
+                    phi_7955_ = (_e4900.member_2[1] == select(((_e4916 ^ _e4917) | ((_e4917 >> bitcast<u32>(3i)) + 939524096u)), 0u, (_e4917 < 8388608u)));
                 } else {
-                    phi_7732_ = false;
+                    phi_7955_ = false;
                 }
-                let _e4803 = phi_7732_;
-                let _e4805 = params.member.member.member_1;
-                if ((_e4805 & 128u) != 0u) {
-                    phi_7748_ = true;
+                let _e4927 = phi_7955_;
+                let _e4929 = params.member.member.member_1;
+                if ((_e4929 & 128u) != 0u) {
+                    phi_7971_ = true;
                 } else {
-                    let _e4809 = params.member.member.member_1;
-                    phi_7748_ = select(false, _e4803, ((_e4809 & 64u) != 0u));
+                    let _e4933 = params.member.member.member_1;
+                    phi_7971_ = select(false, _e4927, ((_e4933 & 64u) != 0u));
                 }
-                let _e4814 = phi_7748_;
-                local_6 = type_32(select(1u, _e4776.member, select(true, select(true, false, _e4814), _e4776.member_3)), _e4776.member_1, array<u32, 2>(_e4776.member_2[0], _e4776.member_2[1]), _e4776.member_3);
-                phi_7775_ = type_9(_e183, _e186);
+                let _e4938 = phi_7971_;
+                local_6 = type_32(select(1u, _e4900.member, select(true, select(true, false, _e4938), _e4900.member_3)), _e4900.member_1, array<u32, 2>(_e4900.member_2[0], _e4900.member_2[1]), _e4900.member_3);
+                phi_7998_ = type_9(_e183, _e186);
             } else {
-                phi_7775_ = type_9(0u, 0u);
+                phi_7998_ = type_9(0u, 0u);
             }
-            let _e4828 = phi_7775_;
-            let _e4834 = local_6.member;
-            let _e4836 = select(true, false, (_e4834 == 0u));
-            let _e4838 = local_6.member_3;
-            if _e4838 {
-                if _e4836 {
-                    phi_7804_ = true;
+            let _e4952 = phi_7998_;
+            let _e4958 = local_6.member;
+            let _e4960 = select(true, false, (_e4958 == 0u));
+            let _e4962 = local_6.member_3;
+            if _e4962 {
+                if _e4960 {
+                    phi_8027_ = true;
                 } else {
-                    let _e4840 = params.member.member.member_1;
-                    phi_7804_ = ((_e4840 & 16u) != 0u);
+                    let _e4964 = params.member.member.member_1;
+                    phi_8027_ = ((_e4964 & 16u) != 0u);
                 }
-                let _e4844 = phi_7804_;
-                phi_7805_ = _e4844;
+                let _e4968 = phi_8027_;
+                phi_8028_ = _e4968;
             } else {
-                phi_7805_ = false;
+                phi_8028_ = false;
             }
-            let _e4846 = phi_7805_;
-            let _e4848 = local_6.member_3;
-            if _e4848 {
-                if _e4836 {
+            let _e4970 = phi_8028_;
+            let _e4972 = local_6.member_3;
+            if _e4972 {
+                if _e4960 {
                 } else {
-                    let _e4850 = local_6.member_2;
-                    let _e4854 = (_e4850[1] >> bitcast<u32>(20i));
-                    let _e4868 = atomicMin((&earliest.member[0u]), select(((((_e4854 - 896u) << bitcast<u32>(23i)) | ((_e4850[1] & 1048575u) << bitcast<u32>(3i))) | (_e4850[0] >> bitcast<u32>(29i))), 0u, (_e4854 <= 896u)));
+                    let _e4974 = local_6.member_2;
+                    let _e4978 = (_e4974[1] >> bitcast<u32>(20i));
+                    let _e4992 = atomicMin((&earliest.member[0u]), select(((((_e4978 - 896u) << bitcast<u32>(23i)) | ((_e4974[1] & 1048575u) << bitcast<u32>(3i))) | (_e4974[0] >> bitcast<u32>(29i))), 0u, (_e4978 <= 896u)));
                 }
             }
             if (_e102 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e4846 {
-                let _e4872 = atomicAdd((&counters[0u]), 1u);
-                phi_7848_ = _e4872;
+            if _e4970 {
+                let _e4996 = atomicAdd((&counters[0u]), 1u);
+                phi_8071_ = _e4996;
             } else {
-                phi_7848_ = 0u;
+                phi_8071_ = 0u;
             }
-            let _e4874 = phi_7848_;
+            let _e4998 = phi_8071_;
             workgroupBarrier();
             if (_e102 == 0u) {
-                let _e4877 = atomicLoad((&counters[0u]));
-                if (_e4877 > 0u) {
-                    let _e4880 = atomicAdd((&contacts.member[0u]), _e4877);
-                    atomicStore((&counters[1u]), _e4880);
+                let _e5001 = atomicLoad((&counters[0u]));
+                if (_e5001 > 0u) {
+                    let _e5004 = atomicAdd((&contacts.member[0u]), _e5001);
+                    atomicStore((&counters[1u]), _e5004);
                 }
             }
             workgroupBarrier();
-            let _e4883 = atomicLoad((&counters[1u]));
-            let _e4884 = (_e4883 + _e4874);
-            if _e4846 {
-                let _e4886 = params.member.member_1.member_3;
-                if (_e4884 < _e4886) {
-                    let _e4892 = (7u * _e4884);
-                    atomicStore((&contacts.member[(4u + _e4892)]), select(1u, 0u, ((_e4828.member_1 & 2147483648u) == 0u)));
-                    let _e4897 = local_6.member;
-                    atomicStore((&contacts.member[(_e4892 + 5u)]), _e4897);
-                    atomicStore((&contacts.member[(_e4892 + 6u)]), _e4828.member);
-                    atomicStore((&contacts.member[(_e4892 + 7u)]), (_e4828.member_1 & 2147483647u));
-                    let _e4906 = local_6.member_2[0u];
-                    atomicStore((&contacts.member[(_e4892 + 8u)]), _e4906);
-                    let _e4911 = local_6.member_2[1u];
-                    atomicStore((&contacts.member[(_e4892 + 9u)]), _e4911);
-                    let _e4915 = local_6.member_1;
-                    atomicStore((&contacts.member[(_e4892 + 10u)]), _e4915);
+            let _e5007 = atomicLoad((&counters[1u]));
+            let _e5008 = (_e5007 + _e4998);
+            if _e4970 {
+                let _e5010 = params.member.member_1.member_3;
+                if (_e5008 < _e5010) {
+                    let _e5016 = (7u * _e5008);
+                    atomicStore((&contacts.member[(4u + _e5016)]), select(1u, 0u, ((_e4952.member_1 & 2147483648u) == 0u)));
+                    let _e5021 = local_6.member;
+                    atomicStore((&contacts.member[(_e5016 + 5u)]), _e5021);
+                    atomicStore((&contacts.member[(_e5016 + 6u)]), _e4952.member);
+                    atomicStore((&contacts.member[(_e5016 + 7u)]), (_e4952.member_1 & 2147483647u));
+                    let _e5030 = local_6.member_2[0u];
+                    atomicStore((&contacts.member[(_e5016 + 8u)]), _e5030);
+                    let _e5035 = local_6.member_2[1u];
+                    atomicStore((&contacts.member[(_e5016 + 9u)]), _e5035);
+                    let _e5039 = local_6.member_1;
+                    atomicStore((&contacts.member[(_e5016 + 10u)]), _e5039);
                 }
             }
         }

@@ -310,180 +310,180 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1175_: type_23;
     var phi_1371_: type_31;
     var phi_1532_: type_33;
-    var phi_1806_: bool;
-    var phi_1902_: type_36;
-    var phi_1903_: bool;
-    var phi_1904_: type_36;
-    var phi_1905_: bool;
-    var phi_1906_: type_36;
-    var phi_1907_: bool;
-    var phi_1912_: type_36;
-    var phi_2082_: type_16;
-    var phi_2085_: f64;
-    var phi_2083_: type_16;
-    var phi_2126_: type_17;
-    var phi_2086_: f64;
+    var phi_2029_: bool;
+    var phi_2125_: type_36;
+    var phi_2126_: bool;
+    var phi_2127_: type_36;
+    var phi_2128_: bool;
+    var phi_2129_: type_36;
+    var phi_2130_: bool;
+    var phi_2135_: type_36;
+    var phi_2305_: type_16;
+    var phi_2308_: f64;
+    var phi_2306_: type_16;
+    var phi_2349_: type_17;
+    var phi_2309_: f64;
     var local_7: f64;
-    var phi_2139_: f64;
-    var phi_3066_: type_38;
-    var phi_3067_: bool;
-    var phi_3068_: type_38;
-    var phi_3069_: bool;
-    var phi_3075_: type_16;
-    var phi_3078_: f64;
-    var phi_3080_: u32;
-    var phi_3082_: f64;
-    var phi_3076_: type_16;
-    var phi_3123_: type_17;
-    var phi_3566_: type_9;
-    var phi_3569_: f64;
-    var phi_3571_: f64;
-    var phi_3573_: f64;
-    var phi_3575_: f64;
-    var phi_3577_: bool;
-    var phi_3579_: u32;
-    var phi_3731_: array<f64, 3>;
-    var phi_3799_: type_16;
-    var phi_3802_: f64;
-    var phi_3800_: type_16;
-    var phi_3843_: type_17;
-    var phi_3803_: f64;
+    var phi_2362_: f64;
+    var phi_3289_: type_38;
+    var phi_3290_: bool;
+    var phi_3291_: type_38;
+    var phi_3292_: bool;
+    var phi_3298_: type_16;
+    var phi_3301_: f64;
+    var phi_3303_: u32;
+    var phi_3305_: f64;
+    var phi_3299_: type_16;
+    var phi_3346_: type_17;
+    var phi_3789_: type_9;
+    var phi_3792_: f64;
+    var phi_3794_: f64;
+    var phi_3796_: f64;
+    var phi_3798_: f64;
+    var phi_3800_: bool;
+    var phi_3802_: u32;
+    var phi_3954_: array<f64, 3>;
+    var phi_4022_: type_16;
+    var phi_4025_: f64;
+    var phi_4023_: type_16;
+    var phi_4066_: type_17;
+    var phi_4026_: f64;
     var local_8: f64;
-    var phi_3856_: f64;
-    var phi_3982_: type_39;
-    var phi_3983_: bool;
-    var phi_3984_: type_39;
-    var phi_3985_: bool;
-    var phi_3995_: type_39;
-    var phi_4167_: bool;
-    var phi_4168_: bool;
-    var phi_4169_: bool;
-    var phi_4170_: bool;
-    var phi_4171_: bool;
-    var phi_4172_: bool;
-    var phi_4474_: bool;
-    var phi_4475_: bool;
-    var phi_4476_: bool;
-    var phi_4477_: bool;
-    var phi_4478_: bool;
-    var phi_4479_: bool;
-    var phi_4487_: bool;
-    var phi_4597_: f64;
-    var phi_4598_: bool;
-    var phi_4599_: f64;
-    var phi_4600_: bool;
-    var phi_4601_: f64;
-    var phi_4602_: bool;
-    var phi_4603_: bool;
-    var phi_4669_: f64;
-    var phi_4670_: bool;
-    var phi_4671_: f64;
-    var phi_4672_: bool;
-    var phi_4673_: f64;
-    var phi_4674_: bool;
-    var phi_4675_: bool;
-    var phi_4746_: f64;
-    var phi_4747_: bool;
-    var phi_4748_: f64;
-    var phi_4749_: bool;
-    var phi_4750_: f64;
-    var phi_4751_: bool;
-    var phi_4752_: bool;
-    var phi_4818_: f64;
-    var phi_4819_: bool;
+    var phi_4079_: f64;
+    var phi_4205_: type_39;
+    var phi_4206_: bool;
+    var phi_4207_: type_39;
+    var phi_4208_: bool;
+    var phi_4218_: type_39;
+    var phi_4390_: bool;
+    var phi_4391_: bool;
+    var phi_4392_: bool;
+    var phi_4393_: bool;
+    var phi_4394_: bool;
+    var phi_4395_: bool;
+    var phi_4697_: bool;
+    var phi_4698_: bool;
+    var phi_4699_: bool;
+    var phi_4700_: bool;
+    var phi_4701_: bool;
+    var phi_4702_: bool;
+    var phi_4710_: bool;
     var phi_4820_: f64;
     var phi_4821_: bool;
     var phi_4822_: f64;
     var phi_4823_: bool;
-    var phi_4824_: bool;
-    var phi_5001_: type_16;
-    var phi_5004_: f64;
-    var phi_5002_: type_16;
-    var phi_5045_: type_17;
-    var phi_5005_: f64;
+    var phi_4824_: f64;
+    var phi_4825_: bool;
+    var phi_4826_: bool;
+    var phi_4892_: f64;
+    var phi_4893_: bool;
+    var phi_4894_: f64;
+    var phi_4895_: bool;
+    var phi_4896_: f64;
+    var phi_4897_: bool;
+    var phi_4898_: bool;
+    var phi_4969_: f64;
+    var phi_4970_: bool;
+    var phi_4971_: f64;
+    var phi_4972_: bool;
+    var phi_4973_: f64;
+    var phi_4974_: bool;
+    var phi_4975_: bool;
+    var phi_5041_: f64;
+    var phi_5042_: bool;
+    var phi_5043_: f64;
+    var phi_5044_: bool;
+    var phi_5045_: f64;
+    var phi_5046_: bool;
+    var phi_5047_: bool;
+    var phi_5224_: type_16;
+    var phi_5227_: f64;
+    var phi_5225_: type_16;
+    var phi_5268_: type_17;
+    var phi_5228_: f64;
     var local_9: f64;
-    var phi_5058_: f64;
-    var phi_5335_: bool;
-    var phi_5336_: bool;
-    var phi_5363_: f64;
-    var phi_5364_: f64;
-    var phi_5365_: bool;
-    var phi_5366_: f64;
-    var phi_5367_: f64;
-    var phi_5368_: bool;
-    var phi_5369_: bool;
-    var phi_5370_: f64;
-    var phi_5371_: f64;
-    var phi_5372_: f64;
-    var phi_5373_: f64;
-    var phi_5374_: bool;
-    var phi_5375_: bool;
-    var phi_5376_: bool;
-    var phi_5377_: bool;
-    var phi_5378_: f64;
-    var phi_5379_: f64;
-    var phi_5380_: f64;
-    var phi_5381_: f64;
-    var phi_5382_: bool;
-    var phi_5383_: bool;
-    var phi_5384_: bool;
-    var phi_5385_: bool;
-    var phi_5386_: bool;
-    var phi_5387_: f64;
-    var phi_5388_: f64;
-    var phi_5389_: f64;
-    var phi_5390_: f64;
-    var phi_5391_: bool;
-    var phi_5392_: bool;
-    var phi_5393_: bool;
-    var phi_5394_: bool;
-    var phi_5395_: bool;
-    var phi_5733_: f64;
-    var phi_5735_: u32;
-    var phi_5736_: f64;
-    var phi_5737_: bool;
-    var phi_5738_: bool;
-    var phi_5739_: bool;
-    var phi_5740_: u32;
-    var phi_5741_: f64;
-    var phi_5742_: f64;
-    var phi_5743_: f64;
-    var phi_5744_: f64;
-    var phi_5745_: bool;
-    var phi_5746_: u32;
-    var phi_5747_: bool;
-    var phi_5748_: bool;
-    var phi_5749_: bool;
-    var phi_5750_: bool;
-    var phi_5751_: bool;
-    var phi_5752_: bool;
-    var phi_5780_: f64;
-    var phi_5781_: f64;
-    var phi_5782_: f64;
-    var phi_5783_: f64;
-    var phi_5784_: bool;
-    var phi_5785_: u32;
-    var phi_5786_: bool;
-    var phi_5787_: bool;
-    var phi_5788_: bool;
-    var phi_5789_: bool;
-    var phi_5790_: bool;
-    var phi_5791_: bool;
-    var phi_3570_: f64;
-    var phi_3572_: f64;
-    var phi_3574_: f64;
-    var phi_3576_: f64;
-    var phi_3578_: bool;
-    var phi_3580_: u32;
-    var phi_5792_: f64;
-    var phi_5793_: f64;
-    var phi_5794_: bool;
-    var phi_5795_: bool;
-    var phi_5796_: bool;
-    var phi_5797_: bool;
-    var phi_5798_: bool;
-    var phi_5799_: bool;
-    var phi_5800_: bool;
+    var phi_5281_: f64;
+    var phi_5558_: bool;
+    var phi_5559_: bool;
+    var phi_5586_: f64;
+    var phi_5587_: f64;
+    var phi_5588_: bool;
+    var phi_5589_: f64;
+    var phi_5590_: f64;
+    var phi_5591_: bool;
+    var phi_5592_: bool;
+    var phi_5593_: f64;
+    var phi_5594_: f64;
+    var phi_5595_: f64;
+    var phi_5596_: f64;
+    var phi_5597_: bool;
+    var phi_5598_: bool;
+    var phi_5599_: bool;
+    var phi_5600_: bool;
+    var phi_5601_: f64;
+    var phi_5602_: f64;
+    var phi_5603_: f64;
+    var phi_5604_: f64;
+    var phi_5605_: bool;
+    var phi_5606_: bool;
+    var phi_5607_: bool;
+    var phi_5608_: bool;
+    var phi_5609_: bool;
+    var phi_5610_: f64;
+    var phi_5611_: f64;
+    var phi_5612_: f64;
+    var phi_5613_: f64;
+    var phi_5614_: bool;
+    var phi_5615_: bool;
+    var phi_5616_: bool;
+    var phi_5617_: bool;
+    var phi_5618_: bool;
+    var phi_5956_: f64;
+    var phi_5958_: u32;
+    var phi_5959_: f64;
+    var phi_5960_: bool;
+    var phi_5961_: bool;
+    var phi_5962_: bool;
+    var phi_5963_: u32;
+    var phi_5964_: f64;
+    var phi_5965_: f64;
+    var phi_5966_: f64;
+    var phi_5967_: f64;
+    var phi_5968_: bool;
+    var phi_5969_: u32;
+    var phi_5970_: bool;
+    var phi_5971_: bool;
+    var phi_5972_: bool;
+    var phi_5973_: bool;
+    var phi_5974_: bool;
+    var phi_5975_: bool;
+    var phi_6003_: f64;
+    var phi_6004_: f64;
+    var phi_6005_: f64;
+    var phi_6006_: f64;
+    var phi_6007_: bool;
+    var phi_6008_: u32;
+    var phi_6009_: bool;
+    var phi_6010_: bool;
+    var phi_6011_: bool;
+    var phi_6012_: bool;
+    var phi_6013_: bool;
+    var phi_6014_: bool;
+    var phi_3793_: f64;
+    var phi_3795_: f64;
+    var phi_3797_: f64;
+    var phi_3799_: f64;
+    var phi_3801_: bool;
+    var phi_3803_: u32;
+    var phi_6015_: f64;
+    var phi_6016_: f64;
+    var phi_6017_: bool;
+    var phi_6018_: bool;
+    var phi_6019_: bool;
+    var phi_6020_: bool;
+    var phi_6021_: bool;
+    var phi_6022_: bool;
+    var phi_6023_: bool;
     var local_10: bool;
     var local_11: bool;
     var local_12: bool;
@@ -499,135 +499,135 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_22: f64;
     var local_23: f64;
     var local_24: f64;
-    var phi_5867_: f64;
-    var phi_5868_: bool;
-    var phi_6493_: type_16;
-    var phi_6496_: f64;
-    var phi_6494_: type_16;
-    var phi_6537_: type_17;
-    var phi_6497_: f64;
+    var phi_6090_: f64;
+    var phi_6091_: bool;
+    var phi_6716_: type_16;
+    var phi_6719_: f64;
+    var phi_6717_: type_16;
+    var phi_6760_: type_17;
+    var phi_6720_: f64;
     var local_25: f64;
-    var phi_6550_: f64;
-    var phi_6788_: type_16;
-    var phi_6791_: f64;
-    var phi_6789_: type_16;
-    var phi_6832_: type_17;
-    var phi_6792_: f64;
+    var phi_6773_: f64;
+    var phi_7011_: type_16;
+    var phi_7014_: f64;
+    var phi_7012_: type_16;
+    var phi_7055_: type_17;
+    var phi_7015_: f64;
     var local_26: f64;
-    var phi_6845_: f64;
-    var phi_6877_: type_16;
-    var phi_6880_: f64;
-    var phi_6878_: type_16;
-    var phi_6921_: type_17;
-    var phi_6881_: f64;
+    var phi_7068_: f64;
+    var phi_7100_: type_16;
+    var phi_7103_: f64;
+    var phi_7101_: type_16;
+    var phi_7144_: type_17;
+    var phi_7104_: f64;
     var local_27: f64;
-    var phi_6934_: f64;
-    var phi_7252_: type_9;
-    var phi_7255_: f64;
-    var phi_7256_: f64;
+    var phi_7157_: f64;
+    var phi_7475_: type_9;
+    var phi_7478_: f64;
+    var phi_7479_: f64;
     var local_28: f64;
     var local_29: f64;
-    var phi_7357_: type_16;
-    var phi_7360_: f64;
-    var phi_7358_: type_16;
-    var phi_7401_: type_17;
-    var phi_7361_: f64;
+    var phi_7580_: type_16;
+    var phi_7583_: f64;
+    var phi_7581_: type_16;
+    var phi_7624_: type_17;
+    var phi_7584_: f64;
     var local_30: f64;
-    var phi_7414_: f64;
-    var phi_7421_: type_9;
-    var phi_7424_: f64;
-    var phi_7426_: bool;
-    var phi_7428_: bool;
-    var phi_7664_: f64;
-    var phi_7665_: f64;
-    var phi_7425_: f64;
-    var phi_7427_: bool;
-    var phi_7429_: bool;
+    var phi_7637_: f64;
+    var phi_7644_: type_9;
+    var phi_7647_: f64;
+    var phi_7649_: bool;
+    var phi_7651_: bool;
+    var phi_7887_: f64;
+    var phi_7888_: f64;
+    var phi_7648_: f64;
+    var phi_7650_: bool;
+    var phi_7652_: bool;
     var local_31: f64;
     var local_32: f64;
     var local_33: bool;
     var local_34: bool;
     var local_35: bool;
     var local_36: bool;
-    var phi_7683_: type_42;
-    var phi_7684_: bool;
+    var phi_7906_: type_42;
+    var phi_7907_: bool;
     var local_37: bool;
-    var phi_7706_: type_9;
-    var phi_7709_: f64;
-    var phi_7711_: f64;
-    var phi_7821_: f64;
-    var phi_7822_: f64;
-    var phi_7823_: f64;
-    var phi_7824_: f64;
-    var phi_7710_: f64;
-    var phi_7712_: f64;
+    var phi_7929_: type_9;
+    var phi_7932_: f64;
+    var phi_7934_: f64;
+    var phi_8044_: f64;
+    var phi_8045_: f64;
+    var phi_8046_: f64;
+    var phi_8047_: f64;
+    var phi_7933_: f64;
+    var phi_7935_: f64;
     var local_38: f64;
     var local_39: f64;
     var local_40: f64;
-    var phi_7987_: bool;
-    var phi_7988_: bool;
-    var phi_7989_: bool;
-    var phi_7990_: bool;
-    var phi_7991_: bool;
-    var phi_7992_: bool;
-    var phi_8001_: bool;
-    var phi_8002_: bool;
-    var phi_8011_: type_42;
-    var phi_8012_: type_42;
-    var phi_8013_: bool;
-    var phi_8014_: type_42;
-    var phi_8015_: type_42;
-    var phi_8016_: bool;
-    var phi_8022_: type_42;
-    var phi_8023_: type_42;
-    var phi_8024_: bool;
-    var phi_8028_: type_42;
-    var phi_8029_: type_42;
-    var phi_8030_: bool;
-    var phi_8031_: bool;
-    var phi_8032_: type_42;
-    var phi_8033_: type_42;
-    var phi_8034_: bool;
-    var phi_8035_: bool;
-    var phi_8070_: f64;
-    var phi_8071_: f64;
-    var phi_8072_: bool;
-    var phi_8073_: bool;
-    var phi_8074_: bool;
-    var phi_8075_: f64;
-    var phi_8076_: u32;
-    var phi_8077_: f64;
-    var phi_8078_: type_42;
-    var phi_8079_: u32;
-    var phi_8080_: u32;
-    var phi_8081_: bool;
-    var phi_8082_: bool;
-    var phi_8083_: bool;
-    var phi_8084_: f64;
-    var phi_8085_: u32;
-    var phi_8086_: f64;
-    var phi_8087_: type_42;
-    var phi_8088_: u32;
-    var phi_8089_: u32;
-    var phi_8090_: bool;
-    var phi_8091_: bool;
-    var phi_8092_: bool;
-    var phi_8093_: bool;
-    var phi_8094_: bool;
-    var phi_8095_: f64;
-    var phi_3079_: f64;
-    var phi_3081_: u32;
-    var phi_3083_: f64;
-    var phi_8096_: type_42;
-    var phi_8097_: u32;
-    var phi_8098_: f64;
-    var phi_8099_: u32;
-    var phi_8100_: bool;
-    var phi_8101_: bool;
-    var phi_8102_: bool;
-    var phi_8103_: bool;
-    var phi_8104_: bool;
-    var phi_8105_: bool;
+    var phi_8210_: bool;
+    var phi_8211_: bool;
+    var phi_8212_: bool;
+    var phi_8213_: bool;
+    var phi_8214_: bool;
+    var phi_8215_: bool;
+    var phi_8224_: bool;
+    var phi_8225_: bool;
+    var phi_8234_: type_42;
+    var phi_8235_: type_42;
+    var phi_8236_: bool;
+    var phi_8237_: type_42;
+    var phi_8238_: type_42;
+    var phi_8239_: bool;
+    var phi_8245_: type_42;
+    var phi_8246_: type_42;
+    var phi_8247_: bool;
+    var phi_8251_: type_42;
+    var phi_8252_: type_42;
+    var phi_8253_: bool;
+    var phi_8254_: bool;
+    var phi_8255_: type_42;
+    var phi_8256_: type_42;
+    var phi_8257_: bool;
+    var phi_8258_: bool;
+    var phi_8293_: f64;
+    var phi_8294_: f64;
+    var phi_8295_: bool;
+    var phi_8296_: bool;
+    var phi_8297_: bool;
+    var phi_8298_: f64;
+    var phi_8299_: u32;
+    var phi_8300_: f64;
+    var phi_8301_: type_42;
+    var phi_8302_: u32;
+    var phi_8303_: u32;
+    var phi_8304_: bool;
+    var phi_8305_: bool;
+    var phi_8306_: bool;
+    var phi_8307_: f64;
+    var phi_8308_: u32;
+    var phi_8309_: f64;
+    var phi_8310_: type_42;
+    var phi_8311_: u32;
+    var phi_8312_: u32;
+    var phi_8313_: bool;
+    var phi_8314_: bool;
+    var phi_8315_: bool;
+    var phi_8316_: bool;
+    var phi_8317_: bool;
+    var phi_8318_: f64;
+    var phi_3302_: f64;
+    var phi_3304_: u32;
+    var phi_3306_: f64;
+    var phi_8319_: type_42;
+    var phi_8320_: u32;
+    var phi_8321_: f64;
+    var phi_8322_: u32;
+    var phi_8323_: bool;
+    var phi_8324_: bool;
+    var phi_8325_: bool;
+    var phi_8326_: bool;
+    var phi_8327_: bool;
+    var phi_8328_: bool;
     var local_41: bool;
     var local_42: bool;
     var local_43: bool;
@@ -640,45 +640,45 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_50: type_42;
     var local_51: u32;
     var local_52: type_42;
-    var phi_8134_: type_38;
-    var phi_8135_: type_38;
-    var phi_8136_: bool;
-    var phi_8137_: bool;
-    var phi_8138_: bool;
-    var phi_8139_: bool;
+    var phi_8357_: type_38;
+    var phi_8358_: type_38;
+    var phi_8359_: bool;
+    var phi_8360_: bool;
+    var phi_8361_: bool;
+    var phi_8362_: bool;
     var local_53: u32;
     var local_54: u32;
     var local_55: f64;
     var local_56: f64;
     var local_57: f64;
     var local_58: u32;
-    var phi_8173_: type_9;
-    var phi_8349_: type_16;
-    var phi_8352_: f64;
-    var phi_8350_: type_16;
-    var phi_8393_: type_17;
-    var phi_8353_: f64;
+    var phi_8396_: type_9;
+    var phi_8572_: type_16;
+    var phi_8575_: f64;
+    var phi_8573_: type_16;
+    var phi_8616_: type_17;
+    var phi_8576_: f64;
     var local_59: f64;
-    var phi_8406_: f64;
-    var phi_8683_: bool;
-    var phi_8684_: bool;
+    var phi_8629_: f64;
+    var phi_8906_: bool;
+    var phi_8907_: bool;
     var local_60: bool;
-    var phi_8696_: type_38;
-    var phi_8697_: bool;
-    var phi_8709_: type_38;
-    var phi_8710_: type_38;
-    var phi_8711_: bool;
-    var phi_8712_: bool;
-    var phi_8719_: type_38;
-    var phi_8720_: bool;
-    var phi_8724_: type_38;
-    var phi_8725_: type_38;
-    var phi_8726_: bool;
-    var phi_8730_: type_38;
-    var phi_8748_: type_35;
-    var phi_8757_: type_9;
-    var phi_8782_: bool;
-    var phi_8825_: u32;
+    var phi_8919_: type_38;
+    var phi_8920_: bool;
+    var phi_8932_: type_38;
+    var phi_8933_: type_38;
+    var phi_8934_: bool;
+    var phi_8935_: bool;
+    var phi_8942_: type_38;
+    var phi_8943_: bool;
+    var phi_8947_: type_38;
+    var phi_8948_: type_38;
+    var phi_8949_: bool;
+    var phi_8953_: type_38;
+    var phi_8971_: type_35;
+    var phi_8980_: type_9;
+    var phi_9005_: bool;
+    var phi_9048_: u32;
     var local_61: bool;
     var local_62: bool;
     var id_2: vec3<u32>;
@@ -834,2215 +834,2250 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e675 = (select(_e671, _e653, (_e653 > _e671)) + _e515.member_3);
                 let _e677 = select(_e635, _e595, (_e595 > _e635));
                 let _e679 = select(_e675, _e677, (_e677 > _e675));
-                if (_e679 <= f64(65536f)) {
-                    phi_1806_ = (_e679 >= f64((1f / 65536f)));
+                let _e685 = select(_e515.member[0][0], -(_e515.member[0][0]), (_e515.member[0][0] < 0.0lf));
+                let _e689 = select(_e515.member[0][1], -(_e515.member[0][1]), (_e515.member[0][1] < 0.0lf));
+                let _e691 = select(_e689, _e685, (_e685 > _e689));
+                let _e695 = select(_e515.member[0][2], -(_e515.member[0][2]), (_e515.member[0][2] < 0.0lf));
+                let _e697 = select(_e695, _e691, (_e691 > _e695));
+                let _e703 = select(_e515.member[1][0], -(_e515.member[1][0]), (_e515.member[1][0] < 0.0lf));
+                let _e707 = select(_e515.member[1][1], -(_e515.member[1][1]), (_e515.member[1][1] < 0.0lf));
+                let _e709 = select(_e707, _e703, (_e703 > _e707));
+                let _e713 = select(_e515.member[1][2], -(_e515.member[1][2]), (_e515.member[1][2] < 0.0lf));
+                let _e715 = select(_e713, _e709, (_e709 > _e713));
+                let _e719 = (select(_e715, _e697, (_e697 > _e715)) + _e515.member_3);
+                let _e725 = select(_e515.member_1[0][0], -(_e515.member_1[0][0]), (_e515.member_1[0][0] < 0.0lf));
+                let _e729 = select(_e515.member_1[0][1], -(_e515.member_1[0][1]), (_e515.member_1[0][1] < 0.0lf));
+                let _e731 = select(_e729, _e725, (_e725 > _e729));
+                let _e735 = select(_e515.member_1[0][2], -(_e515.member_1[0][2]), (_e515.member_1[0][2] < 0.0lf));
+                let _e737 = select(_e735, _e731, (_e731 > _e735));
+                let _e743 = select(_e515.member_1[1][0], -(_e515.member_1[1][0]), (_e515.member_1[1][0] < 0.0lf));
+                let _e747 = select(_e515.member_1[1][1], -(_e515.member_1[1][1]), (_e515.member_1[1][1] < 0.0lf));
+                let _e749 = select(_e747, _e743, (_e743 > _e747));
+                let _e753 = select(_e515.member_1[1][2], -(_e515.member_1[1][2]), (_e515.member_1[1][2] < 0.0lf));
+                let _e755 = select(_e753, _e749, (_e749 > _e753));
+                let _e759 = (select(_e755, _e737, (_e737 > _e755)) + _e515.member_3);
+                let _e765 = select(_e515.member_2[0][0], -(_e515.member_2[0][0]), (_e515.member_2[0][0] < 0.0lf));
+                let _e769 = select(_e515.member_2[0][1], -(_e515.member_2[0][1]), (_e515.member_2[0][1] < 0.0lf));
+                let _e771 = select(_e769, _e765, (_e765 > _e769));
+                let _e775 = select(_e515.member_2[0][2], -(_e515.member_2[0][2]), (_e515.member_2[0][2] < 0.0lf));
+                let _e777 = select(_e775, _e771, (_e771 > _e775));
+                let _e783 = select(_e515.member_2[1][0], -(_e515.member_2[1][0]), (_e515.member_2[1][0] < 0.0lf));
+                let _e787 = select(_e515.member_2[1][1], -(_e515.member_2[1][1]), (_e515.member_2[1][1] < 0.0lf));
+                let _e789 = select(_e787, _e783, (_e783 > _e787));
+                let _e793 = select(_e515.member_2[1][2], -(_e515.member_2[1][2]), (_e515.member_2[1][2] < 0.0lf));
+                let _e795 = select(_e793, _e789, (_e789 > _e793));
+                let _e799 = (select(_e795, _e777, (_e777 > _e795)) + _e515.member_3);
+                let _e801 = select(_e759, _e719, (_e719 > _e759));
+                let _e803 = select(_e799, _e801, (_e801 > _e799));
+                if (_e803 <= f64(65536f)) {
+                    phi_2029_ = (_e803 >= f64((1f / 65536f)));
                 } else {
-                    phi_1806_ = false;
+                    phi_2029_ = false;
                 }
-                let _e686 = phi_1806_;
-                if _e686 {
-                    phi_1906_ = type_36();
-                    phi_1907_ = true;
+                let _e810 = phi_2029_;
+                if _e810 {
+                    phi_2129_ = type_36();
+                    phi_2130_ = true;
                 } else {
                     if (_e679 >= 2.2250738585072014e-308lf) {
                         if ((bitcast<u64>(_e679) & 9218868437227405312lu) != 9218868437227405312lu) {
-                            let _e693 = (9214364837600034816lu - (bitcast<u64>(_e679) & 9218868437227405312lu));
-                            let _e696 = bitcast<f64>(select(4503599627370496lu, _e693, (_e693 > 4503599627370496lu)));
-                            let _e697 = (_e524 * _e696);
-                            phi_1902_ = type_36(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e515.member[0][0] * _e696), (_e515.member[0][1] * _e696), (_e515.member[0][2] * _e696)), array<f64, 3>((_e515.member[1][0] * _e696), (_e515.member[1][1] * _e696), (_e515.member[1][2] * _e696))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_1[0][0] * _e696), (_e515.member_1[0][1] * _e696), (_e515.member_1[0][2] * _e696)), array<f64, 3>((_e515.member_1[1][0] * _e696), (_e515.member_1[1][1] * _e696), (_e515.member_1[1][2] * _e696))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_2[0][0] * _e696), (_e515.member_2[0][1] * _e696), (_e515.member_2[0][2] * _e696)), array<f64, 3>((_e515.member_2[1][0] * _e696), (_e515.member_2[1][1] * _e696), (_e515.member_2[1][2] * _e696))), ((_e515.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e696)), select(_e697, select(2.2250738585072014e-308lf, _e697, (_e697 > 2.2250738585072014e-308lf)), (_e524 > f64(0f))));
-                            phi_1903_ = false;
+                            let _e817 = (9214364837600034816lu - (bitcast<u64>(_e679) & 9218868437227405312lu));
+                            let _e820 = bitcast<f64>(select(4503599627370496lu, _e817, (_e817 > 4503599627370496lu)));
+                            let _e821 = (_e524 * _e820);
+                            phi_2125_ = type_36(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e515.member[0][0] * _e820), (_e515.member[0][1] * _e820), (_e515.member[0][2] * _e820)), array<f64, 3>((_e515.member[1][0] * _e820), (_e515.member[1][1] * _e820), (_e515.member[1][2] * _e820))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_1[0][0] * _e820), (_e515.member_1[0][1] * _e820), (_e515.member_1[0][2] * _e820)), array<f64, 3>((_e515.member_1[1][0] * _e820), (_e515.member_1[1][1] * _e820), (_e515.member_1[1][2] * _e820))), array<array<f64, 3>, 2>(array<f64, 3>((_e515.member_2[0][0] * _e820), (_e515.member_2[0][1] * _e820), (_e515.member_2[0][2] * _e820)), array<f64, 3>((_e515.member_2[1][0] * _e820), (_e515.member_2[1][1] * _e820), (_e515.member_2[1][2] * _e820))), ((_e515.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e820)), select(_e821, select(2.2250738585072014e-308lf, _e821, (_e821 > 2.2250738585072014e-308lf)), (_e524 > f64(0f))));
+                            phi_2126_ = false;
                         } else {
-                            phi_1902_ = type_36();
-                            phi_1903_ = true;
+                            phi_2125_ = type_36();
+                            phi_2126_ = true;
                         }
-                        let _e768 = phi_1902_;
-                        let _e770 = phi_1903_;
-                        phi_1904_ = _e768;
-                        phi_1905_ = _e770;
+                        let _e892 = phi_2125_;
+                        let _e894 = phi_2126_;
+                        phi_2127_ = _e892;
+                        phi_2128_ = _e894;
                     } else {
-                        phi_1904_ = type_36();
-                        phi_1905_ = true;
+                        phi_2127_ = type_36();
+                        phi_2128_ = true;
                     }
-                    let _e772 = phi_1904_;
-                    let _e774 = phi_1905_;
-                    phi_1906_ = _e772;
-                    phi_1907_ = _e774;
+                    let _e896 = phi_2127_;
+                    let _e898 = phi_2128_;
+                    phi_2129_ = _e896;
+                    phi_2130_ = _e898;
                 }
-                let _e776 = phi_1906_;
-                let _e778 = phi_1907_;
-                if _e778 {
-                    phi_1912_ = type_36(_e515, _e524);
+                let _e900 = phi_2129_;
+                let _e902 = phi_2130_;
+                if _e902 {
+                    phi_2135_ = type_36(_e515, _e524);
                 } else {
-                    phi_1912_ = _e776;
+                    phi_2135_ = _e900;
                 }
-                let _e781 = phi_1912_;
-                local_5 = type_33(array<array<f64, 3>, 2>(array<f64, 3>(_e781.member.member[0][0], _e781.member.member[0][1], _e781.member.member[0][2]), array<f64, 3>(_e781.member.member[1][0], _e781.member.member[1][1], _e781.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e781.member.member_1[0][0], _e781.member.member_1[0][1], _e781.member.member_1[0][2]), array<f64, 3>(_e781.member.member_1[1][0], _e781.member.member_1[1][1], _e781.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e781.member.member_2[0][0], _e781.member.member_2[0][1], _e781.member.member_2[0][2]), array<f64, 3>(_e781.member.member_2[1][0], _e781.member.member_2[1][1], _e781.member.member_2[1][2])), _e781.member.member_3);
-                let _e824 = local_5.member[0u];
-                let _e830 = local_5.member[1u];
-                let _e846 = local_5.member_1[0u];
-                let _e852 = local_5.member_1[1u];
-                let _e868 = local_5.member_2[0u];
-                let _e874 = local_5.member_2[1u];
-                let _e888 = function_4(array<f64, 3>((_e824[0] + ((_e830[0] - _e824[0]) * _e542)), (_e824[1] + ((_e830[1] - _e824[1]) * _e542)), (_e824[2] + ((_e830[2] - _e824[2]) * _e542))), array<f64, 3>((_e846[0] + ((_e852[0] - _e846[0]) * _e542)), (_e846[1] + ((_e852[1] - _e846[1]) * _e542)), (_e846[2] + ((_e852[2] - _e846[2]) * _e542))), array<f64, 3>((_e868[0] + ((_e874[0] - _e868[0]) * _e542)), (_e868[1] + ((_e874[1] - _e868[1]) * _e542)), (_e868[2] + ((_e874[2] - _e868[2]) * _e542))), _e230.member);
-                let _e899 = (((_e888[0] * _e888[0]) + (_e888[1] * _e888[1])) + (_e888[2] * _e888[2]));
-                if (_e899 <= 2.2250738585072014e-308lf) {
-                    phi_2139_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e899 > 0.0lf));
+                let _e905 = phi_2135_;
+                local_5 = type_33(array<array<f64, 3>, 2>(array<f64, 3>(_e905.member.member[0][0], _e905.member.member[0][1], _e905.member.member[0][2]), array<f64, 3>(_e905.member.member[1][0], _e905.member.member[1][1], _e905.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e905.member.member_1[0][0], _e905.member.member_1[0][1], _e905.member.member_1[0][2]), array<f64, 3>(_e905.member.member_1[1][0], _e905.member.member_1[1][1], _e905.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e905.member.member_2[0][0], _e905.member.member_2[0][1], _e905.member.member_2[0][2]), array<f64, 3>(_e905.member.member_2[1][0], _e905.member.member_2[1][1], _e905.member.member_2[1][2])), _e905.member.member_3);
+                let _e948 = local_5.member[0u];
+                let _e954 = local_5.member[1u];
+                let _e970 = local_5.member_1[0u];
+                let _e976 = local_5.member_1[1u];
+                let _e992 = local_5.member_2[0u];
+                let _e998 = local_5.member_2[1u];
+                let _e1012 = function_4(array<f64, 3>((_e948[0] + ((_e954[0] - _e948[0]) * _e542)), (_e948[1] + ((_e954[1] - _e948[1]) * _e542)), (_e948[2] + ((_e954[2] - _e948[2]) * _e542))), array<f64, 3>((_e970[0] + ((_e976[0] - _e970[0]) * _e542)), (_e970[1] + ((_e976[1] - _e970[1]) * _e542)), (_e970[2] + ((_e976[2] - _e970[2]) * _e542))), array<f64, 3>((_e992[0] + ((_e998[0] - _e992[0]) * _e542)), (_e992[1] + ((_e998[1] - _e992[1]) * _e542)), (_e992[2] + ((_e998[2] - _e992[2]) * _e542))), _e230.member);
+                let _e1023 = (((_e1012[0] * _e1012[0]) + (_e1012[1] * _e1012[1])) + (_e1012[2] * _e1012[2]));
+                if (_e1023 <= 2.2250738585072014e-308lf) {
+                    phi_2362_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1023 > 0.0lf));
                 } else {
-                    phi_2082_ = type_16(0i, 5i);
-                    phi_2085_ = bitcast<f64>(((bitcast<u64>(_e899) / 2lu) + 2303426169912950784lu));
+                    phi_2305_ = type_16(0i, 5i);
+                    phi_2308_ = bitcast<f64>(((bitcast<u64>(_e1023) / 2lu) + 2303426169912950784lu));
                     loop {
-                        let _e906 = phi_2082_;
-                        let _e908 = phi_2085_;
-                        local_7 = _e908;
-                        if (_e906.member < _e906.member_1) {
-                            let _e915 = (_e906.member + 1i);
-                            phi_2083_ = type_16(select(_e915, type_17().member_1, select(false, true, ((false == (_e915 > _e906.member)) != false))), _e906.member_1);
-                            phi_2126_ = type_17(1u, _e906.member);
+                        let _e1030 = phi_2305_;
+                        let _e1032 = phi_2308_;
+                        local_7 = _e1032;
+                        if (_e1030.member < _e1030.member_1) {
+                            let _e1039 = (_e1030.member + 1i);
+                            phi_2306_ = type_16(select(_e1039, type_17().member_1, select(false, true, ((false == (_e1039 > _e1030.member)) != false))), _e1030.member_1);
+                            phi_2349_ = type_17(1u, _e1030.member);
                         } else {
-                            phi_2083_ = _e906;
-                            phi_2126_ = type_17(0u, type_17().member_1);
+                            phi_2306_ = _e1030;
+                            phi_2349_ = type_17(0u, type_17().member_1);
                         }
-                        let _e926 = phi_2083_;
-                        let _e928 = phi_2126_;
-                        let _e931 = (bitcast<i32>(_e928.member) != 0i);
-                        if _e931 {
-                            phi_2086_ = (0.5lf * (_e908 + (_e899 / _e908)));
+                        let _e1050 = phi_2306_;
+                        let _e1052 = phi_2349_;
+                        let _e1055 = (bitcast<i32>(_e1052.member) != 0i);
+                        if _e1055 {
+                            phi_2309_ = (0.5lf * (_e1032 + (_e1023 / _e1032)));
                         } else {
-                            phi_2086_ = f64();
+                            phi_2309_ = f64();
                         }
-                        let _e936 = phi_2086_;
+                        let _e1060 = phi_2309_;
                         continue;
                         continuing {
-                            phi_2082_ = _e926;
-                            phi_2085_ = _e936;
-                            break if !(_e931);
+                            phi_2305_ = _e1050;
+                            phi_2308_ = _e1060;
+                            break if !(_e1055);
                         }
                     }
-                    let _e941 = local_7;
-                    phi_2139_ = (_e941 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                    let _e1065 = local_7;
+                    phi_2362_ = (_e1065 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                 }
-                let _e947 = phi_2139_;
-                let _e955 = local_5.member[0u];
-                let _e961 = select(_e955[0], -(_e955[0]), (_e955[0] < 0.0lf));
-                let _e964 = select(_e955[1], -(_e955[1]), (_e955[1] < 0.0lf));
-                let _e966 = select(_e964, _e961, (_e961 > _e964));
-                let _e969 = select(_e955[2], -(_e955[2]), (_e955[2] < 0.0lf));
-                let _e971 = select(_e969, _e966, (_e966 > _e969));
-                let _e974 = local_5.member[1u];
-                let _e980 = select(_e974[0], -(_e974[0]), (_e974[0] < 0.0lf));
-                let _e983 = select(_e974[1], -(_e974[1]), (_e974[1] < 0.0lf));
-                let _e985 = select(_e983, _e980, (_e980 > _e983));
-                let _e988 = select(_e974[2], -(_e974[2]), (_e974[2] < 0.0lf));
-                let _e990 = select(_e988, _e985, (_e985 > _e988));
-                let _e994 = local_5.member_3;
-                let _e998 = local_5.member_1[0u];
-                let _e1004 = select(_e998[0], -(_e998[0]), (_e998[0] < 0.0lf));
-                let _e1007 = select(_e998[1], -(_e998[1]), (_e998[1] < 0.0lf));
-                let _e1009 = select(_e1007, _e1004, (_e1004 > _e1007));
-                let _e1012 = select(_e998[2], -(_e998[2]), (_e998[2] < 0.0lf));
-                let _e1014 = select(_e1012, _e1009, (_e1009 > _e1012));
-                let _e1017 = local_5.member_1[1u];
-                let _e1023 = select(_e1017[0], -(_e1017[0]), (_e1017[0] < 0.0lf));
-                let _e1026 = select(_e1017[1], -(_e1017[1]), (_e1017[1] < 0.0lf));
-                let _e1028 = select(_e1026, _e1023, (_e1023 > _e1026));
-                let _e1031 = select(_e1017[2], -(_e1017[2]), (_e1017[2] < 0.0lf));
-                let _e1033 = select(_e1031, _e1028, (_e1028 > _e1031));
-                let _e1037 = local_5.member_3;
-                let _e1041 = local_5.member_2[0u];
-                let _e1047 = select(_e1041[0], -(_e1041[0]), (_e1041[0] < 0.0lf));
-                let _e1050 = select(_e1041[1], -(_e1041[1]), (_e1041[1] < 0.0lf));
-                let _e1052 = select(_e1050, _e1047, (_e1047 > _e1050));
-                let _e1055 = select(_e1041[2], -(_e1041[2]), (_e1041[2] < 0.0lf));
-                let _e1057 = select(_e1055, _e1052, (_e1052 > _e1055));
-                let _e1060 = local_5.member_2[1u];
-                let _e1066 = select(_e1060[0], -(_e1060[0]), (_e1060[0] < 0.0lf));
-                let _e1069 = select(_e1060[1], -(_e1060[1]), (_e1060[1] < 0.0lf));
-                let _e1071 = select(_e1069, _e1066, (_e1066 > _e1069));
-                let _e1074 = select(_e1060[2], -(_e1060[2]), (_e1060[2] < 0.0lf));
-                let _e1076 = select(_e1074, _e1071, (_e1071 > _e1074));
-                let _e1080 = local_5.member_3;
-                let _e1088 = local_5.member_3;
-                let _e1098 = (((_e947 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e990, _e971, (_e971 > _e990)) + _e994) + (select(_e1033, _e1014, (_e1014 > _e1033)) + _e1037)) + (select(_e1076, _e1057, (_e1057 > _e1076)) + _e1080)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1088 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e781.member_1);
-                if _e1098 {
-                    phi_3068_ = type_38();
-                    phi_3069_ = true;
+                let _e1071 = phi_2362_;
+                let _e1079 = local_5.member[0u];
+                let _e1085 = select(_e1079[0], -(_e1079[0]), (_e1079[0] < 0.0lf));
+                let _e1088 = select(_e1079[1], -(_e1079[1]), (_e1079[1] < 0.0lf));
+                let _e1090 = select(_e1088, _e1085, (_e1085 > _e1088));
+                let _e1093 = select(_e1079[2], -(_e1079[2]), (_e1079[2] < 0.0lf));
+                let _e1095 = select(_e1093, _e1090, (_e1090 > _e1093));
+                let _e1098 = local_5.member[1u];
+                let _e1104 = select(_e1098[0], -(_e1098[0]), (_e1098[0] < 0.0lf));
+                let _e1107 = select(_e1098[1], -(_e1098[1]), (_e1098[1] < 0.0lf));
+                let _e1109 = select(_e1107, _e1104, (_e1104 > _e1107));
+                let _e1112 = select(_e1098[2], -(_e1098[2]), (_e1098[2] < 0.0lf));
+                let _e1114 = select(_e1112, _e1109, (_e1109 > _e1112));
+                let _e1118 = local_5.member_3;
+                let _e1122 = local_5.member_1[0u];
+                let _e1128 = select(_e1122[0], -(_e1122[0]), (_e1122[0] < 0.0lf));
+                let _e1131 = select(_e1122[1], -(_e1122[1]), (_e1122[1] < 0.0lf));
+                let _e1133 = select(_e1131, _e1128, (_e1128 > _e1131));
+                let _e1136 = select(_e1122[2], -(_e1122[2]), (_e1122[2] < 0.0lf));
+                let _e1138 = select(_e1136, _e1133, (_e1133 > _e1136));
+                let _e1141 = local_5.member_1[1u];
+                let _e1147 = select(_e1141[0], -(_e1141[0]), (_e1141[0] < 0.0lf));
+                let _e1150 = select(_e1141[1], -(_e1141[1]), (_e1141[1] < 0.0lf));
+                let _e1152 = select(_e1150, _e1147, (_e1147 > _e1150));
+                let _e1155 = select(_e1141[2], -(_e1141[2]), (_e1141[2] < 0.0lf));
+                let _e1157 = select(_e1155, _e1152, (_e1152 > _e1155));
+                let _e1161 = local_5.member_3;
+                let _e1165 = local_5.member_2[0u];
+                let _e1171 = select(_e1165[0], -(_e1165[0]), (_e1165[0] < 0.0lf));
+                let _e1174 = select(_e1165[1], -(_e1165[1]), (_e1165[1] < 0.0lf));
+                let _e1176 = select(_e1174, _e1171, (_e1171 > _e1174));
+                let _e1179 = select(_e1165[2], -(_e1165[2]), (_e1165[2] < 0.0lf));
+                let _e1181 = select(_e1179, _e1176, (_e1176 > _e1179));
+                let _e1184 = local_5.member_2[1u];
+                let _e1190 = select(_e1184[0], -(_e1184[0]), (_e1184[0] < 0.0lf));
+                let _e1193 = select(_e1184[1], -(_e1184[1]), (_e1184[1] < 0.0lf));
+                let _e1195 = select(_e1193, _e1190, (_e1190 > _e1193));
+                let _e1198 = select(_e1184[2], -(_e1184[2]), (_e1184[2] < 0.0lf));
+                let _e1200 = select(_e1198, _e1195, (_e1195 > _e1198));
+                let _e1204 = local_5.member_3;
+                let _e1212 = local_5.member_3;
+                let _e1222 = (((_e1071 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e1114, _e1095, (_e1095 > _e1114)) + _e1118) + (select(_e1157, _e1138, (_e1138 > _e1157)) + _e1161)) + (select(_e1200, _e1181, (_e1181 > _e1200)) + _e1204)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1212 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e905.member_1);
+                if _e1222 {
+                    phi_3291_ = type_38();
+                    phi_3292_ = true;
                 } else {
-                    let _e1101 = local_5.member_1[0u];
-                    let _e1107 = local_5.member_2[0u];
-                    let _e1113 = ((_e1101[1] * _e1107[2]) - (_e1101[2] * _e1107[1]));
-                    let _e1116 = ((_e1101[2] * _e1107[0]) - (_e1101[0] * _e1107[2]));
-                    let _e1119 = ((_e1101[0] * _e1107[1]) - (_e1101[1] * _e1107[0]));
-                    let _e1122 = local_5.member_1[1u];
-                    let _e1128 = local_5.member_2[1u];
-                    let _e1134 = ((_e1122[1] * _e1128[2]) - (_e1122[2] * _e1128[1]));
-                    let _e1137 = ((_e1122[2] * _e1128[0]) - (_e1122[0] * _e1128[2]));
-                    let _e1140 = ((_e1122[0] * _e1128[1]) - (_e1122[1] * _e1128[0]));
-                    let _e1143 = local_5.member_1[0u];
-                    let _e1149 = local_5.member_2[1u];
-                    let _e1164 = local_5.member_1[1u];
-                    let _e1170 = local_5.member_2[0u];
-                    let _e1183 = (((_e1143[1] * _e1149[2]) - (_e1143[2] * _e1149[1])) + ((_e1164[1] * _e1170[2]) - (_e1164[2] * _e1170[1])));
-                    let _e1184 = (((_e1143[2] * _e1149[0]) - (_e1143[0] * _e1149[2])) + ((_e1164[2] * _e1170[0]) - (_e1164[0] * _e1170[2])));
-                    let _e1185 = (((_e1143[0] * _e1149[1]) - (_e1143[1] * _e1149[0])) + ((_e1164[0] * _e1170[1]) - (_e1164[1] * _e1170[0])));
-                    let _e1188 = local_5.member[0u];
-                    let _e1199 = local_5.member[1u];
-                    let _e1210 = local_5.member[0u];
-                    let _e1219 = ((((_e1199[0] * _e1113) + (_e1199[1] * _e1116)) + (_e1199[2] * _e1119)) + (((_e1210[0] * _e1183) + (_e1210[1] * _e1184)) + (_e1210[2] * _e1185)));
-                    let _e1222 = local_5.member[0u];
-                    let _e1233 = local_5.member[1u];
-                    let _e1242 = ((((_e1222[0] * _e1134) + (_e1222[1] * _e1137)) + (_e1222[2] * _e1140)) + (((_e1233[0] * _e1183) + (_e1233[1] * _e1184)) + (_e1233[2] * _e1185)));
-                    let _e1245 = local_5.member[1u];
-                    let _e1256 = local_5.member[0u];
-                    let _e1262 = select(_e1256[0], -(_e1256[0]), (_e1256[0] < 0.0lf));
-                    let _e1265 = select(_e1256[1], -(_e1256[1]), (_e1256[1] < 0.0lf));
-                    let _e1267 = select(_e1265, _e1262, (_e1262 > _e1265));
-                    let _e1270 = select(_e1256[2], -(_e1256[2]), (_e1256[2] < 0.0lf));
-                    let _e1272 = select(_e1270, _e1267, (_e1267 > _e1270));
-                    let _e1275 = local_5.member[1u];
-                    let _e1281 = select(_e1275[0], -(_e1275[0]), (_e1275[0] < 0.0lf));
-                    let _e1284 = select(_e1275[1], -(_e1275[1]), (_e1275[1] < 0.0lf));
-                    let _e1286 = select(_e1284, _e1281, (_e1281 > _e1284));
-                    let _e1289 = select(_e1275[2], -(_e1275[2]), (_e1275[2] < 0.0lf));
-                    let _e1291 = select(_e1289, _e1286, (_e1286 > _e1289));
-                    let _e1295 = local_5.member_3;
-                    let _e1296 = (select(_e1291, _e1272, (_e1272 > _e1291)) + _e1295);
-                    let _e1299 = local_5.member_1[0u];
-                    let _e1305 = select(_e1299[0], -(_e1299[0]), (_e1299[0] < 0.0lf));
-                    let _e1308 = select(_e1299[1], -(_e1299[1]), (_e1299[1] < 0.0lf));
-                    let _e1310 = select(_e1308, _e1305, (_e1305 > _e1308));
-                    let _e1313 = select(_e1299[2], -(_e1299[2]), (_e1299[2] < 0.0lf));
-                    let _e1315 = select(_e1313, _e1310, (_e1310 > _e1313));
-                    let _e1318 = local_5.member_1[1u];
-                    let _e1324 = select(_e1318[0], -(_e1318[0]), (_e1318[0] < 0.0lf));
-                    let _e1327 = select(_e1318[1], -(_e1318[1]), (_e1318[1] < 0.0lf));
-                    let _e1329 = select(_e1327, _e1324, (_e1324 > _e1327));
-                    let _e1332 = select(_e1318[2], -(_e1318[2]), (_e1318[2] < 0.0lf));
-                    let _e1334 = select(_e1332, _e1329, (_e1329 > _e1332));
-                    let _e1338 = local_5.member_3;
-                    let _e1339 = (select(_e1334, _e1315, (_e1315 > _e1334)) + _e1338);
-                    let _e1342 = local_5.member_2[0u];
-                    let _e1348 = select(_e1342[0], -(_e1342[0]), (_e1342[0] < 0.0lf));
-                    let _e1351 = select(_e1342[1], -(_e1342[1]), (_e1342[1] < 0.0lf));
-                    let _e1353 = select(_e1351, _e1348, (_e1348 > _e1351));
-                    let _e1356 = select(_e1342[2], -(_e1342[2]), (_e1342[2] < 0.0lf));
-                    let _e1358 = select(_e1356, _e1353, (_e1353 > _e1356));
-                    let _e1361 = local_5.member_2[1u];
-                    let _e1367 = select(_e1361[0], -(_e1361[0]), (_e1361[0] < 0.0lf));
-                    let _e1370 = select(_e1361[1], -(_e1361[1]), (_e1361[1] < 0.0lf));
-                    let _e1372 = select(_e1370, _e1367, (_e1367 > _e1370));
-                    let _e1375 = select(_e1361[2], -(_e1361[2]), (_e1361[2] < 0.0lf));
-                    let _e1377 = select(_e1375, _e1372, (_e1372 > _e1375));
-                    let _e1381 = local_5.member_3;
-                    let _e1382 = (select(_e1377, _e1358, (_e1358 > _e1377)) + _e1381);
-                    let _e1383 = f64(1f);
-                    let _e1384 = f64(8f);
-                    let _e1386 = ((_e1339 * _e1384) * _e1382);
-                    let _e1394 = local_5.member_3;
-                    let _e1421 = ((select(_e1113, -(_e1113), (_e1113 < 0.0lf)) + select(_e1116, -(_e1116), (_e1116 < 0.0lf))) + select(_e1119, -(_e1119), (_e1119 < 0.0lf)));
-                    let _e1432 = ((select(_e1134, -(_e1134), (_e1134 < 0.0lf)) + select(_e1137, -(_e1137), (_e1137 < 0.0lf))) + select(_e1140, -(_e1140), (_e1140 < 0.0lf)));
-                    let _e1434 = select(_e1432, _e1421, (_e1421 > _e1432));
-                    let _e1446 = (((select(_e1183, -(_e1183), (_e1183 < 0.0lf)) + select(_e1184, -(_e1184), (_e1184 < 0.0lf))) + select(_e1185, -(_e1185), (_e1185 < 0.0lf))) * f64(0.5f));
-                    let _e1454 = local_5.member_3;
-                    let _e1469 = f64(3f);
-                    let _e1470 = ((((_e1188[0] * _e1113) + (_e1188[1] * _e1116)) + (_e1188[2] * _e1119)) * _e1469);
-                    let _e1471 = ((((_e1245[0] * _e1134) + (_e1245[1] * _e1137)) + (_e1245[2] * _e1140)) * _e1469);
-                    let _e1473 = select(_e1471, _e1470, (_e1470 < _e1471));
-                    let _e1475 = select(_e1242, _e1219, (_e1219 < _e1242));
-                    let _e1477 = select(_e1475, _e1473, (_e1473 < _e1475));
-                    let _e1479 = select(_e1471, _e1470, (_e1470 > _e1471));
-                    let _e1481 = select(_e1242, _e1219, (_e1219 > _e1242));
-                    let _e1484 = -(select(_e1481, _e1479, (_e1479 > _e1481)));
-                    if ((select(_e1484, _e1477, (_e1477 > _e1484)) - ((((((_e1296 * _e1384) * _e1386) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e1394 * f64(19f)) * ((_e1296 * (_e1339 + _e1382)) + (_e1339 * _e1382)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1383 + _e1296) * ((_e1383 + _e1339) * (_e1383 + _e1382))))) + ((_e781.member_1 * (((select(_e1446, _e1434, (_e1434 > _e1446)) + (_e1386 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1454 * f64(6f)) * (_e1339 + _e1382))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1383 + _e1339) * (_e1383 + _e1382))))) * f64((3f * 1.0001f))))) > f64(0f)) {
-                        phi_3066_ = type_38(type_37(0u, f64()), 0u);
-                        phi_3067_ = false;
+                    let _e1225 = local_5.member_1[0u];
+                    let _e1231 = local_5.member_2[0u];
+                    let _e1237 = ((_e1225[1] * _e1231[2]) - (_e1225[2] * _e1231[1]));
+                    let _e1240 = ((_e1225[2] * _e1231[0]) - (_e1225[0] * _e1231[2]));
+                    let _e1243 = ((_e1225[0] * _e1231[1]) - (_e1225[1] * _e1231[0]));
+                    let _e1246 = local_5.member_1[1u];
+                    let _e1252 = local_5.member_2[1u];
+                    let _e1258 = ((_e1246[1] * _e1252[2]) - (_e1246[2] * _e1252[1]));
+                    let _e1261 = ((_e1246[2] * _e1252[0]) - (_e1246[0] * _e1252[2]));
+                    let _e1264 = ((_e1246[0] * _e1252[1]) - (_e1246[1] * _e1252[0]));
+                    let _e1267 = local_5.member_1[0u];
+                    let _e1273 = local_5.member_2[1u];
+                    let _e1288 = local_5.member_1[1u];
+                    let _e1294 = local_5.member_2[0u];
+                    let _e1307 = (((_e1267[1] * _e1273[2]) - (_e1267[2] * _e1273[1])) + ((_e1288[1] * _e1294[2]) - (_e1288[2] * _e1294[1])));
+                    let _e1308 = (((_e1267[2] * _e1273[0]) - (_e1267[0] * _e1273[2])) + ((_e1288[2] * _e1294[0]) - (_e1288[0] * _e1294[2])));
+                    let _e1309 = (((_e1267[0] * _e1273[1]) - (_e1267[1] * _e1273[0])) + ((_e1288[0] * _e1294[1]) - (_e1288[1] * _e1294[0])));
+                    let _e1312 = local_5.member[0u];
+                    let _e1323 = local_5.member[1u];
+                    let _e1334 = local_5.member[0u];
+                    let _e1343 = ((((_e1323[0] * _e1237) + (_e1323[1] * _e1240)) + (_e1323[2] * _e1243)) + (((_e1334[0] * _e1307) + (_e1334[1] * _e1308)) + (_e1334[2] * _e1309)));
+                    let _e1346 = local_5.member[0u];
+                    let _e1357 = local_5.member[1u];
+                    let _e1366 = ((((_e1346[0] * _e1258) + (_e1346[1] * _e1261)) + (_e1346[2] * _e1264)) + (((_e1357[0] * _e1307) + (_e1357[1] * _e1308)) + (_e1357[2] * _e1309)));
+                    let _e1369 = local_5.member[1u];
+                    let _e1380 = local_5.member[0u];
+                    let _e1386 = select(_e1380[0], -(_e1380[0]), (_e1380[0] < 0.0lf));
+                    let _e1389 = select(_e1380[1], -(_e1380[1]), (_e1380[1] < 0.0lf));
+                    let _e1391 = select(_e1389, _e1386, (_e1386 > _e1389));
+                    let _e1394 = select(_e1380[2], -(_e1380[2]), (_e1380[2] < 0.0lf));
+                    let _e1396 = select(_e1394, _e1391, (_e1391 > _e1394));
+                    let _e1399 = local_5.member[1u];
+                    let _e1405 = select(_e1399[0], -(_e1399[0]), (_e1399[0] < 0.0lf));
+                    let _e1408 = select(_e1399[1], -(_e1399[1]), (_e1399[1] < 0.0lf));
+                    let _e1410 = select(_e1408, _e1405, (_e1405 > _e1408));
+                    let _e1413 = select(_e1399[2], -(_e1399[2]), (_e1399[2] < 0.0lf));
+                    let _e1415 = select(_e1413, _e1410, (_e1410 > _e1413));
+                    let _e1419 = local_5.member_3;
+                    let _e1420 = (select(_e1415, _e1396, (_e1396 > _e1415)) + _e1419);
+                    let _e1423 = local_5.member_1[0u];
+                    let _e1429 = select(_e1423[0], -(_e1423[0]), (_e1423[0] < 0.0lf));
+                    let _e1432 = select(_e1423[1], -(_e1423[1]), (_e1423[1] < 0.0lf));
+                    let _e1434 = select(_e1432, _e1429, (_e1429 > _e1432));
+                    let _e1437 = select(_e1423[2], -(_e1423[2]), (_e1423[2] < 0.0lf));
+                    let _e1439 = select(_e1437, _e1434, (_e1434 > _e1437));
+                    let _e1442 = local_5.member_1[1u];
+                    let _e1448 = select(_e1442[0], -(_e1442[0]), (_e1442[0] < 0.0lf));
+                    let _e1451 = select(_e1442[1], -(_e1442[1]), (_e1442[1] < 0.0lf));
+                    let _e1453 = select(_e1451, _e1448, (_e1448 > _e1451));
+                    let _e1456 = select(_e1442[2], -(_e1442[2]), (_e1442[2] < 0.0lf));
+                    let _e1458 = select(_e1456, _e1453, (_e1453 > _e1456));
+                    let _e1462 = local_5.member_3;
+                    let _e1463 = (select(_e1458, _e1439, (_e1439 > _e1458)) + _e1462);
+                    let _e1466 = local_5.member_2[0u];
+                    let _e1472 = select(_e1466[0], -(_e1466[0]), (_e1466[0] < 0.0lf));
+                    let _e1475 = select(_e1466[1], -(_e1466[1]), (_e1466[1] < 0.0lf));
+                    let _e1477 = select(_e1475, _e1472, (_e1472 > _e1475));
+                    let _e1480 = select(_e1466[2], -(_e1466[2]), (_e1466[2] < 0.0lf));
+                    let _e1482 = select(_e1480, _e1477, (_e1477 > _e1480));
+                    let _e1485 = local_5.member_2[1u];
+                    let _e1491 = select(_e1485[0], -(_e1485[0]), (_e1485[0] < 0.0lf));
+                    let _e1494 = select(_e1485[1], -(_e1485[1]), (_e1485[1] < 0.0lf));
+                    let _e1496 = select(_e1494, _e1491, (_e1491 > _e1494));
+                    let _e1499 = select(_e1485[2], -(_e1485[2]), (_e1485[2] < 0.0lf));
+                    let _e1501 = select(_e1499, _e1496, (_e1496 > _e1499));
+                    let _e1505 = local_5.member_3;
+                    let _e1506 = (select(_e1501, _e1482, (_e1482 > _e1501)) + _e1505);
+                    let _e1507 = f64(1f);
+                    let _e1508 = f64(8f);
+                    let _e1510 = ((_e1463 * _e1508) * _e1506);
+                    let _e1518 = local_5.member_3;
+                    let _e1545 = ((select(_e1237, -(_e1237), (_e1237 < 0.0lf)) + select(_e1240, -(_e1240), (_e1240 < 0.0lf))) + select(_e1243, -(_e1243), (_e1243 < 0.0lf)));
+                    let _e1556 = ((select(_e1258, -(_e1258), (_e1258 < 0.0lf)) + select(_e1261, -(_e1261), (_e1261 < 0.0lf))) + select(_e1264, -(_e1264), (_e1264 < 0.0lf)));
+                    let _e1558 = select(_e1556, _e1545, (_e1545 > _e1556));
+                    let _e1570 = (((select(_e1307, -(_e1307), (_e1307 < 0.0lf)) + select(_e1308, -(_e1308), (_e1308 < 0.0lf))) + select(_e1309, -(_e1309), (_e1309 < 0.0lf))) * f64(0.5f));
+                    let _e1578 = local_5.member_3;
+                    let _e1593 = f64(3f);
+                    let _e1594 = ((((_e1312[0] * _e1237) + (_e1312[1] * _e1240)) + (_e1312[2] * _e1243)) * _e1593);
+                    let _e1595 = ((((_e1369[0] * _e1258) + (_e1369[1] * _e1261)) + (_e1369[2] * _e1264)) * _e1593);
+                    let _e1597 = select(_e1595, _e1594, (_e1594 < _e1595));
+                    let _e1599 = select(_e1366, _e1343, (_e1343 < _e1366));
+                    let _e1601 = select(_e1599, _e1597, (_e1597 < _e1599));
+                    let _e1603 = select(_e1595, _e1594, (_e1594 > _e1595));
+                    let _e1605 = select(_e1366, _e1343, (_e1343 > _e1366));
+                    let _e1608 = -(select(_e1605, _e1603, (_e1603 > _e1605)));
+                    if ((select(_e1608, _e1601, (_e1601 > _e1608)) - ((((((_e1420 * _e1508) * _e1510) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e1518 * f64(19f)) * ((_e1420 * (_e1463 + _e1506)) + (_e1463 * _e1506)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1507 + _e1420) * ((_e1507 + _e1463) * (_e1507 + _e1506))))) + ((_e905.member_1 * (((select(_e1570, _e1558, (_e1558 > _e1570)) + (_e1510 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1578 * f64(6f)) * (_e1463 + _e1506))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1507 + _e1463) * (_e1507 + _e1506))))) * f64((3f * 1.0001f))))) > f64(0f)) {
+                        phi_3289_ = type_38(type_37(0u, f64()), 0u);
+                        phi_3290_ = false;
                     } else {
-                        phi_3066_ = type_38();
-                        phi_3067_ = true;
+                        phi_3289_ = type_38();
+                        phi_3290_ = true;
                     }
-                    let _e1498 = phi_3066_;
-                    let _e1500 = phi_3067_;
-                    phi_3068_ = _e1498;
-                    phi_3069_ = _e1500;
+                    let _e1622 = phi_3289_;
+                    let _e1624 = phi_3290_;
+                    phi_3291_ = _e1622;
+                    phi_3292_ = _e1624;
                 }
-                let _e1502 = phi_3068_;
-                let _e1504 = phi_3069_;
-                if _e1504 {
-                    phi_3075_ = type_16(0i, 2i);
-                    phi_3078_ = _e542;
-                    phi_3080_ = 0u;
-                    phi_3082_ = _e542;
+                let _e1626 = phi_3291_;
+                let _e1628 = phi_3292_;
+                if _e1628 {
+                    phi_3298_ = type_16(0i, 2i);
+                    phi_3301_ = _e542;
+                    phi_3303_ = 0u;
+                    phi_3305_ = _e542;
                     loop {
-                        let _e1506 = phi_3075_;
-                        let _e1508 = phi_3078_;
-                        let _e1510 = phi_3080_;
-                        let _e1512 = phi_3082_;
-                        local_54 = _e1510;
-                        local_57 = _e1508;
-                        local_58 = _e1510;
-                        if (_e1506.member < _e1506.member_1) {
-                            let _e1519 = (_e1506.member + 1i);
-                            phi_3076_ = type_16(select(_e1519, type_17().member_1, select(false, true, ((false == (_e1519 > _e1506.member)) != false))), _e1506.member_1);
-                            phi_3123_ = type_17(1u, _e1506.member);
+                        let _e1630 = phi_3298_;
+                        let _e1632 = phi_3301_;
+                        let _e1634 = phi_3303_;
+                        let _e1636 = phi_3305_;
+                        local_54 = _e1634;
+                        local_57 = _e1632;
+                        local_58 = _e1634;
+                        if (_e1630.member < _e1630.member_1) {
+                            let _e1643 = (_e1630.member + 1i);
+                            phi_3299_ = type_16(select(_e1643, type_17().member_1, select(false, true, ((false == (_e1643 > _e1630.member)) != false))), _e1630.member_1);
+                            phi_3346_ = type_17(1u, _e1630.member);
                         } else {
-                            phi_3076_ = _e1506;
-                            phi_3123_ = type_17(0u, type_17().member_1);
+                            phi_3299_ = _e1630;
+                            phi_3346_ = type_17(0u, type_17().member_1);
                         }
-                        let _e1530 = phi_3076_;
-                        let _e1532 = phi_3123_;
-                        if (bitcast<i32>(_e1532.member) != 0i) {
-                            if select(select(true, false, _e1098), true, (_e1532.member_1 > 0i)) {
-                                let _e1542 = local_5.member[0u];
-                                let _e1548 = local_5.member_1[0u];
-                                let _e1554 = local_5.member_2[0u];
-                                let _e1558 = (_e1542[0] - _e1548[0]);
-                                let _e1559 = (_e1542[1] - _e1548[1]);
-                                let _e1560 = (_e1542[2] - _e1548[2]);
-                                let _e1561 = (_e230.member == 0u);
-                                let _e1573 = local_5.member[1u];
-                                let _e1579 = local_5.member_1[1u];
-                                let _e1585 = local_5.member_2[1u];
-                                let _e1589 = (_e1573[0] - _e1579[0]);
-                                let _e1590 = (_e1573[1] - _e1579[1]);
-                                let _e1591 = (_e1573[2] - _e1579[2]);
-                                let _e1592 = (_e230.member == 0u);
-                                let _e1604 = local_5.member[0u];
-                                let _e1610 = select(_e1604[0], -(_e1604[0]), (_e1604[0] < 0.0lf));
-                                let _e1613 = select(_e1604[1], -(_e1604[1]), (_e1604[1] < 0.0lf));
-                                let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
-                                let _e1618 = select(_e1604[2], -(_e1604[2]), (_e1604[2] < 0.0lf));
-                                let _e1620 = select(_e1618, _e1615, (_e1615 > _e1618));
-                                let _e1623 = local_5.member[1u];
-                                let _e1629 = select(_e1623[0], -(_e1623[0]), (_e1623[0] < 0.0lf));
-                                let _e1632 = select(_e1623[1], -(_e1623[1]), (_e1623[1] < 0.0lf));
-                                let _e1634 = select(_e1632, _e1629, (_e1629 > _e1632));
-                                let _e1637 = select(_e1623[2], -(_e1623[2]), (_e1623[2] < 0.0lf));
-                                let _e1639 = select(_e1637, _e1634, (_e1634 > _e1637));
-                                let _e1643 = local_5.member_3;
-                                let _e1647 = local_5.member_1[0u];
-                                let _e1653 = select(_e1647[0], -(_e1647[0]), (_e1647[0] < 0.0lf));
-                                let _e1656 = select(_e1647[1], -(_e1647[1]), (_e1647[1] < 0.0lf));
-                                let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
-                                let _e1661 = select(_e1647[2], -(_e1647[2]), (_e1647[2] < 0.0lf));
-                                let _e1663 = select(_e1661, _e1658, (_e1658 > _e1661));
-                                let _e1666 = local_5.member_1[1u];
-                                let _e1672 = select(_e1666[0], -(_e1666[0]), (_e1666[0] < 0.0lf));
-                                let _e1675 = select(_e1666[1], -(_e1666[1]), (_e1666[1] < 0.0lf));
-                                let _e1677 = select(_e1675, _e1672, (_e1672 > _e1675));
-                                let _e1680 = select(_e1666[2], -(_e1666[2]), (_e1666[2] < 0.0lf));
-                                let _e1682 = select(_e1680, _e1677, (_e1677 > _e1680));
-                                let _e1686 = local_5.member_3;
-                                let _e1690 = local_5.member_2[0u];
-                                let _e1696 = select(_e1690[0], -(_e1690[0]), (_e1690[0] < 0.0lf));
-                                let _e1699 = select(_e1690[1], -(_e1690[1]), (_e1690[1] < 0.0lf));
-                                let _e1701 = select(_e1699, _e1696, (_e1696 > _e1699));
-                                let _e1704 = select(_e1690[2], -(_e1690[2]), (_e1690[2] < 0.0lf));
-                                let _e1706 = select(_e1704, _e1701, (_e1701 > _e1704));
+                        let _e1654 = phi_3299_;
+                        let _e1656 = phi_3346_;
+                        if (bitcast<i32>(_e1656.member) != 0i) {
+                            if select(select(true, false, _e1222), true, (_e1656.member_1 > 0i)) {
+                                let _e1666 = local_5.member[0u];
+                                let _e1672 = local_5.member_1[0u];
+                                let _e1678 = local_5.member_2[0u];
+                                let _e1682 = (_e1666[0] - _e1672[0]);
+                                let _e1683 = (_e1666[1] - _e1672[1]);
+                                let _e1684 = (_e1666[2] - _e1672[2]);
+                                let _e1685 = (_e230.member == 0u);
+                                let _e1697 = local_5.member[1u];
+                                let _e1703 = local_5.member_1[1u];
                                 let _e1709 = local_5.member_2[1u];
-                                let _e1715 = select(_e1709[0], -(_e1709[0]), (_e1709[0] < 0.0lf));
-                                let _e1718 = select(_e1709[1], -(_e1709[1]), (_e1709[1] < 0.0lf));
-                                let _e1720 = select(_e1718, _e1715, (_e1715 > _e1718));
-                                let _e1723 = select(_e1709[2], -(_e1709[2]), (_e1709[2] < 0.0lf));
-                                let _e1725 = select(_e1723, _e1720, (_e1720 > _e1723));
-                                let _e1729 = local_5.member_3;
-                                let _e1737 = local_5.member_3;
-                                let _e1745 = (_e533 * f64(0.00390625f));
-                                let _e1746 = f64(0f);
-                                let _e1747 = f64(1f);
-                                local_3 = type_39(array<f64, 4>(_e1746, _e1746, _e1746, _e1746), array<f64, 4>(_e1746, _e1746, _e1746, _e1746), array<f64, 4>(_e1747, _e1747, _e1747, _e1747));
-                                phi_3566_ = type_9(0u, 96u);
-                                phi_3569_ = _e1512;
-                                phi_3571_ = _e1512;
-                                phi_3573_ = (_e551 - _e1512);
-                                phi_3575_ = _e1512;
-                                phi_3577_ = false;
-                                phi_3579_ = 0u;
+                                let _e1713 = (_e1697[0] - _e1703[0]);
+                                let _e1714 = (_e1697[1] - _e1703[1]);
+                                let _e1715 = (_e1697[2] - _e1703[2]);
+                                let _e1716 = (_e230.member == 0u);
+                                let _e1728 = local_5.member[0u];
+                                let _e1734 = select(_e1728[0], -(_e1728[0]), (_e1728[0] < 0.0lf));
+                                let _e1737 = select(_e1728[1], -(_e1728[1]), (_e1728[1] < 0.0lf));
+                                let _e1739 = select(_e1737, _e1734, (_e1734 > _e1737));
+                                let _e1742 = select(_e1728[2], -(_e1728[2]), (_e1728[2] < 0.0lf));
+                                let _e1744 = select(_e1742, _e1739, (_e1739 > _e1742));
+                                let _e1747 = local_5.member[1u];
+                                let _e1753 = select(_e1747[0], -(_e1747[0]), (_e1747[0] < 0.0lf));
+                                let _e1756 = select(_e1747[1], -(_e1747[1]), (_e1747[1] < 0.0lf));
+                                let _e1758 = select(_e1756, _e1753, (_e1753 > _e1756));
+                                let _e1761 = select(_e1747[2], -(_e1747[2]), (_e1747[2] < 0.0lf));
+                                let _e1763 = select(_e1761, _e1758, (_e1758 > _e1761));
+                                let _e1767 = local_5.member_3;
+                                let _e1771 = local_5.member_1[0u];
+                                let _e1777 = select(_e1771[0], -(_e1771[0]), (_e1771[0] < 0.0lf));
+                                let _e1780 = select(_e1771[1], -(_e1771[1]), (_e1771[1] < 0.0lf));
+                                let _e1782 = select(_e1780, _e1777, (_e1777 > _e1780));
+                                let _e1785 = select(_e1771[2], -(_e1771[2]), (_e1771[2] < 0.0lf));
+                                let _e1787 = select(_e1785, _e1782, (_e1782 > _e1785));
+                                let _e1790 = local_5.member_1[1u];
+                                let _e1796 = select(_e1790[0], -(_e1790[0]), (_e1790[0] < 0.0lf));
+                                let _e1799 = select(_e1790[1], -(_e1790[1]), (_e1790[1] < 0.0lf));
+                                let _e1801 = select(_e1799, _e1796, (_e1796 > _e1799));
+                                let _e1804 = select(_e1790[2], -(_e1790[2]), (_e1790[2] < 0.0lf));
+                                let _e1806 = select(_e1804, _e1801, (_e1801 > _e1804));
+                                let _e1810 = local_5.member_3;
+                                let _e1814 = local_5.member_2[0u];
+                                let _e1820 = select(_e1814[0], -(_e1814[0]), (_e1814[0] < 0.0lf));
+                                let _e1823 = select(_e1814[1], -(_e1814[1]), (_e1814[1] < 0.0lf));
+                                let _e1825 = select(_e1823, _e1820, (_e1820 > _e1823));
+                                let _e1828 = select(_e1814[2], -(_e1814[2]), (_e1814[2] < 0.0lf));
+                                let _e1830 = select(_e1828, _e1825, (_e1825 > _e1828));
+                                let _e1833 = local_5.member_2[1u];
+                                let _e1839 = select(_e1833[0], -(_e1833[0]), (_e1833[0] < 0.0lf));
+                                let _e1842 = select(_e1833[1], -(_e1833[1]), (_e1833[1] < 0.0lf));
+                                let _e1844 = select(_e1842, _e1839, (_e1839 > _e1842));
+                                let _e1847 = select(_e1833[2], -(_e1833[2]), (_e1833[2] < 0.0lf));
+                                let _e1849 = select(_e1847, _e1844, (_e1844 > _e1847));
+                                let _e1853 = local_5.member_3;
+                                let _e1861 = local_5.member_3;
+                                let _e1869 = (_e533 * f64(0.00390625f));
+                                let _e1870 = f64(0f);
+                                let _e1871 = f64(1f);
+                                local_3 = type_39(array<f64, 4>(_e1870, _e1870, _e1870, _e1870), array<f64, 4>(_e1870, _e1870, _e1870, _e1870), array<f64, 4>(_e1871, _e1871, _e1871, _e1871));
+                                phi_3789_ = type_9(0u, 96u);
+                                phi_3792_ = _e1636;
+                                phi_3794_ = _e1636;
+                                phi_3796_ = (_e551 - _e1636);
+                                phi_3798_ = _e1636;
+                                phi_3800_ = false;
+                                phi_3802_ = 0u;
                                 loop {
-                                    let _e1754 = phi_3566_;
-                                    let _e1756 = phi_3569_;
-                                    let _e1758 = phi_3571_;
-                                    let _e1760 = phi_3573_;
-                                    let _e1762 = phi_3575_;
-                                    let _e1764 = phi_3577_;
-                                    let _e1766 = phi_3579_;
-                                    local_20 = _e1756;
-                                    local_24 = _e1758;
-                                    let _e1769 = (_e1754.member < _e1754.member_1);
-                                    if (bitcast<i32>(select(0u, 1u, _e1769)) != 0i) {
-                                        let _e1783 = local_5.member[0u];
-                                        let _e1789 = local_5.member[1u];
-                                        let _e1805 = local_5.member_1[0u];
-                                        let _e1811 = local_5.member_1[1u];
-                                        let _e1827 = local_5.member_2[0u];
-                                        let _e1833 = local_5.member_2[1u];
-                                        let _e1847 = function_4(array<f64, 3>((_e1783[0] + ((_e1789[0] - _e1783[0]) * _e1756)), (_e1783[1] + ((_e1789[1] - _e1783[1]) * _e1756)), (_e1783[2] + ((_e1789[2] - _e1783[2]) * _e1756))), array<f64, 3>((_e1805[0] + ((_e1811[0] - _e1805[0]) * _e1756)), (_e1805[1] + ((_e1811[1] - _e1805[1]) * _e1756)), (_e1805[2] + ((_e1811[2] - _e1805[2]) * _e1756))), array<f64, 3>((_e1827[0] + ((_e1833[0] - _e1827[0]) * _e1756)), (_e1827[1] + ((_e1833[1] - _e1827[1]) * _e1756)), (_e1827[2] + ((_e1833[2] - _e1827[2]) * _e1756))), _e230.member);
-                                        if (_e1766 == 0u) {
-                                            phi_3731_ = _e1847;
+                                    let _e1878 = phi_3789_;
+                                    let _e1880 = phi_3792_;
+                                    let _e1882 = phi_3794_;
+                                    let _e1884 = phi_3796_;
+                                    let _e1886 = phi_3798_;
+                                    let _e1888 = phi_3800_;
+                                    let _e1890 = phi_3802_;
+                                    local_20 = _e1880;
+                                    local_24 = _e1882;
+                                    let _e1893 = (_e1878.member < _e1878.member_1);
+                                    if (bitcast<i32>(select(0u, 1u, _e1893)) != 0i) {
+                                        let _e1907 = local_5.member[0u];
+                                        let _e1913 = local_5.member[1u];
+                                        let _e1929 = local_5.member_1[0u];
+                                        let _e1935 = local_5.member_1[1u];
+                                        let _e1951 = local_5.member_2[0u];
+                                        let _e1957 = local_5.member_2[1u];
+                                        let _e1971 = function_4(array<f64, 3>((_e1907[0] + ((_e1913[0] - _e1907[0]) * _e1880)), (_e1907[1] + ((_e1913[1] - _e1907[1]) * _e1880)), (_e1907[2] + ((_e1913[2] - _e1907[2]) * _e1880))), array<f64, 3>((_e1929[0] + ((_e1935[0] - _e1929[0]) * _e1880)), (_e1929[1] + ((_e1935[1] - _e1929[1]) * _e1880)), (_e1929[2] + ((_e1935[2] - _e1929[2]) * _e1880))), array<f64, 3>((_e1951[0] + ((_e1957[0] - _e1951[0]) * _e1880)), (_e1951[1] + ((_e1957[1] - _e1951[1]) * _e1880)), (_e1951[2] + ((_e1957[2] - _e1951[2]) * _e1880))), _e230.member);
+                                        if (_e1890 == 0u) {
+                                            phi_3954_ = _e1971;
                                         } else {
-                                            let _e1849 = f64(0f);
-                                            phi_3731_ = array<f64, 3>(select(_e1849, _e1847[0], (_e1766 == 1u)), select(_e1849, _e1847[1], (_e1766 == 2u)), select(_e1849, _e1847[2], (_e1766 == 3u)));
+                                            let _e1973 = f64(0f);
+                                            phi_3954_ = array<f64, 3>(select(_e1973, _e1971[0], (_e1890 == 1u)), select(_e1973, _e1971[1], (_e1890 == 2u)), select(_e1973, _e1971[2], (_e1890 == 3u)));
                                         }
-                                        let _e1861 = phi_3731_;
-                                        let _e1875 = ((select(_e1861[0], -(_e1861[0]), (_e1861[0] < 0.0lf)) + select(_e1861[1], -(_e1861[1]), (_e1861[1] < 0.0lf))) + select(_e1861[2], -(_e1861[2]), (_e1861[2] < 0.0lf)));
-                                        if (_e1875 > f64(0f)) {
-                                            if ((bitcast<u64>(_e1875) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                let _e1882 = (f64(1f) / _e1875);
-                                                let _e1884 = (_e1861[0] * _e1882);
-                                                let _e1886 = (_e1861[1] * _e1882);
-                                                let _e1888 = (_e1861[2] * _e1882);
-                                                let _e1893 = (((_e1884 * _e1884) + (_e1886 * _e1886)) + (_e1888 * _e1888));
-                                                if (_e1893 <= 2.2250738585072014e-308lf) {
-                                                    phi_3856_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1893 > 0.0lf));
+                                        let _e1985 = phi_3954_;
+                                        let _e1999 = ((select(_e1985[0], -(_e1985[0]), (_e1985[0] < 0.0lf)) + select(_e1985[1], -(_e1985[1]), (_e1985[1] < 0.0lf))) + select(_e1985[2], -(_e1985[2]), (_e1985[2] < 0.0lf)));
+                                        if (_e1999 > f64(0f)) {
+                                            if ((bitcast<u64>(_e1999) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                let _e2006 = (f64(1f) / _e1999);
+                                                let _e2008 = (_e1985[0] * _e2006);
+                                                let _e2010 = (_e1985[1] * _e2006);
+                                                let _e2012 = (_e1985[2] * _e2006);
+                                                let _e2017 = (((_e2008 * _e2008) + (_e2010 * _e2010)) + (_e2012 * _e2012));
+                                                if (_e2017 <= 2.2250738585072014e-308lf) {
+                                                    phi_4079_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2017 > 0.0lf));
                                                 } else {
-                                                    phi_3799_ = type_16(0i, 5i);
-                                                    phi_3802_ = bitcast<f64>(((bitcast<u64>(_e1893) / 2lu) + 2303426169912950784lu));
+                                                    phi_4022_ = type_16(0i, 5i);
+                                                    phi_4025_ = bitcast<f64>(((bitcast<u64>(_e2017) / 2lu) + 2303426169912950784lu));
                                                     loop {
-                                                        let _e1900 = phi_3799_;
-                                                        let _e1902 = phi_3802_;
-                                                        local_8 = _e1902;
-                                                        if (_e1900.member < _e1900.member_1) {
-                                                            let _e1909 = (_e1900.member + 1i);
-                                                            phi_3800_ = type_16(select(_e1909, type_17().member_1, select(false, true, ((false == (_e1909 > _e1900.member)) != false))), _e1900.member_1);
-                                                            phi_3843_ = type_17(1u, _e1900.member);
+                                                        let _e2024 = phi_4022_;
+                                                        let _e2026 = phi_4025_;
+                                                        local_8 = _e2026;
+                                                        if (_e2024.member < _e2024.member_1) {
+                                                            let _e2033 = (_e2024.member + 1i);
+                                                            phi_4023_ = type_16(select(_e2033, type_17().member_1, select(false, true, ((false == (_e2033 > _e2024.member)) != false))), _e2024.member_1);
+                                                            phi_4066_ = type_17(1u, _e2024.member);
                                                         } else {
-                                                            phi_3800_ = _e1900;
-                                                            phi_3843_ = type_17(0u, type_17().member_1);
+                                                            phi_4023_ = _e2024;
+                                                            phi_4066_ = type_17(0u, type_17().member_1);
                                                         }
-                                                        let _e1920 = phi_3800_;
-                                                        let _e1922 = phi_3843_;
-                                                        let _e1925 = (bitcast<i32>(_e1922.member) != 0i);
-                                                        if _e1925 {
-                                                            phi_3803_ = (0.5lf * (_e1902 + (_e1893 / _e1902)));
+                                                        let _e2044 = phi_4023_;
+                                                        let _e2046 = phi_4066_;
+                                                        let _e2049 = (bitcast<i32>(_e2046.member) != 0i);
+                                                        if _e2049 {
+                                                            phi_4026_ = (0.5lf * (_e2026 + (_e2017 / _e2026)));
                                                         } else {
-                                                            phi_3803_ = f64();
+                                                            phi_4026_ = f64();
                                                         }
-                                                        let _e1930 = phi_3803_;
+                                                        let _e2054 = phi_4026_;
                                                         continue;
                                                         continuing {
-                                                            phi_3799_ = _e1920;
-                                                            phi_3802_ = _e1930;
-                                                            break if !(_e1925);
+                                                            phi_4022_ = _e2044;
+                                                            phi_4025_ = _e2054;
+                                                            break if !(_e2049);
                                                         }
                                                     }
-                                                    let _e1935 = local_8;
-                                                    phi_3856_ = (_e1935 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                    let _e2059 = local_8;
+                                                    phi_4079_ = (_e2059 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                 }
-                                                let _e1941 = phi_3856_;
-                                                let _e1943 = (1.1102230246251565e-16lf * f64(12f));
-                                                let _e1950 = ((((((((select(_e1639, _e1620, (_e1620 > _e1639)) + _e1643) + (select(_e1682, _e1663, (_e1663 > _e1682)) + _e1686)) + (select(_e1725, _e1706, (_e1706 > _e1725)) + _e1729)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1737 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e781.member_1 * _e1941) * (f64(1f) + _e1943)));
-                                                let _e1955 = (((_e1884 * _e1542[0]) + (_e1886 * _e1542[1])) + (_e1888 * _e1542[2]));
-                                                let _e1960 = (((_e1884 * _e1558) + (_e1886 * _e1559)) + (_e1888 * _e1560));
-                                                let _e1965 = (((_e1884 * (_e1542[0] - _e1554[0])) + (_e1886 * (_e1542[1] - _e1554[1]))) + (_e1888 * (_e1542[2] - _e1554[2])));
-                                                let _e1970 = (((_e1884 * select((_e1558 - _e1554[0]), _e1542[0], _e1561)) + (_e1886 * select((_e1559 - _e1554[1]), _e1542[1], _e1561))) + (_e1888 * select((_e1560 - _e1554[2]), _e1542[2], _e1561)));
-                                                let _e1976 = (((_e1884 * _e1573[0]) + (_e1886 * _e1573[1])) + (_e1888 * _e1573[2]));
-                                                let _e1981 = (((_e1884 * _e1589) + (_e1886 * _e1590)) + (_e1888 * _e1591));
-                                                let _e1986 = (((_e1884 * (_e1573[0] - _e1585[0])) + (_e1886 * (_e1573[1] - _e1585[1]))) + (_e1888 * (_e1573[2] - _e1585[2])));
-                                                let _e1991 = (((_e1884 * select((_e1589 - _e1585[0]), _e1573[0], _e1592)) + (_e1886 * select((_e1590 - _e1585[1]), _e1573[1], _e1592))) + (_e1888 * select((_e1591 - _e1585[2]), _e1573[2], _e1592)));
-                                                phi_3982_ = type_39(array<f64, 4>(_e1955, _e1960, _e1965, _e1970), array<f64, 4>(_e1976, _e1981, _e1986, _e1991), array<f64, 4>((_e1950 + ((select(_e1955, -(_e1955), (_e1955 < 0.0lf)) + select(_e1976, -(_e1976), (_e1976 < 0.0lf))) * _e1943)), (_e1950 + ((select(_e1960, -(_e1960), (_e1960 < 0.0lf)) + select(_e1981, -(_e1981), (_e1981 < 0.0lf))) * _e1943)), (_e1950 + ((select(_e1965, -(_e1965), (_e1965 < 0.0lf)) + select(_e1986, -(_e1986), (_e1986 < 0.0lf))) * _e1943)), (_e1950 + ((select(_e1970, -(_e1970), (_e1970 < 0.0lf)) + select(_e1991, -(_e1991), (_e1991 < 0.0lf))) * _e1943))));
-                                                phi_3983_ = false;
+                                                let _e2065 = phi_4079_;
+                                                let _e2067 = (1.1102230246251565e-16lf * f64(12f));
+                                                let _e2074 = ((((((((select(_e1763, _e1744, (_e1744 > _e1763)) + _e1767) + (select(_e1806, _e1787, (_e1787 > _e1806)) + _e1810)) + (select(_e1849, _e1830, (_e1830 > _e1849)) + _e1853)) * (1.1102230246251565e-16lf * f64(16f))) + (_e1861 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e905.member_1 * _e2065) * (f64(1f) + _e2067)));
+                                                let _e2079 = (((_e2008 * _e1666[0]) + (_e2010 * _e1666[1])) + (_e2012 * _e1666[2]));
+                                                let _e2084 = (((_e2008 * _e1682) + (_e2010 * _e1683)) + (_e2012 * _e1684));
+                                                let _e2089 = (((_e2008 * (_e1666[0] - _e1678[0])) + (_e2010 * (_e1666[1] - _e1678[1]))) + (_e2012 * (_e1666[2] - _e1678[2])));
+                                                let _e2094 = (((_e2008 * select((_e1682 - _e1678[0]), _e1666[0], _e1685)) + (_e2010 * select((_e1683 - _e1678[1]), _e1666[1], _e1685))) + (_e2012 * select((_e1684 - _e1678[2]), _e1666[2], _e1685)));
+                                                let _e2100 = (((_e2008 * _e1697[0]) + (_e2010 * _e1697[1])) + (_e2012 * _e1697[2]));
+                                                let _e2105 = (((_e2008 * _e1713) + (_e2010 * _e1714)) + (_e2012 * _e1715));
+                                                let _e2110 = (((_e2008 * (_e1697[0] - _e1709[0])) + (_e2010 * (_e1697[1] - _e1709[1]))) + (_e2012 * (_e1697[2] - _e1709[2])));
+                                                let _e2115 = (((_e2008 * select((_e1713 - _e1709[0]), _e1697[0], _e1716)) + (_e2010 * select((_e1714 - _e1709[1]), _e1697[1], _e1716))) + (_e2012 * select((_e1715 - _e1709[2]), _e1697[2], _e1716)));
+                                                phi_4205_ = type_39(array<f64, 4>(_e2079, _e2084, _e2089, _e2094), array<f64, 4>(_e2100, _e2105, _e2110, _e2115), array<f64, 4>((_e2074 + ((select(_e2079, -(_e2079), (_e2079 < 0.0lf)) + select(_e2100, -(_e2100), (_e2100 < 0.0lf))) * _e2067)), (_e2074 + ((select(_e2084, -(_e2084), (_e2084 < 0.0lf)) + select(_e2105, -(_e2105), (_e2105 < 0.0lf))) * _e2067)), (_e2074 + ((select(_e2089, -(_e2089), (_e2089 < 0.0lf)) + select(_e2110, -(_e2110), (_e2110 < 0.0lf))) * _e2067)), (_e2074 + ((select(_e2094, -(_e2094), (_e2094 < 0.0lf)) + select(_e2115, -(_e2115), (_e2115 < 0.0lf))) * _e2067))));
+                                                phi_4206_ = false;
                                             } else {
-                                                phi_3982_ = type_39();
-                                                phi_3983_ = true;
+                                                phi_4205_ = type_39();
+                                                phi_4206_ = true;
                                             }
-                                            let _e2032 = phi_3982_;
-                                            let _e2034 = phi_3983_;
-                                            phi_3984_ = _e2032;
-                                            phi_3985_ = _e2034;
+                                            let _e2156 = phi_4205_;
+                                            let _e2158 = phi_4206_;
+                                            phi_4207_ = _e2156;
+                                            phi_4208_ = _e2158;
                                         } else {
-                                            phi_3984_ = type_39();
-                                            phi_3985_ = true;
+                                            phi_4207_ = type_39();
+                                            phi_4208_ = true;
                                         }
-                                        let _e2036 = phi_3984_;
-                                        let _e2038 = phi_3985_;
-                                        if _e2038 {
-                                            let _e2039 = f64(0f);
-                                            let _e2040 = f64(1f);
-                                            phi_3995_ = type_39(array<f64, 4>(_e2039, _e2039, _e2039, _e2039), array<f64, 4>(_e2039, _e2039, _e2039, _e2039), array<f64, 4>(_e2040, _e2040, _e2040, _e2040));
+                                        let _e2160 = phi_4207_;
+                                        let _e2162 = phi_4208_;
+                                        if _e2162 {
+                                            let _e2163 = f64(0f);
+                                            let _e2164 = f64(1f);
+                                            phi_4218_ = type_39(array<f64, 4>(_e2163, _e2163, _e2163, _e2163), array<f64, 4>(_e2163, _e2163, _e2163, _e2163), array<f64, 4>(_e2164, _e2164, _e2164, _e2164));
                                         } else {
-                                            phi_3995_ = _e2036;
+                                            phi_4218_ = _e2160;
                                         }
-                                        let _e2046 = phi_3995_;
-                                        local_4 = type_39(array<f64, 4>(_e2046.member[0], _e2046.member[1], _e2046.member[2], _e2046.member[3]), array<f64, 4>(_e2046.member_1[0], _e2046.member_1[1], _e2046.member_1[2], _e2046.member_1[3]), array<f64, 4>(_e2046.member_2[0], _e2046.member_2[1], _e2046.member_2[2], _e2046.member_2[3]));
-                                        let _e2066 = (_e1756 - _e1762);
-                                        let _e2068 = f64(0f);
-                                        let _e2071 = local_4.member[0u];
-                                        let _e2074 = local_4.member_1[0u];
-                                        let _e2077 = local_4.member[0u];
-                                        let _e2083 = local_4.member_2[0u];
-                                        if (((_e2071 + ((_e2074 - _e2077) * _e1756)) - _e2083) > _e2068) {
-                                            let _e2088 = local_4.member[1u];
-                                            let _e2091 = local_4.member_1[1u];
-                                            let _e2094 = local_4.member[1u];
-                                            let _e2100 = local_4.member_2[1u];
-                                            if (((_e2088 + ((_e2091 - _e2094) * _e1756)) - _e2100) > _e2068) {
-                                                let _e2105 = local_4.member[2u];
-                                                let _e2108 = local_4.member_1[2u];
-                                                let _e2111 = local_4.member[2u];
-                                                let _e2117 = local_4.member_2[2u];
-                                                if (((_e2105 + ((_e2108 - _e2111) * _e1756)) - _e2117) > _e2068) {
-                                                    let _e2122 = local_4.member[3u];
-                                                    let _e2125 = local_4.member_1[3u];
-                                                    let _e2128 = local_4.member[3u];
-                                                    let _e2134 = local_4.member_2[3u];
-                                                    phi_4167_ = (((_e2122 + ((_e2125 - _e2128) * _e1756)) - _e2134) > _e2068);
-                                                    phi_4168_ = false;
+                                        let _e2170 = phi_4218_;
+                                        local_4 = type_39(array<f64, 4>(_e2170.member[0], _e2170.member[1], _e2170.member[2], _e2170.member[3]), array<f64, 4>(_e2170.member_1[0], _e2170.member_1[1], _e2170.member_1[2], _e2170.member_1[3]), array<f64, 4>(_e2170.member_2[0], _e2170.member_2[1], _e2170.member_2[2], _e2170.member_2[3]));
+                                        let _e2190 = (_e1880 - _e1886);
+                                        let _e2192 = f64(0f);
+                                        let _e2195 = local_4.member[0u];
+                                        let _e2198 = local_4.member_1[0u];
+                                        let _e2201 = local_4.member[0u];
+                                        let _e2207 = local_4.member_2[0u];
+                                        if (((_e2195 + ((_e2198 - _e2201) * _e1880)) - _e2207) > _e2192) {
+                                            let _e2212 = local_4.member[1u];
+                                            let _e2215 = local_4.member_1[1u];
+                                            let _e2218 = local_4.member[1u];
+                                            let _e2224 = local_4.member_2[1u];
+                                            if (((_e2212 + ((_e2215 - _e2218) * _e1880)) - _e2224) > _e2192) {
+                                                let _e2229 = local_4.member[2u];
+                                                let _e2232 = local_4.member_1[2u];
+                                                let _e2235 = local_4.member[2u];
+                                                let _e2241 = local_4.member_2[2u];
+                                                if (((_e2229 + ((_e2232 - _e2235) * _e1880)) - _e2241) > _e2192) {
+                                                    let _e2246 = local_4.member[3u];
+                                                    let _e2249 = local_4.member_1[3u];
+                                                    let _e2252 = local_4.member[3u];
+                                                    let _e2258 = local_4.member_2[3u];
+                                                    phi_4390_ = (((_e2246 + ((_e2249 - _e2252) * _e1880)) - _e2258) > _e2192);
+                                                    phi_4391_ = false;
                                                 } else {
-                                                    phi_4167_ = bool();
-                                                    phi_4168_ = true;
+                                                    phi_4390_ = bool();
+                                                    phi_4391_ = true;
                                                 }
-                                                let _e2138 = phi_4167_;
-                                                let _e2140 = phi_4168_;
-                                                phi_4169_ = _e2138;
-                                                phi_4170_ = _e2140;
+                                                let _e2262 = phi_4390_;
+                                                let _e2264 = phi_4391_;
+                                                phi_4392_ = _e2262;
+                                                phi_4393_ = _e2264;
                                             } else {
-                                                phi_4169_ = bool();
-                                                phi_4170_ = true;
+                                                phi_4392_ = bool();
+                                                phi_4393_ = true;
                                             }
-                                            let _e2142 = phi_4169_;
-                                            let _e2144 = phi_4170_;
-                                            phi_4171_ = _e2142;
-                                            phi_4172_ = _e2144;
+                                            let _e2266 = phi_4392_;
+                                            let _e2268 = phi_4393_;
+                                            phi_4394_ = _e2266;
+                                            phi_4395_ = _e2268;
                                         } else {
-                                            phi_4171_ = bool();
-                                            phi_4172_ = true;
+                                            phi_4394_ = bool();
+                                            phi_4395_ = true;
                                         }
-                                        let _e2146 = phi_4171_;
-                                        let _e2148 = phi_4172_;
-                                        if select(_e2146, false, _e2148) {
-                                            if (_e1756 <= _e1758) {
-                                                phi_4487_ = true;
+                                        let _e2270 = phi_4394_;
+                                        let _e2272 = phi_4395_;
+                                        if select(_e2270, false, _e2272) {
+                                            if (_e1880 <= _e1882) {
+                                                phi_4710_ = true;
                                             } else {
-                                                let _e2151 = f64(0f);
-                                                let _e2154 = local_3.member[0u];
-                                                let _e2157 = local_3.member_1[0u];
-                                                let _e2160 = local_3.member[0u];
-                                                let _e2166 = local_3.member_2[0u];
-                                                let _e2170 = local_4.member[0u];
-                                                let _e2173 = local_4.member_1[0u];
-                                                let _e2176 = local_4.member[0u];
-                                                let _e2182 = local_4.member_2[0u];
-                                                if ((((_e2154 + ((_e2157 - _e2160) * _e1756)) - _e2166) + ((_e2170 + ((_e2173 - _e2176) * _e1762)) - _e2182)) > _e2151) {
-                                                    let _e2188 = local_3.member[1u];
-                                                    let _e2191 = local_3.member_1[1u];
-                                                    let _e2194 = local_3.member[1u];
-                                                    let _e2200 = local_3.member_2[1u];
-                                                    let _e2204 = local_4.member[1u];
-                                                    let _e2207 = local_4.member_1[1u];
-                                                    let _e2210 = local_4.member[1u];
-                                                    let _e2216 = local_4.member_2[1u];
-                                                    if ((((_e2188 + ((_e2191 - _e2194) * _e1756)) - _e2200) + ((_e2204 + ((_e2207 - _e2210) * _e1762)) - _e2216)) > _e2151) {
-                                                        let _e2222 = local_3.member[2u];
-                                                        let _e2225 = local_3.member_1[2u];
-                                                        let _e2228 = local_3.member[2u];
-                                                        let _e2234 = local_3.member_2[2u];
-                                                        let _e2238 = local_4.member[2u];
-                                                        let _e2241 = local_4.member_1[2u];
-                                                        let _e2244 = local_4.member[2u];
-                                                        let _e2250 = local_4.member_2[2u];
-                                                        if ((((_e2222 + ((_e2225 - _e2228) * _e1756)) - _e2234) + ((_e2238 + ((_e2241 - _e2244) * _e1762)) - _e2250)) > _e2151) {
-                                                            let _e2256 = local_3.member[3u];
-                                                            let _e2259 = local_3.member_1[3u];
-                                                            let _e2262 = local_3.member[3u];
-                                                            let _e2268 = local_3.member_2[3u];
-                                                            let _e2272 = local_4.member[3u];
-                                                            let _e2275 = local_4.member_1[3u];
-                                                            let _e2278 = local_4.member[3u];
-                                                            let _e2284 = local_4.member_2[3u];
-                                                            phi_4474_ = ((((_e2256 + ((_e2259 - _e2262) * _e1756)) - _e2268) + ((_e2272 + ((_e2275 - _e2278) * _e1762)) - _e2284)) > _e2151);
-                                                            phi_4475_ = false;
+                                                let _e2275 = f64(0f);
+                                                let _e2278 = local_3.member[0u];
+                                                let _e2281 = local_3.member_1[0u];
+                                                let _e2284 = local_3.member[0u];
+                                                let _e2290 = local_3.member_2[0u];
+                                                let _e2294 = local_4.member[0u];
+                                                let _e2297 = local_4.member_1[0u];
+                                                let _e2300 = local_4.member[0u];
+                                                let _e2306 = local_4.member_2[0u];
+                                                if ((((_e2278 + ((_e2281 - _e2284) * _e1880)) - _e2290) + ((_e2294 + ((_e2297 - _e2300) * _e1886)) - _e2306)) > _e2275) {
+                                                    let _e2312 = local_3.member[1u];
+                                                    let _e2315 = local_3.member_1[1u];
+                                                    let _e2318 = local_3.member[1u];
+                                                    let _e2324 = local_3.member_2[1u];
+                                                    let _e2328 = local_4.member[1u];
+                                                    let _e2331 = local_4.member_1[1u];
+                                                    let _e2334 = local_4.member[1u];
+                                                    let _e2340 = local_4.member_2[1u];
+                                                    if ((((_e2312 + ((_e2315 - _e2318) * _e1880)) - _e2324) + ((_e2328 + ((_e2331 - _e2334) * _e1886)) - _e2340)) > _e2275) {
+                                                        let _e2346 = local_3.member[2u];
+                                                        let _e2349 = local_3.member_1[2u];
+                                                        let _e2352 = local_3.member[2u];
+                                                        let _e2358 = local_3.member_2[2u];
+                                                        let _e2362 = local_4.member[2u];
+                                                        let _e2365 = local_4.member_1[2u];
+                                                        let _e2368 = local_4.member[2u];
+                                                        let _e2374 = local_4.member_2[2u];
+                                                        if ((((_e2346 + ((_e2349 - _e2352) * _e1880)) - _e2358) + ((_e2362 + ((_e2365 - _e2368) * _e1886)) - _e2374)) > _e2275) {
+                                                            let _e2380 = local_3.member[3u];
+                                                            let _e2383 = local_3.member_1[3u];
+                                                            let _e2386 = local_3.member[3u];
+                                                            let _e2392 = local_3.member_2[3u];
+                                                            let _e2396 = local_4.member[3u];
+                                                            let _e2399 = local_4.member_1[3u];
+                                                            let _e2402 = local_4.member[3u];
+                                                            let _e2408 = local_4.member_2[3u];
+                                                            phi_4697_ = ((((_e2380 + ((_e2383 - _e2386) * _e1880)) - _e2392) + ((_e2396 + ((_e2399 - _e2402) * _e1886)) - _e2408)) > _e2275);
+                                                            phi_4698_ = false;
                                                         } else {
-                                                            phi_4474_ = bool();
-                                                            phi_4475_ = true;
+                                                            phi_4697_ = bool();
+                                                            phi_4698_ = true;
                                                         }
-                                                        let _e2289 = phi_4474_;
-                                                        let _e2291 = phi_4475_;
-                                                        phi_4476_ = _e2289;
-                                                        phi_4477_ = _e2291;
+                                                        let _e2413 = phi_4697_;
+                                                        let _e2415 = phi_4698_;
+                                                        phi_4699_ = _e2413;
+                                                        phi_4700_ = _e2415;
                                                     } else {
-                                                        phi_4476_ = bool();
-                                                        phi_4477_ = true;
+                                                        phi_4699_ = bool();
+                                                        phi_4700_ = true;
                                                     }
-                                                    let _e2293 = phi_4476_;
-                                                    let _e2295 = phi_4477_;
-                                                    phi_4478_ = _e2293;
-                                                    phi_4479_ = _e2295;
+                                                    let _e2417 = phi_4699_;
+                                                    let _e2419 = phi_4700_;
+                                                    phi_4701_ = _e2417;
+                                                    phi_4702_ = _e2419;
                                                 } else {
-                                                    phi_4478_ = bool();
-                                                    phi_4479_ = true;
+                                                    phi_4701_ = bool();
+                                                    phi_4702_ = true;
                                                 }
-                                                let _e2297 = phi_4478_;
-                                                let _e2299 = phi_4479_;
-                                                phi_4487_ = select(_e2297, false, _e2299);
+                                                let _e2421 = phi_4701_;
+                                                let _e2423 = phi_4702_;
+                                                phi_4710_ = select(_e2421, false, _e2423);
                                             }
-                                            let _e2302 = phi_4487_;
-                                            if _e2302 {
-                                                if select(true, select(true, false, (_e1756 >= _e551)), _e1764) {
-                                                    local_3 = type_39(array<f64, 4>(_e2046.member[0], _e2046.member[1], _e2046.member[2], _e2046.member[3]), array<f64, 4>(_e2046.member_1[0], _e2046.member_1[1], _e2046.member_1[2], _e2046.member_1[3]), array<f64, 4>(_e2046.member_2[0], _e2046.member_2[1], _e2046.member_2[2], _e2046.member_2[3]));
-                                                    let _e2327 = local_3.member[0u];
-                                                    let _e2330 = local_3.member_1[0u];
-                                                    let _e2333 = local_3.member_2[0u];
-                                                    if select(true, select(true, false, (_e2330 > _e2333)), (_e2327 > _e2333)) {
-                                                        let _e2338 = (_e2330 >= _e2327);
-                                                        if _e2338 {
-                                                            phi_4599_ = f64();
-                                                            phi_4600_ = false;
+                                            let _e2426 = phi_4710_;
+                                            if _e2426 {
+                                                if select(true, select(true, false, (_e1880 >= _e551)), _e1888) {
+                                                    local_3 = type_39(array<f64, 4>(_e2170.member[0], _e2170.member[1], _e2170.member[2], _e2170.member[3]), array<f64, 4>(_e2170.member_1[0], _e2170.member_1[1], _e2170.member_1[2], _e2170.member_1[3]), array<f64, 4>(_e2170.member_2[0], _e2170.member_2[1], _e2170.member_2[2], _e2170.member_2[3]));
+                                                    let _e2451 = local_3.member[0u];
+                                                    let _e2454 = local_3.member_1[0u];
+                                                    let _e2457 = local_3.member_2[0u];
+                                                    if select(true, select(true, false, (_e2454 > _e2457)), (_e2451 > _e2457)) {
+                                                        let _e2462 = (_e2454 >= _e2451);
+                                                        if _e2462 {
+                                                            phi_4822_ = f64();
+                                                            phi_4823_ = false;
                                                         } else {
-                                                            if ((_e2327 - _e2330) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4597_ = (((_e2327 - _e2333) / (_e2327 - _e2330)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4598_ = false;
+                                                            if ((_e2451 - _e2454) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4820_ = (((_e2451 - _e2457) / (_e2451 - _e2454)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4821_ = false;
                                                             } else {
-                                                                phi_4597_ = f64();
-                                                                phi_4598_ = true;
+                                                                phi_4820_ = f64();
+                                                                phi_4821_ = true;
                                                             }
-                                                            let _e2352 = phi_4597_;
-                                                            let _e2354 = phi_4598_;
-                                                            phi_4599_ = _e2352;
-                                                            phi_4600_ = _e2354;
+                                                            let _e2476 = phi_4820_;
+                                                            let _e2478 = phi_4821_;
+                                                            phi_4822_ = _e2476;
+                                                            phi_4823_ = _e2478;
                                                         }
-                                                        let _e2356 = phi_4599_;
-                                                        let _e2358 = phi_4600_;
-                                                        phi_4601_ = _e2356;
-                                                        phi_4602_ = _e2338;
-                                                        phi_4603_ = _e2358;
+                                                        let _e2480 = phi_4822_;
+                                                        let _e2482 = phi_4823_;
+                                                        phi_4824_ = _e2480;
+                                                        phi_4825_ = _e2462;
+                                                        phi_4826_ = _e2482;
                                                     } else {
-                                                        phi_4601_ = f64();
-                                                        phi_4602_ = true;
-                                                        phi_4603_ = false;
+                                                        phi_4824_ = f64();
+                                                        phi_4825_ = true;
+                                                        phi_4826_ = false;
                                                     }
-                                                    let _e2360 = phi_4601_;
-                                                    let _e2362 = phi_4602_;
-                                                    let _e2364 = phi_4603_;
-                                                    let _e2368 = select(_e2360, select(_e1756, f64(2f), _e2362), select(_e2364, true, _e2362));
-                                                    let _e2371 = local_3.member[1u];
-                                                    let _e2374 = local_3.member_1[1u];
-                                                    let _e2377 = local_3.member_2[1u];
-                                                    if select(true, select(true, false, (_e2374 > _e2377)), (_e2371 > _e2377)) {
-                                                        let _e2382 = (_e2374 >= _e2371);
-                                                        if _e2382 {
-                                                            phi_4671_ = f64();
-                                                            phi_4672_ = false;
+                                                    let _e2484 = phi_4824_;
+                                                    let _e2486 = phi_4825_;
+                                                    let _e2488 = phi_4826_;
+                                                    let _e2492 = select(_e2484, select(_e1880, f64(2f), _e2486), select(_e2488, true, _e2486));
+                                                    let _e2495 = local_3.member[1u];
+                                                    let _e2498 = local_3.member_1[1u];
+                                                    let _e2501 = local_3.member_2[1u];
+                                                    if select(true, select(true, false, (_e2498 > _e2501)), (_e2495 > _e2501)) {
+                                                        let _e2506 = (_e2498 >= _e2495);
+                                                        if _e2506 {
+                                                            phi_4894_ = f64();
+                                                            phi_4895_ = false;
                                                         } else {
-                                                            if ((_e2371 - _e2374) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4669_ = (((_e2371 - _e2377) / (_e2371 - _e2374)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4670_ = false;
+                                                            if ((_e2495 - _e2498) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4892_ = (((_e2495 - _e2501) / (_e2495 - _e2498)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4893_ = false;
                                                             } else {
-                                                                phi_4669_ = f64();
-                                                                phi_4670_ = true;
+                                                                phi_4892_ = f64();
+                                                                phi_4893_ = true;
                                                             }
-                                                            let _e2396 = phi_4669_;
-                                                            let _e2398 = phi_4670_;
-                                                            phi_4671_ = _e2396;
-                                                            phi_4672_ = _e2398;
+                                                            let _e2520 = phi_4892_;
+                                                            let _e2522 = phi_4893_;
+                                                            phi_4894_ = _e2520;
+                                                            phi_4895_ = _e2522;
                                                         }
-                                                        let _e2400 = phi_4671_;
-                                                        let _e2402 = phi_4672_;
-                                                        phi_4673_ = _e2400;
-                                                        phi_4674_ = _e2382;
-                                                        phi_4675_ = _e2402;
+                                                        let _e2524 = phi_4894_;
+                                                        let _e2526 = phi_4895_;
+                                                        phi_4896_ = _e2524;
+                                                        phi_4897_ = _e2506;
+                                                        phi_4898_ = _e2526;
                                                     } else {
-                                                        phi_4673_ = f64();
-                                                        phi_4674_ = true;
-                                                        phi_4675_ = false;
+                                                        phi_4896_ = f64();
+                                                        phi_4897_ = true;
+                                                        phi_4898_ = false;
                                                     }
-                                                    let _e2404 = phi_4673_;
-                                                    let _e2406 = phi_4674_;
-                                                    let _e2408 = phi_4675_;
-                                                    let _e2412 = select(_e2404, select(_e1756, f64(2f), _e2406), select(_e2408, true, _e2406));
-                                                    let _e2414 = select(_e2412, _e2368, (_e2368 < _e2412));
-                                                    let _e2417 = local_3.member[2u];
-                                                    let _e2420 = local_3.member_1[2u];
-                                                    let _e2423 = local_3.member_2[2u];
-                                                    if select(true, select(true, false, (_e2420 > _e2423)), (_e2417 > _e2423)) {
-                                                        let _e2428 = (_e2420 >= _e2417);
-                                                        if _e2428 {
-                                                            phi_4748_ = f64();
-                                                            phi_4749_ = false;
+                                                    let _e2528 = phi_4896_;
+                                                    let _e2530 = phi_4897_;
+                                                    let _e2532 = phi_4898_;
+                                                    let _e2536 = select(_e2528, select(_e1880, f64(2f), _e2530), select(_e2532, true, _e2530));
+                                                    let _e2538 = select(_e2536, _e2492, (_e2492 < _e2536));
+                                                    let _e2541 = local_3.member[2u];
+                                                    let _e2544 = local_3.member_1[2u];
+                                                    let _e2547 = local_3.member_2[2u];
+                                                    if select(true, select(true, false, (_e2544 > _e2547)), (_e2541 > _e2547)) {
+                                                        let _e2552 = (_e2544 >= _e2541);
+                                                        if _e2552 {
+                                                            phi_4971_ = f64();
+                                                            phi_4972_ = false;
                                                         } else {
-                                                            if ((_e2417 - _e2420) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4746_ = (((_e2417 - _e2423) / (_e2417 - _e2420)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4747_ = false;
+                                                            if ((_e2541 - _e2544) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_4969_ = (((_e2541 - _e2547) / (_e2541 - _e2544)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_4970_ = false;
                                                             } else {
-                                                                phi_4746_ = f64();
-                                                                phi_4747_ = true;
+                                                                phi_4969_ = f64();
+                                                                phi_4970_ = true;
                                                             }
-                                                            let _e2442 = phi_4746_;
-                                                            let _e2444 = phi_4747_;
-                                                            phi_4748_ = _e2442;
-                                                            phi_4749_ = _e2444;
+                                                            let _e2566 = phi_4969_;
+                                                            let _e2568 = phi_4970_;
+                                                            phi_4971_ = _e2566;
+                                                            phi_4972_ = _e2568;
                                                         }
-                                                        let _e2446 = phi_4748_;
-                                                        let _e2448 = phi_4749_;
-                                                        phi_4750_ = _e2446;
-                                                        phi_4751_ = _e2428;
-                                                        phi_4752_ = _e2448;
+                                                        let _e2570 = phi_4971_;
+                                                        let _e2572 = phi_4972_;
+                                                        phi_4973_ = _e2570;
+                                                        phi_4974_ = _e2552;
+                                                        phi_4975_ = _e2572;
                                                     } else {
-                                                        phi_4750_ = f64();
-                                                        phi_4751_ = true;
-                                                        phi_4752_ = false;
+                                                        phi_4973_ = f64();
+                                                        phi_4974_ = true;
+                                                        phi_4975_ = false;
                                                     }
-                                                    let _e2450 = phi_4750_;
-                                                    let _e2452 = phi_4751_;
-                                                    let _e2454 = phi_4752_;
-                                                    let _e2458 = select(_e2450, select(_e1756, f64(2f), _e2452), select(_e2454, true, _e2452));
-                                                    let _e2461 = local_3.member[3u];
-                                                    let _e2464 = local_3.member_1[3u];
-                                                    let _e2467 = local_3.member_2[3u];
-                                                    if select(true, select(true, false, (_e2464 > _e2467)), (_e2461 > _e2467)) {
-                                                        let _e2472 = (_e2464 >= _e2461);
-                                                        if _e2472 {
-                                                            phi_4820_ = f64();
-                                                            phi_4821_ = false;
+                                                    let _e2574 = phi_4973_;
+                                                    let _e2576 = phi_4974_;
+                                                    let _e2578 = phi_4975_;
+                                                    let _e2582 = select(_e2574, select(_e1880, f64(2f), _e2576), select(_e2578, true, _e2576));
+                                                    let _e2585 = local_3.member[3u];
+                                                    let _e2588 = local_3.member_1[3u];
+                                                    let _e2591 = local_3.member_2[3u];
+                                                    if select(true, select(true, false, (_e2588 > _e2591)), (_e2585 > _e2591)) {
+                                                        let _e2596 = (_e2588 >= _e2585);
+                                                        if _e2596 {
+                                                            phi_5043_ = f64();
+                                                            phi_5044_ = false;
                                                         } else {
-                                                            if ((_e2461 - _e2464) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                phi_4818_ = (((_e2461 - _e2467) / (_e2461 - _e2464)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                phi_4819_ = false;
+                                                            if ((_e2585 - _e2588) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                phi_5041_ = (((_e2585 - _e2591) / (_e2585 - _e2588)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                phi_5042_ = false;
                                                             } else {
-                                                                phi_4818_ = f64();
-                                                                phi_4819_ = true;
+                                                                phi_5041_ = f64();
+                                                                phi_5042_ = true;
                                                             }
-                                                            let _e2486 = phi_4818_;
-                                                            let _e2488 = phi_4819_;
-                                                            phi_4820_ = _e2486;
-                                                            phi_4821_ = _e2488;
+                                                            let _e2610 = phi_5041_;
+                                                            let _e2612 = phi_5042_;
+                                                            phi_5043_ = _e2610;
+                                                            phi_5044_ = _e2612;
                                                         }
-                                                        let _e2490 = phi_4820_;
-                                                        let _e2492 = phi_4821_;
-                                                        phi_4822_ = _e2490;
-                                                        phi_4823_ = _e2472;
-                                                        phi_4824_ = _e2492;
+                                                        let _e2614 = phi_5043_;
+                                                        let _e2616 = phi_5044_;
+                                                        phi_5045_ = _e2614;
+                                                        phi_5046_ = _e2596;
+                                                        phi_5047_ = _e2616;
                                                     } else {
-                                                        phi_4822_ = f64();
-                                                        phi_4823_ = true;
-                                                        phi_4824_ = false;
+                                                        phi_5045_ = f64();
+                                                        phi_5046_ = true;
+                                                        phi_5047_ = false;
                                                     }
-                                                    let _e2494 = phi_4822_;
-                                                    let _e2496 = phi_4823_;
-                                                    let _e2498 = phi_4824_;
-                                                    let _e2502 = select(_e2494, select(_e1756, f64(2f), _e2496), select(_e2498, true, _e2496));
-                                                    let _e2504 = select(_e2502, _e2458, (_e2458 < _e2502));
-                                                    let _e2506 = select(_e2504, _e2414, (_e2414 < _e2504));
-                                                    let _e2508 = select(_e1756, _e2506, (_e2506 > _e1756));
-                                                    let _e2509 = (_e2508 > _e551);
-                                                    if _e2509 {
-                                                        phi_5366_ = f64();
-                                                        phi_5367_ = f64();
-                                                        phi_5368_ = false;
-                                                        phi_5369_ = false;
+                                                    let _e2618 = phi_5045_;
+                                                    let _e2620 = phi_5046_;
+                                                    let _e2622 = phi_5047_;
+                                                    let _e2626 = select(_e2618, select(_e1880, f64(2f), _e2620), select(_e2622, true, _e2620));
+                                                    let _e2628 = select(_e2626, _e2582, (_e2582 < _e2626));
+                                                    let _e2630 = select(_e2628, _e2538, (_e2538 < _e2628));
+                                                    let _e2632 = select(_e1880, _e2630, (_e2630 > _e1880));
+                                                    let _e2633 = (_e2632 > _e551);
+                                                    if _e2633 {
+                                                        phi_5589_ = f64();
+                                                        phi_5590_ = f64();
+                                                        phi_5591_ = false;
+                                                        phi_5592_ = false;
                                                     } else {
-                                                        let _e2510 = (_e2508 - _e1756);
-                                                        let _e2511 = (_e2510 <= _e1745);
-                                                        let _e2514 = (_e2508 + (_e533 * f64(0.01f)));
-                                                        let _e2516 = select(_e551, _e2514, (_e2514 < _e551));
-                                                        if _e2511 {
-                                                            if (_e781.member_1 > f64(0f)) {
-                                                                let _e2521 = local_5.member[0u];
-                                                                let _e2527 = local_5.member[1u];
-                                                                let _e2543 = local_5.member_1[0u];
-                                                                let _e2549 = local_5.member_1[1u];
-                                                                let _e2565 = local_5.member_2[0u];
-                                                                let _e2571 = local_5.member_2[1u];
-                                                                let _e2585 = function_4(array<f64, 3>((_e2521[0] + ((_e2527[0] - _e2521[0]) * _e2516)), (_e2521[1] + ((_e2527[1] - _e2521[1]) * _e2516)), (_e2521[2] + ((_e2527[2] - _e2521[2]) * _e2516))), array<f64, 3>((_e2543[0] + ((_e2549[0] - _e2543[0]) * _e2516)), (_e2543[1] + ((_e2549[1] - _e2543[1]) * _e2516)), (_e2543[2] + ((_e2549[2] - _e2543[2]) * _e2516))), array<f64, 3>((_e2565[0] + ((_e2571[0] - _e2565[0]) * _e2516)), (_e2565[1] + ((_e2571[1] - _e2565[1]) * _e2516)), (_e2565[2] + ((_e2571[2] - _e2565[2]) * _e2516))), _e230.member);
-                                                                let _e2596 = (((_e2585[0] * _e2585[0]) + (_e2585[1] * _e2585[1])) + (_e2585[2] * _e2585[2]));
-                                                                if (_e2596 <= 2.2250738585072014e-308lf) {
-                                                                    phi_5058_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2596 > 0.0lf));
+                                                        let _e2634 = (_e2632 - _e1880);
+                                                        let _e2635 = (_e2634 <= _e1869);
+                                                        let _e2638 = (_e2632 + (_e533 * f64(0.01f)));
+                                                        let _e2640 = select(_e551, _e2638, (_e2638 < _e551));
+                                                        if _e2635 {
+                                                            if (_e905.member_1 > f64(0f)) {
+                                                                let _e2645 = local_5.member[0u];
+                                                                let _e2651 = local_5.member[1u];
+                                                                let _e2667 = local_5.member_1[0u];
+                                                                let _e2673 = local_5.member_1[1u];
+                                                                let _e2689 = local_5.member_2[0u];
+                                                                let _e2695 = local_5.member_2[1u];
+                                                                let _e2709 = function_4(array<f64, 3>((_e2645[0] + ((_e2651[0] - _e2645[0]) * _e2640)), (_e2645[1] + ((_e2651[1] - _e2645[1]) * _e2640)), (_e2645[2] + ((_e2651[2] - _e2645[2]) * _e2640))), array<f64, 3>((_e2667[0] + ((_e2673[0] - _e2667[0]) * _e2640)), (_e2667[1] + ((_e2673[1] - _e2667[1]) * _e2640)), (_e2667[2] + ((_e2673[2] - _e2667[2]) * _e2640))), array<f64, 3>((_e2689[0] + ((_e2695[0] - _e2689[0]) * _e2640)), (_e2689[1] + ((_e2695[1] - _e2689[1]) * _e2640)), (_e2689[2] + ((_e2695[2] - _e2689[2]) * _e2640))), _e230.member);
+                                                                let _e2720 = (((_e2709[0] * _e2709[0]) + (_e2709[1] * _e2709[1])) + (_e2709[2] * _e2709[2]));
+                                                                if (_e2720 <= 2.2250738585072014e-308lf) {
+                                                                    phi_5281_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e2720 > 0.0lf));
                                                                 } else {
-                                                                    phi_5001_ = type_16(0i, 5i);
-                                                                    phi_5004_ = bitcast<f64>(((bitcast<u64>(_e2596) / 2lu) + 2303426169912950784lu));
+                                                                    phi_5224_ = type_16(0i, 5i);
+                                                                    phi_5227_ = bitcast<f64>(((bitcast<u64>(_e2720) / 2lu) + 2303426169912950784lu));
                                                                     loop {
-                                                                        let _e2603 = phi_5001_;
-                                                                        let _e2605 = phi_5004_;
-                                                                        local_9 = _e2605;
-                                                                        if (_e2603.member < _e2603.member_1) {
-                                                                            let _e2612 = (_e2603.member + 1i);
-                                                                            phi_5002_ = type_16(select(_e2612, type_17().member_1, select(false, true, ((false == (_e2612 > _e2603.member)) != false))), _e2603.member_1);
-                                                                            phi_5045_ = type_17(1u, _e2603.member);
+                                                                        let _e2727 = phi_5224_;
+                                                                        let _e2729 = phi_5227_;
+                                                                        local_9 = _e2729;
+                                                                        if (_e2727.member < _e2727.member_1) {
+                                                                            let _e2736 = (_e2727.member + 1i);
+                                                                            phi_5225_ = type_16(select(_e2736, type_17().member_1, select(false, true, ((false == (_e2736 > _e2727.member)) != false))), _e2727.member_1);
+                                                                            phi_5268_ = type_17(1u, _e2727.member);
                                                                         } else {
-                                                                            phi_5002_ = _e2603;
-                                                                            phi_5045_ = type_17(0u, type_17().member_1);
+                                                                            phi_5225_ = _e2727;
+                                                                            phi_5268_ = type_17(0u, type_17().member_1);
                                                                         }
-                                                                        let _e2623 = phi_5002_;
-                                                                        let _e2625 = phi_5045_;
-                                                                        let _e2628 = (bitcast<i32>(_e2625.member) != 0i);
-                                                                        if _e2628 {
-                                                                            phi_5005_ = (0.5lf * (_e2605 + (_e2596 / _e2605)));
+                                                                        let _e2747 = phi_5225_;
+                                                                        let _e2749 = phi_5268_;
+                                                                        let _e2752 = (bitcast<i32>(_e2749.member) != 0i);
+                                                                        if _e2752 {
+                                                                            phi_5228_ = (0.5lf * (_e2729 + (_e2720 / _e2729)));
                                                                         } else {
-                                                                            phi_5005_ = f64();
+                                                                            phi_5228_ = f64();
                                                                         }
-                                                                        let _e2633 = phi_5005_;
+                                                                        let _e2757 = phi_5228_;
                                                                         continue;
                                                                         continuing {
-                                                                            phi_5001_ = _e2623;
-                                                                            phi_5004_ = _e2633;
-                                                                            break if !(_e2628);
+                                                                            phi_5224_ = _e2747;
+                                                                            phi_5227_ = _e2757;
+                                                                            break if !(_e2752);
                                                                         }
                                                                     }
-                                                                    let _e2638 = local_9;
-                                                                    phi_5058_ = (_e2638 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                    let _e2762 = local_9;
+                                                                    phi_5281_ = (_e2762 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                                 }
-                                                                let _e2644 = phi_5058_;
-                                                                let _e2652 = local_5.member[0u];
-                                                                let _e2658 = select(_e2652[0], -(_e2652[0]), (_e2652[0] < 0.0lf));
-                                                                let _e2661 = select(_e2652[1], -(_e2652[1]), (_e2652[1] < 0.0lf));
-                                                                let _e2663 = select(_e2661, _e2658, (_e2658 > _e2661));
-                                                                let _e2666 = select(_e2652[2], -(_e2652[2]), (_e2652[2] < 0.0lf));
-                                                                let _e2668 = select(_e2666, _e2663, (_e2663 > _e2666));
-                                                                let _e2671 = local_5.member[1u];
-                                                                let _e2677 = select(_e2671[0], -(_e2671[0]), (_e2671[0] < 0.0lf));
-                                                                let _e2680 = select(_e2671[1], -(_e2671[1]), (_e2671[1] < 0.0lf));
-                                                                let _e2682 = select(_e2680, _e2677, (_e2677 > _e2680));
-                                                                let _e2685 = select(_e2671[2], -(_e2671[2]), (_e2671[2] < 0.0lf));
-                                                                let _e2687 = select(_e2685, _e2682, (_e2682 > _e2685));
-                                                                let _e2691 = local_5.member_3;
-                                                                let _e2695 = local_5.member_1[0u];
-                                                                let _e2701 = select(_e2695[0], -(_e2695[0]), (_e2695[0] < 0.0lf));
-                                                                let _e2704 = select(_e2695[1], -(_e2695[1]), (_e2695[1] < 0.0lf));
-                                                                let _e2706 = select(_e2704, _e2701, (_e2701 > _e2704));
-                                                                let _e2709 = select(_e2695[2], -(_e2695[2]), (_e2695[2] < 0.0lf));
-                                                                let _e2711 = select(_e2709, _e2706, (_e2706 > _e2709));
-                                                                let _e2714 = local_5.member_1[1u];
-                                                                let _e2720 = select(_e2714[0], -(_e2714[0]), (_e2714[0] < 0.0lf));
-                                                                let _e2723 = select(_e2714[1], -(_e2714[1]), (_e2714[1] < 0.0lf));
-                                                                let _e2725 = select(_e2723, _e2720, (_e2720 > _e2723));
-                                                                let _e2728 = select(_e2714[2], -(_e2714[2]), (_e2714[2] < 0.0lf));
-                                                                let _e2730 = select(_e2728, _e2725, (_e2725 > _e2728));
-                                                                let _e2734 = local_5.member_3;
-                                                                let _e2738 = local_5.member_2[0u];
-                                                                let _e2744 = select(_e2738[0], -(_e2738[0]), (_e2738[0] < 0.0lf));
-                                                                let _e2747 = select(_e2738[1], -(_e2738[1]), (_e2738[1] < 0.0lf));
-                                                                let _e2749 = select(_e2747, _e2744, (_e2744 > _e2747));
-                                                                let _e2752 = select(_e2738[2], -(_e2738[2]), (_e2738[2] < 0.0lf));
-                                                                let _e2754 = select(_e2752, _e2749, (_e2749 > _e2752));
-                                                                let _e2757 = local_5.member_2[1u];
-                                                                let _e2763 = select(_e2757[0], -(_e2757[0]), (_e2757[0] < 0.0lf));
-                                                                let _e2766 = select(_e2757[1], -(_e2757[1]), (_e2757[1] < 0.0lf));
-                                                                let _e2768 = select(_e2766, _e2763, (_e2763 > _e2766));
-                                                                let _e2771 = select(_e2757[2], -(_e2757[2]), (_e2757[2] < 0.0lf));
-                                                                let _e2773 = select(_e2771, _e2768, (_e2768 > _e2771));
-                                                                let _e2777 = local_5.member_3;
-                                                                let _e2785 = local_5.member_3;
-                                                                phi_5335_ = select(true, false, (((_e2644 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e2687, _e2668, (_e2668 > _e2687)) + _e2691) + (select(_e2730, _e2711, (_e2711 > _e2730)) + _e2734)) + (select(_e2773, _e2754, (_e2754 > _e2773)) + _e2777)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2785 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e781.member_1));
+                                                                let _e2768 = phi_5281_;
+                                                                let _e2776 = local_5.member[0u];
+                                                                let _e2782 = select(_e2776[0], -(_e2776[0]), (_e2776[0] < 0.0lf));
+                                                                let _e2785 = select(_e2776[1], -(_e2776[1]), (_e2776[1] < 0.0lf));
+                                                                let _e2787 = select(_e2785, _e2782, (_e2782 > _e2785));
+                                                                let _e2790 = select(_e2776[2], -(_e2776[2]), (_e2776[2] < 0.0lf));
+                                                                let _e2792 = select(_e2790, _e2787, (_e2787 > _e2790));
+                                                                let _e2795 = local_5.member[1u];
+                                                                let _e2801 = select(_e2795[0], -(_e2795[0]), (_e2795[0] < 0.0lf));
+                                                                let _e2804 = select(_e2795[1], -(_e2795[1]), (_e2795[1] < 0.0lf));
+                                                                let _e2806 = select(_e2804, _e2801, (_e2801 > _e2804));
+                                                                let _e2809 = select(_e2795[2], -(_e2795[2]), (_e2795[2] < 0.0lf));
+                                                                let _e2811 = select(_e2809, _e2806, (_e2806 > _e2809));
+                                                                let _e2815 = local_5.member_3;
+                                                                let _e2819 = local_5.member_1[0u];
+                                                                let _e2825 = select(_e2819[0], -(_e2819[0]), (_e2819[0] < 0.0lf));
+                                                                let _e2828 = select(_e2819[1], -(_e2819[1]), (_e2819[1] < 0.0lf));
+                                                                let _e2830 = select(_e2828, _e2825, (_e2825 > _e2828));
+                                                                let _e2833 = select(_e2819[2], -(_e2819[2]), (_e2819[2] < 0.0lf));
+                                                                let _e2835 = select(_e2833, _e2830, (_e2830 > _e2833));
+                                                                let _e2838 = local_5.member_1[1u];
+                                                                let _e2844 = select(_e2838[0], -(_e2838[0]), (_e2838[0] < 0.0lf));
+                                                                let _e2847 = select(_e2838[1], -(_e2838[1]), (_e2838[1] < 0.0lf));
+                                                                let _e2849 = select(_e2847, _e2844, (_e2844 > _e2847));
+                                                                let _e2852 = select(_e2838[2], -(_e2838[2]), (_e2838[2] < 0.0lf));
+                                                                let _e2854 = select(_e2852, _e2849, (_e2849 > _e2852));
+                                                                let _e2858 = local_5.member_3;
+                                                                let _e2862 = local_5.member_2[0u];
+                                                                let _e2868 = select(_e2862[0], -(_e2862[0]), (_e2862[0] < 0.0lf));
+                                                                let _e2871 = select(_e2862[1], -(_e2862[1]), (_e2862[1] < 0.0lf));
+                                                                let _e2873 = select(_e2871, _e2868, (_e2868 > _e2871));
+                                                                let _e2876 = select(_e2862[2], -(_e2862[2]), (_e2862[2] < 0.0lf));
+                                                                let _e2878 = select(_e2876, _e2873, (_e2873 > _e2876));
+                                                                let _e2881 = local_5.member_2[1u];
+                                                                let _e2887 = select(_e2881[0], -(_e2881[0]), (_e2881[0] < 0.0lf));
+                                                                let _e2890 = select(_e2881[1], -(_e2881[1]), (_e2881[1] < 0.0lf));
+                                                                let _e2892 = select(_e2890, _e2887, (_e2887 > _e2890));
+                                                                let _e2895 = select(_e2881[2], -(_e2881[2]), (_e2881[2] < 0.0lf));
+                                                                let _e2897 = select(_e2895, _e2892, (_e2892 > _e2895));
+                                                                let _e2901 = local_5.member_3;
+                                                                let _e2909 = local_5.member_3;
+                                                                phi_5558_ = select(true, false, (((_e2768 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e2811, _e2792, (_e2792 > _e2811)) + _e2815) + (select(_e2854, _e2835, (_e2835 > _e2854)) + _e2858)) + (select(_e2897, _e2878, (_e2878 > _e2897)) + _e2901)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2909 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e905.member_1));
                                                             } else {
-                                                                phi_5335_ = true;
+                                                                phi_5558_ = true;
                                                             }
-                                                            let _e2798 = phi_5335_;
-                                                            phi_5336_ = _e2798;
+                                                            let _e2922 = phi_5558_;
+                                                            phi_5559_ = _e2922;
                                                         } else {
-                                                            phi_5336_ = true;
+                                                            phi_5559_ = true;
                                                         }
-                                                        let _e2800 = phi_5336_;
-                                                        if _e2800 {
-                                                            if _e1764 {
-                                                                let _e2804 = (_e2510 <= (_e1760 * f64(0.25f)));
-                                                                phi_5363_ = select(select(select(f64(), f64(0f), _e2804), f64(), _e2511), (_e2066 + _e2066), select(select(true, false, _e2804), true, _e2511));
+                                                        let _e2924 = phi_5559_;
+                                                        if _e2924 {
+                                                            if _e1888 {
+                                                                let _e2928 = (_e2634 <= (_e1884 * f64(0.25f)));
+                                                                phi_5586_ = select(select(select(f64(), f64(0f), _e2928), f64(), _e2635), (_e2190 + _e2190), select(select(true, false, _e2928), true, _e2635));
                                                             } else {
-                                                                phi_5363_ = (_e551 - _e1756);
+                                                                phi_5586_ = (_e551 - _e1880);
                                                             }
-                                                            let _e2813 = phi_5363_;
-                                                            phi_5364_ = _e2813;
-                                                            phi_5365_ = false;
+                                                            let _e2937 = phi_5586_;
+                                                            phi_5587_ = _e2937;
+                                                            phi_5588_ = false;
                                                         } else {
-                                                            phi_5364_ = f64();
-                                                            phi_5365_ = true;
+                                                            phi_5587_ = f64();
+                                                            phi_5588_ = true;
                                                         }
-                                                        let _e2815 = phi_5364_;
-                                                        let _e2817 = phi_5365_;
-                                                        phi_5366_ = _e2815;
-                                                        phi_5367_ = _e2510;
-                                                        phi_5368_ = _e2800;
-                                                        phi_5369_ = _e2817;
+                                                        let _e2939 = phi_5587_;
+                                                        let _e2941 = phi_5588_;
+                                                        phi_5589_ = _e2939;
+                                                        phi_5590_ = _e2634;
+                                                        phi_5591_ = _e2924;
+                                                        phi_5592_ = _e2941;
                                                     }
-                                                    let _e2819 = phi_5366_;
-                                                    let _e2821 = phi_5367_;
-                                                    let _e2823 = phi_5368_;
-                                                    let _e2825 = phi_5369_;
-                                                    phi_5370_ = _e2508;
-                                                    phi_5371_ = _e2819;
-                                                    phi_5372_ = _e2821;
-                                                    phi_5373_ = _e2508;
-                                                    phi_5374_ = _e2823;
-                                                    phi_5375_ = _e2509;
-                                                    phi_5376_ = _e2825;
-                                                    phi_5377_ = false;
+                                                    let _e2943 = phi_5589_;
+                                                    let _e2945 = phi_5590_;
+                                                    let _e2947 = phi_5591_;
+                                                    let _e2949 = phi_5592_;
+                                                    phi_5593_ = _e2632;
+                                                    phi_5594_ = _e2943;
+                                                    phi_5595_ = _e2945;
+                                                    phi_5596_ = _e2632;
+                                                    phi_5597_ = _e2947;
+                                                    phi_5598_ = _e2633;
+                                                    phi_5599_ = _e2949;
+                                                    phi_5600_ = false;
                                                 } else {
-                                                    phi_5370_ = f64();
-                                                    phi_5371_ = f64();
-                                                    phi_5372_ = f64();
-                                                    phi_5373_ = f64();
-                                                    phi_5374_ = false;
-                                                    phi_5375_ = false;
-                                                    phi_5376_ = false;
-                                                    phi_5377_ = true;
+                                                    phi_5593_ = f64();
+                                                    phi_5594_ = f64();
+                                                    phi_5595_ = f64();
+                                                    phi_5596_ = f64();
+                                                    phi_5597_ = false;
+                                                    phi_5598_ = false;
+                                                    phi_5599_ = false;
+                                                    phi_5600_ = true;
                                                 }
-                                                let _e2827 = phi_5370_;
-                                                let _e2829 = phi_5371_;
-                                                let _e2831 = phi_5372_;
-                                                let _e2833 = phi_5373_;
-                                                let _e2835 = phi_5374_;
-                                                let _e2837 = phi_5375_;
-                                                let _e2839 = phi_5376_;
-                                                let _e2841 = phi_5377_;
-                                                phi_5378_ = _e2827;
-                                                phi_5379_ = _e2829;
-                                                phi_5380_ = _e2831;
-                                                phi_5381_ = _e2833;
-                                                phi_5382_ = false;
-                                                phi_5383_ = _e2835;
-                                                phi_5384_ = _e2837;
-                                                phi_5385_ = _e2839;
-                                                phi_5386_ = _e2841;
+                                                let _e2951 = phi_5593_;
+                                                let _e2953 = phi_5594_;
+                                                let _e2955 = phi_5595_;
+                                                let _e2957 = phi_5596_;
+                                                let _e2959 = phi_5597_;
+                                                let _e2961 = phi_5598_;
+                                                let _e2963 = phi_5599_;
+                                                let _e2965 = phi_5600_;
+                                                phi_5601_ = _e2951;
+                                                phi_5602_ = _e2953;
+                                                phi_5603_ = _e2955;
+                                                phi_5604_ = _e2957;
+                                                phi_5605_ = false;
+                                                phi_5606_ = _e2959;
+                                                phi_5607_ = _e2961;
+                                                phi_5608_ = _e2963;
+                                                phi_5609_ = _e2965;
                                             } else {
-                                                phi_5378_ = f64();
-                                                phi_5379_ = f64();
-                                                phi_5380_ = f64();
-                                                phi_5381_ = f64();
-                                                phi_5382_ = true;
-                                                phi_5383_ = false;
-                                                phi_5384_ = false;
-                                                phi_5385_ = false;
-                                                phi_5386_ = false;
+                                                phi_5601_ = f64();
+                                                phi_5602_ = f64();
+                                                phi_5603_ = f64();
+                                                phi_5604_ = f64();
+                                                phi_5605_ = true;
+                                                phi_5606_ = false;
+                                                phi_5607_ = false;
+                                                phi_5608_ = false;
+                                                phi_5609_ = false;
                                             }
-                                            let _e2843 = phi_5378_;
-                                            let _e2845 = phi_5379_;
-                                            let _e2847 = phi_5380_;
-                                            let _e2849 = phi_5381_;
-                                            let _e2851 = phi_5382_;
-                                            let _e2853 = phi_5383_;
-                                            let _e2855 = phi_5384_;
-                                            let _e2857 = phi_5385_;
-                                            let _e2859 = phi_5386_;
-                                            phi_5387_ = _e2843;
-                                            phi_5388_ = _e2845;
-                                            phi_5389_ = _e2847;
-                                            phi_5390_ = _e2849;
-                                            phi_5391_ = _e2851;
-                                            phi_5392_ = _e2853;
-                                            phi_5393_ = _e2855;
-                                            phi_5394_ = _e2857;
-                                            phi_5395_ = _e2859;
+                                            let _e2967 = phi_5601_;
+                                            let _e2969 = phi_5602_;
+                                            let _e2971 = phi_5603_;
+                                            let _e2973 = phi_5604_;
+                                            let _e2975 = phi_5605_;
+                                            let _e2977 = phi_5606_;
+                                            let _e2979 = phi_5607_;
+                                            let _e2981 = phi_5608_;
+                                            let _e2983 = phi_5609_;
+                                            phi_5610_ = _e2967;
+                                            phi_5611_ = _e2969;
+                                            phi_5612_ = _e2971;
+                                            phi_5613_ = _e2973;
+                                            phi_5614_ = _e2975;
+                                            phi_5615_ = _e2977;
+                                            phi_5616_ = _e2979;
+                                            phi_5617_ = _e2981;
+                                            phi_5618_ = _e2983;
                                         } else {
-                                            phi_5387_ = f64();
-                                            phi_5388_ = f64();
-                                            phi_5389_ = f64();
-                                            phi_5390_ = f64();
-                                            phi_5391_ = true;
-                                            phi_5392_ = false;
-                                            phi_5393_ = false;
-                                            phi_5394_ = false;
-                                            phi_5395_ = false;
+                                            phi_5610_ = f64();
+                                            phi_5611_ = f64();
+                                            phi_5612_ = f64();
+                                            phi_5613_ = f64();
+                                            phi_5614_ = true;
+                                            phi_5615_ = false;
+                                            phi_5616_ = false;
+                                            phi_5617_ = false;
+                                            phi_5618_ = false;
                                         }
-                                        let _e2861 = phi_5387_;
-                                        let _e2863 = phi_5388_;
-                                        let _e2865 = phi_5389_;
-                                        let _e2867 = phi_5390_;
-                                        let _e2869 = phi_5391_;
-                                        let _e2871 = phi_5392_;
-                                        let _e2873 = phi_5393_;
-                                        let _e2875 = phi_5394_;
-                                        let _e2877 = phi_5395_;
-                                        if _e2869 {
-                                            if (_e1756 <= _e1758) {
-                                                let _e3035 = (_e1766 + 1u);
-                                                let _e3036 = (_e3035 > 3u);
-                                                phi_5735_ = _e3035;
-                                                phi_5736_ = f64();
-                                                phi_5737_ = false;
-                                                phi_5738_ = select(true, false, _e3036);
-                                                phi_5739_ = _e3036;
+                                        let _e2985 = phi_5610_;
+                                        let _e2987 = phi_5611_;
+                                        let _e2989 = phi_5612_;
+                                        let _e2991 = phi_5613_;
+                                        let _e2993 = phi_5614_;
+                                        let _e2995 = phi_5615_;
+                                        let _e2997 = phi_5616_;
+                                        let _e2999 = phi_5617_;
+                                        let _e3001 = phi_5618_;
+                                        if _e2993 {
+                                            if (_e1880 <= _e1882) {
+                                                let _e3159 = (_e1890 + 1u);
+                                                let _e3160 = (_e3159 > 3u);
+                                                phi_5958_ = _e3159;
+                                                phi_5959_ = f64();
+                                                phi_5960_ = false;
+                                                phi_5961_ = select(true, false, _e3160);
+                                                phi_5962_ = _e3160;
                                             } else {
-                                                let _e2881 = local_3.member[0u];
-                                                let _e2884 = local_3.member_1[0u];
-                                                let _e2887 = local_3.member[0u];
-                                                let _e2893 = local_3.member_2[0u];
-                                                let _e2894 = ((_e2881 + ((_e2884 - _e2887) * _e1762)) - _e2893);
-                                                let _e2897 = local_3.member[1u];
-                                                let _e2900 = local_3.member_1[1u];
-                                                let _e2903 = local_3.member[1u];
-                                                let _e2909 = local_3.member_2[1u];
-                                                let _e2910 = ((_e2897 + ((_e2900 - _e2903) * _e1762)) - _e2909);
-                                                let _e2912 = select(_e2910, _e2894, (_e2894 < _e2910));
-                                                let _e2915 = local_3.member[2u];
-                                                let _e2918 = local_3.member_1[2u];
-                                                let _e2921 = local_3.member[2u];
-                                                let _e2927 = local_3.member_2[2u];
-                                                let _e2928 = ((_e2915 + ((_e2918 - _e2921) * _e1762)) - _e2927);
-                                                let _e2931 = local_3.member[3u];
-                                                let _e2934 = local_3.member_1[3u];
-                                                let _e2937 = local_3.member[3u];
-                                                let _e2943 = local_3.member_2[3u];
-                                                let _e2944 = ((_e2931 + ((_e2934 - _e2937) * _e1762)) - _e2943);
-                                                let _e2946 = select(_e2944, _e2928, (_e2928 < _e2944));
-                                                let _e2948 = select(_e2946, _e2912, (_e2912 < _e2946));
-                                                let _e2951 = local_4.member[0u];
-                                                let _e2954 = local_4.member_1[0u];
-                                                let _e2957 = local_4.member[0u];
-                                                let _e2963 = local_4.member_2[0u];
-                                                let _e2964 = ((_e2951 + ((_e2954 - _e2957) * _e1756)) - _e2963);
-                                                let _e2967 = local_4.member[1u];
-                                                let _e2970 = local_4.member_1[1u];
-                                                let _e2973 = local_4.member[1u];
-                                                let _e2979 = local_4.member_2[1u];
-                                                let _e2980 = ((_e2967 + ((_e2970 - _e2973) * _e1756)) - _e2979);
-                                                let _e2982 = select(_e2980, _e2964, (_e2964 < _e2980));
-                                                let _e2985 = local_4.member[2u];
-                                                let _e2988 = local_4.member_1[2u];
-                                                let _e2991 = local_4.member[2u];
-                                                let _e2997 = local_4.member_2[2u];
-                                                let _e2998 = ((_e2985 + ((_e2988 - _e2991) * _e1756)) - _e2997);
-                                                let _e3001 = local_4.member[3u];
-                                                let _e3004 = local_4.member_1[3u];
-                                                let _e3007 = local_4.member[3u];
-                                                let _e3013 = local_4.member_2[3u];
-                                                let _e3014 = ((_e3001 + ((_e3004 - _e3007) * _e1756)) - _e3013);
-                                                let _e3016 = select(_e3014, _e2998, (_e2998 < _e3014));
-                                                let _e3018 = select(_e3016, _e2982, (_e2982 < _e3016));
-                                                let _e3019 = f64(0.0625f);
-                                                let _e3021 = f64(0.9f);
-                                                if (_e3018 > f64(0f)) {
-                                                    phi_5733_ = f64(0.5f);
+                                                let _e3005 = local_3.member[0u];
+                                                let _e3008 = local_3.member_1[0u];
+                                                let _e3011 = local_3.member[0u];
+                                                let _e3017 = local_3.member_2[0u];
+                                                let _e3018 = ((_e3005 + ((_e3008 - _e3011) * _e1886)) - _e3017);
+                                                let _e3021 = local_3.member[1u];
+                                                let _e3024 = local_3.member_1[1u];
+                                                let _e3027 = local_3.member[1u];
+                                                let _e3033 = local_3.member_2[1u];
+                                                let _e3034 = ((_e3021 + ((_e3024 - _e3027) * _e1886)) - _e3033);
+                                                let _e3036 = select(_e3034, _e3018, (_e3018 < _e3034));
+                                                let _e3039 = local_3.member[2u];
+                                                let _e3042 = local_3.member_1[2u];
+                                                let _e3045 = local_3.member[2u];
+                                                let _e3051 = local_3.member_2[2u];
+                                                let _e3052 = ((_e3039 + ((_e3042 - _e3045) * _e1886)) - _e3051);
+                                                let _e3055 = local_3.member[3u];
+                                                let _e3058 = local_3.member_1[3u];
+                                                let _e3061 = local_3.member[3u];
+                                                let _e3067 = local_3.member_2[3u];
+                                                let _e3068 = ((_e3055 + ((_e3058 - _e3061) * _e1886)) - _e3067);
+                                                let _e3070 = select(_e3068, _e3052, (_e3052 < _e3068));
+                                                let _e3072 = select(_e3070, _e3036, (_e3036 < _e3070));
+                                                let _e3075 = local_4.member[0u];
+                                                let _e3078 = local_4.member_1[0u];
+                                                let _e3081 = local_4.member[0u];
+                                                let _e3087 = local_4.member_2[0u];
+                                                let _e3088 = ((_e3075 + ((_e3078 - _e3081) * _e1880)) - _e3087);
+                                                let _e3091 = local_4.member[1u];
+                                                let _e3094 = local_4.member_1[1u];
+                                                let _e3097 = local_4.member[1u];
+                                                let _e3103 = local_4.member_2[1u];
+                                                let _e3104 = ((_e3091 + ((_e3094 - _e3097) * _e1880)) - _e3103);
+                                                let _e3106 = select(_e3104, _e3088, (_e3088 < _e3104));
+                                                let _e3109 = local_4.member[2u];
+                                                let _e3112 = local_4.member_1[2u];
+                                                let _e3115 = local_4.member[2u];
+                                                let _e3121 = local_4.member_2[2u];
+                                                let _e3122 = ((_e3109 + ((_e3112 - _e3115) * _e1880)) - _e3121);
+                                                let _e3125 = local_4.member[3u];
+                                                let _e3128 = local_4.member_1[3u];
+                                                let _e3131 = local_4.member[3u];
+                                                let _e3137 = local_4.member_2[3u];
+                                                let _e3138 = ((_e3125 + ((_e3128 - _e3131) * _e1880)) - _e3137);
+                                                let _e3140 = select(_e3138, _e3122, (_e3122 < _e3138));
+                                                let _e3142 = select(_e3140, _e3106, (_e3106 < _e3140));
+                                                let _e3143 = f64(0.0625f);
+                                                let _e3145 = f64(0.9f);
+                                                if (_e3142 > f64(0f)) {
+                                                    phi_5956_ = f64(0.5f);
                                                 } else {
-                                                    let _e3027 = (f64(0.95f) * (_e2948 / (_e2948 - _e3018)));
-                                                    phi_5733_ = select(_e3019, select(_e3021, _e3027, (_e3027 < _e3021)), (_e3027 > _e3019));
+                                                    let _e3151 = (f64(0.95f) * (_e3072 / (_e3072 - _e3142)));
+                                                    phi_5956_ = select(_e3143, select(_e3145, _e3151, (_e3151 < _e3145)), (_e3151 > _e3143));
                                                 }
-                                                let _e3033 = phi_5733_;
-                                                phi_5735_ = u32();
-                                                phi_5736_ = (_e2066 * _e3033);
-                                                phi_5737_ = true;
-                                                phi_5738_ = false;
-                                                phi_5739_ = false;
+                                                let _e3157 = phi_5956_;
+                                                phi_5958_ = u32();
+                                                phi_5959_ = (_e2190 * _e3157);
+                                                phi_5960_ = true;
+                                                phi_5961_ = false;
+                                                phi_5962_ = false;
                                             }
-                                            let _e3039 = phi_5735_;
-                                            let _e3041 = phi_5736_;
-                                            let _e3043 = phi_5737_;
-                                            let _e3045 = phi_5738_;
-                                            let _e3047 = phi_5739_;
-                                            phi_5740_ = _e3039;
-                                            phi_5741_ = _e1758;
-                                            phi_5742_ = _e3041;
-                                            phi_5743_ = _e1760;
-                                            phi_5744_ = _e1762;
-                                            phi_5745_ = _e1764;
-                                            phi_5746_ = _e1766;
-                                            phi_5747_ = _e3043;
-                                            phi_5748_ = _e3045;
-                                            phi_5749_ = _e3047;
-                                            phi_5750_ = false;
-                                            phi_5751_ = false;
-                                            phi_5752_ = false;
+                                            let _e3163 = phi_5958_;
+                                            let _e3165 = phi_5959_;
+                                            let _e3167 = phi_5960_;
+                                            let _e3169 = phi_5961_;
+                                            let _e3171 = phi_5962_;
+                                            phi_5963_ = _e3163;
+                                            phi_5964_ = _e1882;
+                                            phi_5965_ = _e3165;
+                                            phi_5966_ = _e1884;
+                                            phi_5967_ = _e1886;
+                                            phi_5968_ = _e1888;
+                                            phi_5969_ = _e1890;
+                                            phi_5970_ = _e3167;
+                                            phi_5971_ = _e3169;
+                                            phi_5972_ = _e3171;
+                                            phi_5973_ = false;
+                                            phi_5974_ = false;
+                                            phi_5975_ = false;
                                         } else {
-                                            phi_5740_ = u32();
-                                            phi_5741_ = _e2861;
-                                            phi_5742_ = _e2863;
-                                            phi_5743_ = _e2865;
-                                            phi_5744_ = _e1756;
-                                            phi_5745_ = true;
-                                            phi_5746_ = 0u;
-                                            phi_5747_ = _e2871;
-                                            phi_5748_ = false;
-                                            phi_5749_ = false;
-                                            phi_5750_ = _e2873;
-                                            phi_5751_ = _e2875;
-                                            phi_5752_ = _e2877;
+                                            phi_5963_ = u32();
+                                            phi_5964_ = _e2985;
+                                            phi_5965_ = _e2987;
+                                            phi_5966_ = _e2989;
+                                            phi_5967_ = _e1880;
+                                            phi_5968_ = true;
+                                            phi_5969_ = 0u;
+                                            phi_5970_ = _e2995;
+                                            phi_5971_ = false;
+                                            phi_5972_ = false;
+                                            phi_5973_ = _e2997;
+                                            phi_5974_ = _e2999;
+                                            phi_5975_ = _e3001;
                                         }
-                                        let _e3049 = phi_5740_;
-                                        let _e3051 = phi_5741_;
-                                        let _e3053 = phi_5742_;
-                                        let _e3055 = phi_5743_;
-                                        let _e3057 = phi_5744_;
-                                        let _e3059 = phi_5745_;
-                                        let _e3061 = phi_5746_;
-                                        let _e3063 = phi_5747_;
-                                        let _e3065 = phi_5748_;
-                                        let _e3067 = phi_5749_;
-                                        let _e3069 = phi_5750_;
-                                        let _e3071 = phi_5751_;
-                                        let _e3073 = phi_5752_;
-                                        if _e3063 {
-                                            let _e3074 = (_e3057 + _e3053);
-                                            let _e3076 = select(_e3051, _e3074, (_e3074 > _e3051));
-                                            let _e3078 = select(_e551, _e3076, (_e3076 < _e551));
-                                            let _e3081 = select(((_e3078 - _e3057) > _e1745), true, !(_e1764));
-                                            phi_5780_ = _e3078;
-                                            phi_5781_ = _e3051;
-                                            phi_5782_ = _e3055;
-                                            phi_5783_ = _e3057;
-                                            phi_5784_ = _e3059;
-                                            phi_5785_ = _e3061;
-                                            phi_5786_ = _e3081;
-                                            phi_5787_ = select(true, false, _e3081);
-                                            phi_5788_ = false;
-                                            phi_5789_ = false;
-                                            phi_5790_ = false;
-                                            phi_5791_ = false;
+                                        let _e3173 = phi_5963_;
+                                        let _e3175 = phi_5964_;
+                                        let _e3177 = phi_5965_;
+                                        let _e3179 = phi_5966_;
+                                        let _e3181 = phi_5967_;
+                                        let _e3183 = phi_5968_;
+                                        let _e3185 = phi_5969_;
+                                        let _e3187 = phi_5970_;
+                                        let _e3189 = phi_5971_;
+                                        let _e3191 = phi_5972_;
+                                        let _e3193 = phi_5973_;
+                                        let _e3195 = phi_5974_;
+                                        let _e3197 = phi_5975_;
+                                        if _e3187 {
+                                            let _e3198 = (_e3181 + _e3177);
+                                            let _e3200 = select(_e3175, _e3198, (_e3198 > _e3175));
+                                            let _e3202 = select(_e551, _e3200, (_e3200 < _e551));
+                                            let _e3205 = select(((_e3202 - _e3181) > _e1869), true, !(_e1888));
+                                            phi_6003_ = _e3202;
+                                            phi_6004_ = _e3175;
+                                            phi_6005_ = _e3179;
+                                            phi_6006_ = _e3181;
+                                            phi_6007_ = _e3183;
+                                            phi_6008_ = _e3185;
+                                            phi_6009_ = _e3205;
+                                            phi_6010_ = select(true, false, _e3205);
+                                            phi_6011_ = false;
+                                            phi_6012_ = false;
+                                            phi_6013_ = false;
+                                            phi_6014_ = false;
                                         } else {
-                                            phi_5780_ = _e1756;
-                                            phi_5781_ = _e1758;
-                                            phi_5782_ = _e1760;
-                                            phi_5783_ = _e1762;
-                                            phi_5784_ = _e1764;
-                                            phi_5785_ = _e3049;
-                                            phi_5786_ = _e3065;
-                                            phi_5787_ = false;
-                                            phi_5788_ = _e3067;
-                                            phi_5789_ = _e3069;
-                                            phi_5790_ = _e3071;
-                                            phi_5791_ = _e3073;
+                                            phi_6003_ = _e1880;
+                                            phi_6004_ = _e1882;
+                                            phi_6005_ = _e1884;
+                                            phi_6006_ = _e1886;
+                                            phi_6007_ = _e1888;
+                                            phi_6008_ = _e3173;
+                                            phi_6009_ = _e3189;
+                                            phi_6010_ = false;
+                                            phi_6011_ = _e3191;
+                                            phi_6012_ = _e3193;
+                                            phi_6013_ = _e3195;
+                                            phi_6014_ = _e3197;
                                         }
-                                        let _e3084 = phi_5780_;
-                                        let _e3086 = phi_5781_;
-                                        let _e3088 = phi_5782_;
-                                        let _e3090 = phi_5783_;
-                                        let _e3092 = phi_5784_;
-                                        let _e3094 = phi_5785_;
-                                        let _e3096 = phi_5786_;
-                                        let _e3098 = phi_5787_;
-                                        let _e3100 = phi_5788_;
-                                        let _e3102 = phi_5789_;
-                                        let _e3104 = phi_5790_;
-                                        let _e3106 = phi_5791_;
-                                        phi_3570_ = _e3084;
-                                        phi_3572_ = _e3086;
-                                        phi_3574_ = _e3088;
-                                        phi_3576_ = _e3090;
-                                        phi_3578_ = _e3092;
-                                        phi_3580_ = _e3094;
-                                        phi_5792_ = _e3051;
-                                        phi_5793_ = _e2867;
-                                        phi_5794_ = _e3096;
-                                        phi_5795_ = _e3098;
-                                        phi_5796_ = _e3100;
-                                        phi_5797_ = _e3102;
-                                        phi_5798_ = _e3104;
-                                        phi_5799_ = false;
-                                        phi_5800_ = _e3106;
+                                        let _e3208 = phi_6003_;
+                                        let _e3210 = phi_6004_;
+                                        let _e3212 = phi_6005_;
+                                        let _e3214 = phi_6006_;
+                                        let _e3216 = phi_6007_;
+                                        let _e3218 = phi_6008_;
+                                        let _e3220 = phi_6009_;
+                                        let _e3222 = phi_6010_;
+                                        let _e3224 = phi_6011_;
+                                        let _e3226 = phi_6012_;
+                                        let _e3228 = phi_6013_;
+                                        let _e3230 = phi_6014_;
+                                        phi_3793_ = _e3208;
+                                        phi_3795_ = _e3210;
+                                        phi_3797_ = _e3212;
+                                        phi_3799_ = _e3214;
+                                        phi_3801_ = _e3216;
+                                        phi_3803_ = _e3218;
+                                        phi_6015_ = _e3175;
+                                        phi_6016_ = _e2991;
+                                        phi_6017_ = _e3220;
+                                        phi_6018_ = _e3222;
+                                        phi_6019_ = _e3224;
+                                        phi_6020_ = _e3226;
+                                        phi_6021_ = _e3228;
+                                        phi_6022_ = false;
+                                        phi_6023_ = _e3230;
                                     } else {
-                                        phi_3570_ = f64();
-                                        phi_3572_ = f64();
-                                        phi_3574_ = f64();
-                                        phi_3576_ = f64();
-                                        phi_3578_ = bool();
-                                        phi_3580_ = u32();
-                                        phi_5792_ = f64();
-                                        phi_5793_ = f64();
-                                        phi_5794_ = false;
-                                        phi_5795_ = false;
-                                        phi_5796_ = false;
-                                        phi_5797_ = false;
-                                        phi_5798_ = false;
-                                        phi_5799_ = true;
-                                        phi_5800_ = false;
+                                        phi_3793_ = f64();
+                                        phi_3795_ = f64();
+                                        phi_3797_ = f64();
+                                        phi_3799_ = f64();
+                                        phi_3801_ = bool();
+                                        phi_3803_ = u32();
+                                        phi_6015_ = f64();
+                                        phi_6016_ = f64();
+                                        phi_6017_ = false;
+                                        phi_6018_ = false;
+                                        phi_6019_ = false;
+                                        phi_6020_ = false;
+                                        phi_6021_ = false;
+                                        phi_6022_ = true;
+                                        phi_6023_ = false;
                                     }
-                                    let _e3108 = phi_3570_;
-                                    let _e3110 = phi_3572_;
-                                    let _e3112 = phi_3574_;
-                                    let _e3114 = phi_3576_;
-                                    let _e3116 = phi_3578_;
-                                    let _e3118 = phi_3580_;
-                                    let _e3120 = phi_5792_;
-                                    let _e3122 = phi_5793_;
-                                    let _e3124 = phi_5794_;
-                                    let _e3126 = phi_5795_;
-                                    let _e3128 = phi_5796_;
-                                    let _e3130 = phi_5797_;
-                                    let _e3132 = phi_5798_;
-                                    let _e3134 = phi_5799_;
-                                    let _e3136 = phi_5800_;
-                                    local_10 = _e3126;
-                                    local_11 = _e3128;
-                                    local_12 = _e3126;
-                                    local_13 = _e3130;
-                                    local_14 = _e3126;
-                                    local_15 = _e3132;
-                                    local_16 = _e3126;
-                                    local_17 = _e3134;
-                                    local_18 = _e3126;
-                                    local_19 = _e3136;
-                                    local_21 = _e3126;
-                                    local_22 = _e3122;
-                                    local_23 = _e3120;
+                                    let _e3232 = phi_3793_;
+                                    let _e3234 = phi_3795_;
+                                    let _e3236 = phi_3797_;
+                                    let _e3238 = phi_3799_;
+                                    let _e3240 = phi_3801_;
+                                    let _e3242 = phi_3803_;
+                                    let _e3244 = phi_6015_;
+                                    let _e3246 = phi_6016_;
+                                    let _e3248 = phi_6017_;
+                                    let _e3250 = phi_6018_;
+                                    let _e3252 = phi_6019_;
+                                    let _e3254 = phi_6020_;
+                                    let _e3256 = phi_6021_;
+                                    let _e3258 = phi_6022_;
+                                    let _e3260 = phi_6023_;
+                                    local_10 = _e3250;
+                                    local_11 = _e3252;
+                                    local_12 = _e3250;
+                                    local_13 = _e3254;
+                                    local_14 = _e3250;
+                                    local_15 = _e3256;
+                                    local_16 = _e3250;
+                                    local_17 = _e3258;
+                                    local_18 = _e3250;
+                                    local_19 = _e3260;
+                                    local_21 = _e3250;
+                                    local_22 = _e3246;
+                                    local_23 = _e3244;
                                     continue;
                                     continuing {
-                                        phi_3566_ = type_9(select(_e1754.member, (_e1754.member + 1u), _e1769), select(_e1754.member_1, _e1754.member_1, _e1769));
-                                        phi_3569_ = _e3108;
-                                        phi_3571_ = _e3110;
-                                        phi_3573_ = _e3112;
-                                        phi_3575_ = _e3114;
-                                        phi_3577_ = _e3116;
-                                        phi_3579_ = _e3118;
-                                        break if !(_e3124);
+                                        phi_3789_ = type_9(select(_e1878.member, (_e1878.member + 1u), _e1893), select(_e1878.member_1, _e1878.member_1, _e1893));
+                                        phi_3792_ = _e3232;
+                                        phi_3794_ = _e3234;
+                                        phi_3796_ = _e3236;
+                                        phi_3798_ = _e3238;
+                                        phi_3800_ = _e3240;
+                                        phi_3802_ = _e3242;
+                                        break if !(_e3248);
                                     }
                                 }
-                                let _e3139 = local_10;
-                                let _e3141 = local_11;
-                                let _e3142 = select(_e3141, false, _e3139);
-                                let _e3144 = local_12;
-                                let _e3146 = local_13;
-                                let _e3149 = local_14;
-                                let _e3151 = local_15;
-                                let _e3154 = local_16;
-                                let _e3156 = local_17;
-                                let _e3159 = local_18;
-                                let _e3161 = local_19;
-                                let _e3167 = local_20;
-                                let _e3169 = select(select(_e3146, false, _e3144), false, _e3142);
-                                let _e3172 = local_21;
-                                let _e3179 = select(select(select(_e3151, false, _e3149), false, _e3142), false, _e3169);
-                                let _e3185 = local_22;
-                                let _e3187 = local_23;
-                                let _e3189 = select(select(select(_e3172, false, _e3142), false, _e3169), true, _e3179);
-                                let _e3194 = local_24;
-                                let _e3196 = select(select(select(select(select(_e3156, false, _e3154), false, _e3142), false, _e3169), false, _e3179), true, _e3189);
-                                let _e3203 = select(select(select(select(select(select(_e3161, false, _e3159), false, _e3142), false, _e3169), false, _e3179), false, _e3189), false, _e3196);
-                                let _e3208 = select(select(select(select(select(_e3142, true, _e3169), false, _e3179), false, _e3189), false, _e3196), true, _e3203);
-                                phi_5867_ = select(select(type_37().member_1, select(_e3194, select(_e3187, _e3185, _e3179), _e3189), _e3196), select(select(select(type_37().member_1, _e3167, _e3142), type_37().member_1, _e3169), type_37().member_1, _e3203), _e3208);
-                                phi_5868_ = (select(select(type_37().member, 1u, _e3196), select(select(select(type_37().member, 1u, _e3142), 0u, _e3169), 0u, _e3203), _e3208) != 0u);
+                                let _e3263 = local_10;
+                                let _e3265 = local_11;
+                                let _e3266 = select(_e3265, false, _e3263);
+                                let _e3268 = local_12;
+                                let _e3270 = local_13;
+                                let _e3273 = local_14;
+                                let _e3275 = local_15;
+                                let _e3278 = local_16;
+                                let _e3280 = local_17;
+                                let _e3283 = local_18;
+                                let _e3285 = local_19;
+                                let _e3291 = local_20;
+                                let _e3293 = select(select(_e3270, false, _e3268), false, _e3266);
+                                let _e3296 = local_21;
+                                let _e3303 = select(select(select(_e3275, false, _e3273), false, _e3266), false, _e3293);
+                                let _e3309 = local_22;
+                                let _e3311 = local_23;
+                                let _e3313 = select(select(select(_e3296, false, _e3266), false, _e3293), true, _e3303);
+                                let _e3318 = local_24;
+                                let _e3320 = select(select(select(select(select(_e3280, false, _e3278), false, _e3266), false, _e3293), false, _e3303), true, _e3313);
+                                let _e3327 = select(select(select(select(select(select(_e3285, false, _e3283), false, _e3266), false, _e3293), false, _e3303), false, _e3313), false, _e3320);
+                                let _e3332 = select(select(select(select(select(_e3266, true, _e3293), false, _e3303), false, _e3313), false, _e3320), true, _e3327);
+                                phi_6090_ = select(select(type_37().member_1, select(_e3318, select(_e3311, _e3309, _e3303), _e3313), _e3320), select(select(select(type_37().member_1, _e3291, _e3266), type_37().member_1, _e3293), type_37().member_1, _e3327), _e3332);
+                                phi_6091_ = (select(select(type_37().member, 1u, _e3320), select(select(select(type_37().member, 1u, _e3266), 0u, _e3293), 0u, _e3327), _e3332) != 0u);
                             } else {
-                                phi_5867_ = _e1508;
-                                phi_5868_ = true;
+                                phi_6090_ = _e1632;
+                                phi_6091_ = true;
                             }
-                            let _e3213 = phi_5867_;
-                            let _e3215 = phi_5868_;
-                            if _e3215 {
-                                let _e3216 = (_e3213 > _e542);
-                                if _e3216 {
-                                    phi_8075_ = f64();
-                                    phi_8076_ = u32();
-                                    phi_8077_ = f64();
-                                    phi_8078_ = type_42();
-                                    phi_8079_ = u32();
-                                    phi_8080_ = u32();
-                                    phi_8081_ = false;
-                                    phi_8082_ = false;
-                                    phi_8083_ = false;
+                            let _e3337 = phi_6090_;
+                            let _e3339 = phi_6091_;
+                            if _e3339 {
+                                let _e3340 = (_e3337 > _e542);
+                                if _e3340 {
+                                    phi_8298_ = f64();
+                                    phi_8299_ = u32();
+                                    phi_8300_ = f64();
+                                    phi_8301_ = type_42();
+                                    phi_8302_ = u32();
+                                    phi_8303_ = u32();
+                                    phi_8304_ = false;
+                                    phi_8305_ = false;
+                                    phi_8306_ = false;
                                 } else {
-                                    let _e3220 = local_5.member[0u];
-                                    let _e3226 = local_5.member[1u];
-                                    let _e3242 = local_5.member_1[0u];
-                                    let _e3248 = local_5.member_1[1u];
-                                    let _e3264 = local_5.member_2[0u];
-                                    let _e3270 = local_5.member_2[1u];
-                                    let _e3284 = function_4(array<f64, 3>((_e3220[0] + ((_e3226[0] - _e3220[0]) * _e1512)), (_e3220[1] + ((_e3226[1] - _e3220[1]) * _e1512)), (_e3220[2] + ((_e3226[2] - _e3220[2]) * _e1512))), array<f64, 3>((_e3242[0] + ((_e3248[0] - _e3242[0]) * _e1512)), (_e3242[1] + ((_e3248[1] - _e3242[1]) * _e1512)), (_e3242[2] + ((_e3248[2] - _e3242[2]) * _e1512))), array<f64, 3>((_e3264[0] + ((_e3270[0] - _e3264[0]) * _e1512)), (_e3264[1] + ((_e3270[1] - _e3264[1]) * _e1512)), (_e3264[2] + ((_e3270[2] - _e3264[2]) * _e1512))), _e230.member);
-                                    let _e3298 = ((select(_e3284[0], -(_e3284[0]), (_e3284[0] < 0.0lf)) + select(_e3284[1], -(_e3284[1]), (_e3284[1] < 0.0lf))) + select(_e3284[2], -(_e3284[2]), (_e3284[2] < 0.0lf)));
-                                    let _e3301 = local_5.member[0u];
-                                    let _e3307 = local_5.member_1[0u];
-                                    let _e3313 = local_5.member_2[0u];
-                                    let _e3317 = (_e3301[0] - _e3307[0]);
-                                    let _e3318 = (_e3301[1] - _e3307[1]);
-                                    let _e3319 = (_e3301[2] - _e3307[2]);
-                                    let _e3320 = (_e230.member == 0u);
-                                    let _e3332 = local_5.member[1u];
-                                    let _e3338 = local_5.member_1[1u];
-                                    let _e3344 = local_5.member_2[1u];
-                                    let _e3348 = (_e3332[0] - _e3338[0]);
-                                    let _e3349 = (_e3332[1] - _e3338[1]);
-                                    let _e3350 = (_e3332[2] - _e3338[2]);
-                                    let _e3351 = (_e230.member == 0u);
-                                    let _e3363 = local_5.member[0u];
-                                    let _e3369 = select(_e3363[0], -(_e3363[0]), (_e3363[0] < 0.0lf));
-                                    let _e3372 = select(_e3363[1], -(_e3363[1]), (_e3363[1] < 0.0lf));
-                                    let _e3374 = select(_e3372, _e3369, (_e3369 > _e3372));
-                                    let _e3377 = select(_e3363[2], -(_e3363[2]), (_e3363[2] < 0.0lf));
-                                    let _e3379 = select(_e3377, _e3374, (_e3374 > _e3377));
-                                    let _e3382 = local_5.member[1u];
-                                    let _e3388 = select(_e3382[0], -(_e3382[0]), (_e3382[0] < 0.0lf));
-                                    let _e3391 = select(_e3382[1], -(_e3382[1]), (_e3382[1] < 0.0lf));
-                                    let _e3393 = select(_e3391, _e3388, (_e3388 > _e3391));
-                                    let _e3396 = select(_e3382[2], -(_e3382[2]), (_e3382[2] < 0.0lf));
-                                    let _e3398 = select(_e3396, _e3393, (_e3393 > _e3396));
-                                    let _e3402 = local_5.member_3;
-                                    let _e3406 = local_5.member_1[0u];
-                                    let _e3412 = select(_e3406[0], -(_e3406[0]), (_e3406[0] < 0.0lf));
-                                    let _e3415 = select(_e3406[1], -(_e3406[1]), (_e3406[1] < 0.0lf));
-                                    let _e3417 = select(_e3415, _e3412, (_e3412 > _e3415));
-                                    let _e3420 = select(_e3406[2], -(_e3406[2]), (_e3406[2] < 0.0lf));
-                                    let _e3422 = select(_e3420, _e3417, (_e3417 > _e3420));
-                                    let _e3425 = local_5.member_1[1u];
-                                    let _e3431 = select(_e3425[0], -(_e3425[0]), (_e3425[0] < 0.0lf));
-                                    let _e3434 = select(_e3425[1], -(_e3425[1]), (_e3425[1] < 0.0lf));
-                                    let _e3436 = select(_e3434, _e3431, (_e3431 > _e3434));
-                                    let _e3439 = select(_e3425[2], -(_e3425[2]), (_e3425[2] < 0.0lf));
-                                    let _e3441 = select(_e3439, _e3436, (_e3436 > _e3439));
-                                    let _e3445 = local_5.member_3;
-                                    let _e3449 = local_5.member_2[0u];
-                                    let _e3455 = select(_e3449[0], -(_e3449[0]), (_e3449[0] < 0.0lf));
-                                    let _e3458 = select(_e3449[1], -(_e3449[1]), (_e3449[1] < 0.0lf));
-                                    let _e3460 = select(_e3458, _e3455, (_e3455 > _e3458));
-                                    let _e3463 = select(_e3449[2], -(_e3449[2]), (_e3449[2] < 0.0lf));
-                                    let _e3465 = select(_e3463, _e3460, (_e3460 > _e3463));
+                                    let _e3344 = local_5.member[0u];
+                                    let _e3350 = local_5.member[1u];
+                                    let _e3366 = local_5.member_1[0u];
+                                    let _e3372 = local_5.member_1[1u];
+                                    let _e3388 = local_5.member_2[0u];
+                                    let _e3394 = local_5.member_2[1u];
+                                    let _e3408 = function_4(array<f64, 3>((_e3344[0] + ((_e3350[0] - _e3344[0]) * _e1636)), (_e3344[1] + ((_e3350[1] - _e3344[1]) * _e1636)), (_e3344[2] + ((_e3350[2] - _e3344[2]) * _e1636))), array<f64, 3>((_e3366[0] + ((_e3372[0] - _e3366[0]) * _e1636)), (_e3366[1] + ((_e3372[1] - _e3366[1]) * _e1636)), (_e3366[2] + ((_e3372[2] - _e3366[2]) * _e1636))), array<f64, 3>((_e3388[0] + ((_e3394[0] - _e3388[0]) * _e1636)), (_e3388[1] + ((_e3394[1] - _e3388[1]) * _e1636)), (_e3388[2] + ((_e3394[2] - _e3388[2]) * _e1636))), _e230.member);
+                                    let _e3422 = ((select(_e3408[0], -(_e3408[0]), (_e3408[0] < 0.0lf)) + select(_e3408[1], -(_e3408[1]), (_e3408[1] < 0.0lf))) + select(_e3408[2], -(_e3408[2]), (_e3408[2] < 0.0lf)));
+                                    let _e3425 = local_5.member[0u];
+                                    let _e3431 = local_5.member_1[0u];
+                                    let _e3437 = local_5.member_2[0u];
+                                    let _e3441 = (_e3425[0] - _e3431[0]);
+                                    let _e3442 = (_e3425[1] - _e3431[1]);
+                                    let _e3443 = (_e3425[2] - _e3431[2]);
+                                    let _e3444 = (_e230.member == 0u);
+                                    let _e3456 = local_5.member[1u];
+                                    let _e3462 = local_5.member_1[1u];
                                     let _e3468 = local_5.member_2[1u];
-                                    let _e3474 = select(_e3468[0], -(_e3468[0]), (_e3468[0] < 0.0lf));
-                                    let _e3477 = select(_e3468[1], -(_e3468[1]), (_e3468[1] < 0.0lf));
-                                    let _e3479 = select(_e3477, _e3474, (_e3474 > _e3477));
-                                    let _e3482 = select(_e3468[2], -(_e3468[2]), (_e3468[2] < 0.0lf));
-                                    let _e3484 = select(_e3482, _e3479, (_e3479 > _e3482));
-                                    let _e3488 = local_5.member_3;
-                                    let _e3496 = local_5.member_3;
-                                    local_1 = type_41(array<array<array<f64, 3>, 4>, 2>(array<array<f64, 3>, 4>(_e3301, array<f64, 3>(_e3317, _e3318, _e3319), array<f64, 3>((_e3301[0] - _e3313[0]), (_e3301[1] - _e3313[1]), (_e3301[2] - _e3313[2])), array<f64, 3>(select((_e3317 - _e3313[0]), _e3301[0], _e3320), select((_e3318 - _e3313[1]), _e3301[1], _e3320), select((_e3319 - _e3313[2]), _e3301[2], _e3320))), array<array<f64, 3>, 4>(_e3332, array<f64, 3>(_e3348, _e3349, _e3350), array<f64, 3>((_e3332[0] - _e3344[0]), (_e3332[1] - _e3344[1]), (_e3332[2] - _e3344[2])), array<f64, 3>(select((_e3348 - _e3344[0]), _e3332[0], _e3351), select((_e3349 - _e3344[1]), _e3332[1], _e3351), select((_e3350 - _e3344[2]), _e3332[2], _e3351)))), ((((((select(_e3398, _e3379, (_e3379 > _e3398)) + _e3402) + (select(_e3441, _e3422, (_e3422 > _e3441)) + _e3445)) + (select(_e3484, _e3465, (_e3465 > _e3484)) + _e3488)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3496 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))), _e781.member_1);
-                                    let _e3514 = local_1.member_1;
-                                    if (_e3298 > _e3514) {
-                                        if ((bitcast<u64>(_e3298) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                            let _e3520 = (f64(1f) / _e3298);
-                                            let _e3522 = (_e3284[0] * _e3520);
-                                            let _e3524 = (_e3284[1] * _e3520);
-                                            let _e3526 = (_e3284[2] * _e3520);
-                                            let _e3531 = (((_e3522 * _e3522) + (_e3524 * _e3524)) + (_e3526 * _e3526));
-                                            if (_e3531 <= 2.2250738585072014e-308lf) {
-                                                phi_6550_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3531 > 0.0lf));
+                                    let _e3472 = (_e3456[0] - _e3462[0]);
+                                    let _e3473 = (_e3456[1] - _e3462[1]);
+                                    let _e3474 = (_e3456[2] - _e3462[2]);
+                                    let _e3475 = (_e230.member == 0u);
+                                    let _e3487 = local_5.member[0u];
+                                    let _e3493 = select(_e3487[0], -(_e3487[0]), (_e3487[0] < 0.0lf));
+                                    let _e3496 = select(_e3487[1], -(_e3487[1]), (_e3487[1] < 0.0lf));
+                                    let _e3498 = select(_e3496, _e3493, (_e3493 > _e3496));
+                                    let _e3501 = select(_e3487[2], -(_e3487[2]), (_e3487[2] < 0.0lf));
+                                    let _e3503 = select(_e3501, _e3498, (_e3498 > _e3501));
+                                    let _e3506 = local_5.member[1u];
+                                    let _e3512 = select(_e3506[0], -(_e3506[0]), (_e3506[0] < 0.0lf));
+                                    let _e3515 = select(_e3506[1], -(_e3506[1]), (_e3506[1] < 0.0lf));
+                                    let _e3517 = select(_e3515, _e3512, (_e3512 > _e3515));
+                                    let _e3520 = select(_e3506[2], -(_e3506[2]), (_e3506[2] < 0.0lf));
+                                    let _e3522 = select(_e3520, _e3517, (_e3517 > _e3520));
+                                    let _e3526 = local_5.member_3;
+                                    let _e3530 = local_5.member_1[0u];
+                                    let _e3536 = select(_e3530[0], -(_e3530[0]), (_e3530[0] < 0.0lf));
+                                    let _e3539 = select(_e3530[1], -(_e3530[1]), (_e3530[1] < 0.0lf));
+                                    let _e3541 = select(_e3539, _e3536, (_e3536 > _e3539));
+                                    let _e3544 = select(_e3530[2], -(_e3530[2]), (_e3530[2] < 0.0lf));
+                                    let _e3546 = select(_e3544, _e3541, (_e3541 > _e3544));
+                                    let _e3549 = local_5.member_1[1u];
+                                    let _e3555 = select(_e3549[0], -(_e3549[0]), (_e3549[0] < 0.0lf));
+                                    let _e3558 = select(_e3549[1], -(_e3549[1]), (_e3549[1] < 0.0lf));
+                                    let _e3560 = select(_e3558, _e3555, (_e3555 > _e3558));
+                                    let _e3563 = select(_e3549[2], -(_e3549[2]), (_e3549[2] < 0.0lf));
+                                    let _e3565 = select(_e3563, _e3560, (_e3560 > _e3563));
+                                    let _e3569 = local_5.member_3;
+                                    let _e3573 = local_5.member_2[0u];
+                                    let _e3579 = select(_e3573[0], -(_e3573[0]), (_e3573[0] < 0.0lf));
+                                    let _e3582 = select(_e3573[1], -(_e3573[1]), (_e3573[1] < 0.0lf));
+                                    let _e3584 = select(_e3582, _e3579, (_e3579 > _e3582));
+                                    let _e3587 = select(_e3573[2], -(_e3573[2]), (_e3573[2] < 0.0lf));
+                                    let _e3589 = select(_e3587, _e3584, (_e3584 > _e3587));
+                                    let _e3592 = local_5.member_2[1u];
+                                    let _e3598 = select(_e3592[0], -(_e3592[0]), (_e3592[0] < 0.0lf));
+                                    let _e3601 = select(_e3592[1], -(_e3592[1]), (_e3592[1] < 0.0lf));
+                                    let _e3603 = select(_e3601, _e3598, (_e3598 > _e3601));
+                                    let _e3606 = select(_e3592[2], -(_e3592[2]), (_e3592[2] < 0.0lf));
+                                    let _e3608 = select(_e3606, _e3603, (_e3603 > _e3606));
+                                    let _e3612 = local_5.member_3;
+                                    let _e3620 = local_5.member_3;
+                                    local_1 = type_41(array<array<array<f64, 3>, 4>, 2>(array<array<f64, 3>, 4>(_e3425, array<f64, 3>(_e3441, _e3442, _e3443), array<f64, 3>((_e3425[0] - _e3437[0]), (_e3425[1] - _e3437[1]), (_e3425[2] - _e3437[2])), array<f64, 3>(select((_e3441 - _e3437[0]), _e3425[0], _e3444), select((_e3442 - _e3437[1]), _e3425[1], _e3444), select((_e3443 - _e3437[2]), _e3425[2], _e3444))), array<array<f64, 3>, 4>(_e3456, array<f64, 3>(_e3472, _e3473, _e3474), array<f64, 3>((_e3456[0] - _e3468[0]), (_e3456[1] - _e3468[1]), (_e3456[2] - _e3468[2])), array<f64, 3>(select((_e3472 - _e3468[0]), _e3456[0], _e3475), select((_e3473 - _e3468[1]), _e3456[1], _e3475), select((_e3474 - _e3468[2]), _e3456[2], _e3475)))), ((((((select(_e3522, _e3503, (_e3503 > _e3522)) + _e3526) + (select(_e3565, _e3546, (_e3546 > _e3565)) + _e3569)) + (select(_e3608, _e3589, (_e3589 > _e3608)) + _e3612)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3620 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))), _e905.member_1);
+                                    let _e3638 = local_1.member_1;
+                                    if (_e3422 > _e3638) {
+                                        if ((bitcast<u64>(_e3422) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                            let _e3644 = (f64(1f) / _e3422);
+                                            let _e3646 = (_e3408[0] * _e3644);
+                                            let _e3648 = (_e3408[1] * _e3644);
+                                            let _e3650 = (_e3408[2] * _e3644);
+                                            let _e3655 = (((_e3646 * _e3646) + (_e3648 * _e3648)) + (_e3650 * _e3650));
+                                            if (_e3655 <= 2.2250738585072014e-308lf) {
+                                                phi_6773_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3655 > 0.0lf));
                                             } else {
-                                                phi_6493_ = type_16(0i, 5i);
-                                                phi_6496_ = bitcast<f64>(((bitcast<u64>(_e3531) / 2lu) + 2303426169912950784lu));
+                                                phi_6716_ = type_16(0i, 5i);
+                                                phi_6719_ = bitcast<f64>(((bitcast<u64>(_e3655) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3538 = phi_6493_;
-                                                    let _e3540 = phi_6496_;
-                                                    local_25 = _e3540;
-                                                    if (_e3538.member < _e3538.member_1) {
-                                                        let _e3547 = (_e3538.member + 1i);
-                                                        phi_6494_ = type_16(select(_e3547, type_17().member_1, select(false, true, ((false == (_e3547 > _e3538.member)) != false))), _e3538.member_1);
-                                                        phi_6537_ = type_17(1u, _e3538.member);
+                                                    let _e3662 = phi_6716_;
+                                                    let _e3664 = phi_6719_;
+                                                    local_25 = _e3664;
+                                                    if (_e3662.member < _e3662.member_1) {
+                                                        let _e3671 = (_e3662.member + 1i);
+                                                        phi_6717_ = type_16(select(_e3671, type_17().member_1, select(false, true, ((false == (_e3671 > _e3662.member)) != false))), _e3662.member_1);
+                                                        phi_6760_ = type_17(1u, _e3662.member);
                                                     } else {
-                                                        phi_6494_ = _e3538;
-                                                        phi_6537_ = type_17(0u, type_17().member_1);
+                                                        phi_6717_ = _e3662;
+                                                        phi_6760_ = type_17(0u, type_17().member_1);
                                                     }
-                                                    let _e3558 = phi_6494_;
-                                                    let _e3560 = phi_6537_;
-                                                    let _e3563 = (bitcast<i32>(_e3560.member) != 0i);
-                                                    if _e3563 {
-                                                        phi_6497_ = (0.5lf * (_e3540 + (_e3531 / _e3540)));
+                                                    let _e3682 = phi_6717_;
+                                                    let _e3684 = phi_6760_;
+                                                    let _e3687 = (bitcast<i32>(_e3684.member) != 0i);
+                                                    if _e3687 {
+                                                        phi_6720_ = (0.5lf * (_e3664 + (_e3655 / _e3664)));
                                                     } else {
-                                                        phi_6497_ = f64();
+                                                        phi_6720_ = f64();
                                                     }
-                                                    let _e3568 = phi_6497_;
+                                                    let _e3692 = phi_6720_;
                                                     continue;
                                                     continuing {
-                                                        phi_6493_ = _e3558;
-                                                        phi_6496_ = _e3568;
-                                                        break if !(_e3563);
+                                                        phi_6716_ = _e3682;
+                                                        phi_6719_ = _e3692;
+                                                        break if !(_e3687);
                                                     }
                                                 }
-                                                let _e3573 = local_25;
-                                                phi_6550_ = (_e3573 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3697 = local_25;
+                                                phi_6773_ = (_e3697 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3579 = phi_6550_;
-                                            let _e3581 = (1.1102230246251565e-16lf * f64(12f));
-                                            let _e3583 = local_1.member_1;
-                                            let _e3587 = local_1.member_2;
-                                            let _e3592 = ((_e3583 * f64(1.01f)) + ((_e3587 * _e3579) * (f64(1f) + _e3581)));
-                                            let _e3596 = local_1.member[0u][0u];
-                                            let _e3604 = (((_e3522 * _e3596[0]) + (_e3524 * _e3596[1])) + (_e3526 * _e3596[2]));
-                                            let _e3608 = local_1.member[0u][1u];
-                                            let _e3616 = (((_e3522 * _e3608[0]) + (_e3524 * _e3608[1])) + (_e3526 * _e3608[2]));
-                                            let _e3620 = local_1.member[0u][2u];
-                                            let _e3628 = (((_e3522 * _e3620[0]) + (_e3524 * _e3620[1])) + (_e3526 * _e3620[2]));
-                                            let _e3632 = local_1.member[0u][3u];
-                                            let _e3640 = (((_e3522 * _e3632[0]) + (_e3524 * _e3632[1])) + (_e3526 * _e3632[2]));
-                                            let _e3644 = local_1.member[1u][0u];
-                                            let _e3652 = (((_e3522 * _e3644[0]) + (_e3524 * _e3644[1])) + (_e3526 * _e3644[2]));
-                                            let _e3656 = local_1.member[1u][1u];
-                                            let _e3664 = (((_e3522 * _e3656[0]) + (_e3524 * _e3656[1])) + (_e3526 * _e3656[2]));
-                                            let _e3668 = local_1.member[1u][2u];
-                                            let _e3676 = (((_e3522 * _e3668[0]) + (_e3524 * _e3668[1])) + (_e3526 * _e3668[2]));
-                                            let _e3680 = local_1.member[1u][3u];
-                                            let _e3688 = (((_e3522 * _e3680[0]) + (_e3524 * _e3680[1])) + (_e3526 * _e3680[2]));
-                                            local_2 = type_39(array<f64, 4>(_e3604, _e3616, _e3628, _e3640), array<f64, 4>(_e3652, _e3664, _e3676, _e3688), array<f64, 4>((_e3592 + ((select(_e3604, -(_e3604), (_e3604 < 0.0lf)) + select(_e3652, -(_e3652), (_e3652 < 0.0lf))) * _e3581)), (_e3592 + ((select(_e3616, -(_e3616), (_e3616 < 0.0lf)) + select(_e3664, -(_e3664), (_e3664 < 0.0lf))) * _e3581)), (_e3592 + ((select(_e3628, -(_e3628), (_e3628 < 0.0lf)) + select(_e3676, -(_e3676), (_e3676 < 0.0lf))) * _e3581)), (_e3592 + ((select(_e3640, -(_e3640), (_e3640 < 0.0lf)) + select(_e3688, -(_e3688), (_e3688 < 0.0lf))) * _e3581))));
-                                            let _e3733 = (((_e3522 * _e3522) + (_e3524 * _e3524)) + (_e3526 * _e3526));
-                                            if (_e3733 <= 2.2250738585072014e-308lf) {
-                                                phi_6845_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3733 > 0.0lf));
+                                            let _e3703 = phi_6773_;
+                                            let _e3705 = (1.1102230246251565e-16lf * f64(12f));
+                                            let _e3707 = local_1.member_1;
+                                            let _e3711 = local_1.member_2;
+                                            let _e3716 = ((_e3707 * f64(1.01f)) + ((_e3711 * _e3703) * (f64(1f) + _e3705)));
+                                            let _e3720 = local_1.member[0u][0u];
+                                            let _e3728 = (((_e3646 * _e3720[0]) + (_e3648 * _e3720[1])) + (_e3650 * _e3720[2]));
+                                            let _e3732 = local_1.member[0u][1u];
+                                            let _e3740 = (((_e3646 * _e3732[0]) + (_e3648 * _e3732[1])) + (_e3650 * _e3732[2]));
+                                            let _e3744 = local_1.member[0u][2u];
+                                            let _e3752 = (((_e3646 * _e3744[0]) + (_e3648 * _e3744[1])) + (_e3650 * _e3744[2]));
+                                            let _e3756 = local_1.member[0u][3u];
+                                            let _e3764 = (((_e3646 * _e3756[0]) + (_e3648 * _e3756[1])) + (_e3650 * _e3756[2]));
+                                            let _e3768 = local_1.member[1u][0u];
+                                            let _e3776 = (((_e3646 * _e3768[0]) + (_e3648 * _e3768[1])) + (_e3650 * _e3768[2]));
+                                            let _e3780 = local_1.member[1u][1u];
+                                            let _e3788 = (((_e3646 * _e3780[0]) + (_e3648 * _e3780[1])) + (_e3650 * _e3780[2]));
+                                            let _e3792 = local_1.member[1u][2u];
+                                            let _e3800 = (((_e3646 * _e3792[0]) + (_e3648 * _e3792[1])) + (_e3650 * _e3792[2]));
+                                            let _e3804 = local_1.member[1u][3u];
+                                            let _e3812 = (((_e3646 * _e3804[0]) + (_e3648 * _e3804[1])) + (_e3650 * _e3804[2]));
+                                            local_2 = type_39(array<f64, 4>(_e3728, _e3740, _e3752, _e3764), array<f64, 4>(_e3776, _e3788, _e3800, _e3812), array<f64, 4>((_e3716 + ((select(_e3728, -(_e3728), (_e3728 < 0.0lf)) + select(_e3776, -(_e3776), (_e3776 < 0.0lf))) * _e3705)), (_e3716 + ((select(_e3740, -(_e3740), (_e3740 < 0.0lf)) + select(_e3788, -(_e3788), (_e3788 < 0.0lf))) * _e3705)), (_e3716 + ((select(_e3752, -(_e3752), (_e3752 < 0.0lf)) + select(_e3800, -(_e3800), (_e3800 < 0.0lf))) * _e3705)), (_e3716 + ((select(_e3764, -(_e3764), (_e3764 < 0.0lf)) + select(_e3812, -(_e3812), (_e3812 < 0.0lf))) * _e3705))));
+                                            let _e3857 = (((_e3646 * _e3646) + (_e3648 * _e3648)) + (_e3650 * _e3650));
+                                            if (_e3857 <= 2.2250738585072014e-308lf) {
+                                                phi_7068_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3857 > 0.0lf));
                                             } else {
-                                                phi_6788_ = type_16(0i, 5i);
-                                                phi_6791_ = bitcast<f64>(((bitcast<u64>(_e3733) / 2lu) + 2303426169912950784lu));
+                                                phi_7011_ = type_16(0i, 5i);
+                                                phi_7014_ = bitcast<f64>(((bitcast<u64>(_e3857) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3740 = phi_6788_;
-                                                    let _e3742 = phi_6791_;
-                                                    local_26 = _e3742;
-                                                    if (_e3740.member < _e3740.member_1) {
-                                                        let _e3749 = (_e3740.member + 1i);
-                                                        phi_6789_ = type_16(select(_e3749, type_17().member_1, select(false, true, ((false == (_e3749 > _e3740.member)) != false))), _e3740.member_1);
-                                                        phi_6832_ = type_17(1u, _e3740.member);
+                                                    let _e3864 = phi_7011_;
+                                                    let _e3866 = phi_7014_;
+                                                    local_26 = _e3866;
+                                                    if (_e3864.member < _e3864.member_1) {
+                                                        let _e3873 = (_e3864.member + 1i);
+                                                        phi_7012_ = type_16(select(_e3873, type_17().member_1, select(false, true, ((false == (_e3873 > _e3864.member)) != false))), _e3864.member_1);
+                                                        phi_7055_ = type_17(1u, _e3864.member);
                                                     } else {
-                                                        phi_6789_ = _e3740;
-                                                        phi_6832_ = type_17(0u, type_17().member_1);
+                                                        phi_7012_ = _e3864;
+                                                        phi_7055_ = type_17(0u, type_17().member_1);
                                                     }
-                                                    let _e3760 = phi_6789_;
-                                                    let _e3762 = phi_6832_;
-                                                    let _e3765 = (bitcast<i32>(_e3762.member) != 0i);
-                                                    if _e3765 {
-                                                        phi_6792_ = (0.5lf * (_e3742 + (_e3733 / _e3742)));
+                                                    let _e3884 = phi_7012_;
+                                                    let _e3886 = phi_7055_;
+                                                    let _e3889 = (bitcast<i32>(_e3886.member) != 0i);
+                                                    if _e3889 {
+                                                        phi_7015_ = (0.5lf * (_e3866 + (_e3857 / _e3866)));
                                                     } else {
-                                                        phi_6792_ = f64();
+                                                        phi_7015_ = f64();
                                                     }
-                                                    let _e3770 = phi_6792_;
+                                                    let _e3894 = phi_7015_;
                                                     continue;
                                                     continuing {
-                                                        phi_6788_ = _e3760;
-                                                        phi_6791_ = _e3770;
-                                                        break if !(_e3765);
+                                                        phi_7011_ = _e3884;
+                                                        phi_7014_ = _e3894;
+                                                        break if !(_e3889);
                                                     }
                                                 }
-                                                let _e3775 = local_26;
-                                                phi_6845_ = (_e3775 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3899 = local_26;
+                                                phi_7068_ = (_e3899 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3781 = phi_6845_;
-                                            let _e3792 = (((_e3284[0] * _e3284[0]) + (_e3284[1] * _e3284[1])) + (_e3284[2] * _e3284[2]));
-                                            if (_e3792 <= 2.2250738585072014e-308lf) {
-                                                phi_6934_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3792 > 0.0lf));
+                                            let _e3905 = phi_7068_;
+                                            let _e3916 = (((_e3408[0] * _e3408[0]) + (_e3408[1] * _e3408[1])) + (_e3408[2] * _e3408[2]));
+                                            if (_e3916 <= 2.2250738585072014e-308lf) {
+                                                phi_7157_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e3916 > 0.0lf));
                                             } else {
-                                                phi_6877_ = type_16(0i, 5i);
-                                                phi_6880_ = bitcast<f64>(((bitcast<u64>(_e3792) / 2lu) + 2303426169912950784lu));
+                                                phi_7100_ = type_16(0i, 5i);
+                                                phi_7103_ = bitcast<f64>(((bitcast<u64>(_e3916) / 2lu) + 2303426169912950784lu));
                                                 loop {
-                                                    let _e3799 = phi_6877_;
-                                                    let _e3801 = phi_6880_;
-                                                    local_27 = _e3801;
-                                                    if (_e3799.member < _e3799.member_1) {
-                                                        let _e3808 = (_e3799.member + 1i);
-                                                        phi_6878_ = type_16(select(_e3808, type_17().member_1, select(false, true, ((false == (_e3808 > _e3799.member)) != false))), _e3799.member_1);
-                                                        phi_6921_ = type_17(1u, _e3799.member);
+                                                    let _e3923 = phi_7100_;
+                                                    let _e3925 = phi_7103_;
+                                                    local_27 = _e3925;
+                                                    if (_e3923.member < _e3923.member_1) {
+                                                        let _e3932 = (_e3923.member + 1i);
+                                                        phi_7101_ = type_16(select(_e3932, type_17().member_1, select(false, true, ((false == (_e3932 > _e3923.member)) != false))), _e3923.member_1);
+                                                        phi_7144_ = type_17(1u, _e3923.member);
                                                     } else {
-                                                        phi_6878_ = _e3799;
-                                                        phi_6921_ = type_17(0u, type_17().member_1);
+                                                        phi_7101_ = _e3923;
+                                                        phi_7144_ = type_17(0u, type_17().member_1);
                                                     }
-                                                    let _e3819 = phi_6878_;
-                                                    let _e3821 = phi_6921_;
-                                                    let _e3824 = (bitcast<i32>(_e3821.member) != 0i);
-                                                    if _e3824 {
-                                                        phi_6881_ = (0.5lf * (_e3801 + (_e3792 / _e3801)));
+                                                    let _e3943 = phi_7101_;
+                                                    let _e3945 = phi_7144_;
+                                                    let _e3948 = (bitcast<i32>(_e3945.member) != 0i);
+                                                    if _e3948 {
+                                                        phi_7104_ = (0.5lf * (_e3925 + (_e3916 / _e3925)));
                                                     } else {
-                                                        phi_6881_ = f64();
+                                                        phi_7104_ = f64();
                                                     }
-                                                    let _e3829 = phi_6881_;
+                                                    let _e3953 = phi_7104_;
                                                     continue;
                                                     continuing {
-                                                        phi_6877_ = _e3819;
-                                                        phi_6880_ = _e3829;
-                                                        break if !(_e3824);
+                                                        phi_7100_ = _e3943;
+                                                        phi_7103_ = _e3953;
+                                                        break if !(_e3948);
                                                     }
                                                 }
-                                                let _e3834 = local_27;
-                                                phi_6934_ = (_e3834 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                let _e3958 = local_27;
+                                                phi_7157_ = (_e3958 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                             }
-                                            let _e3840 = phi_6934_;
-                                            let _e3848 = local_5.member[0u];
-                                            let _e3854 = select(_e3848[0], -(_e3848[0]), (_e3848[0] < 0.0lf));
-                                            let _e3857 = select(_e3848[1], -(_e3848[1]), (_e3848[1] < 0.0lf));
-                                            let _e3859 = select(_e3857, _e3854, (_e3854 > _e3857));
-                                            let _e3862 = select(_e3848[2], -(_e3848[2]), (_e3848[2] < 0.0lf));
-                                            let _e3864 = select(_e3862, _e3859, (_e3859 > _e3862));
-                                            let _e3867 = local_5.member[1u];
-                                            let _e3873 = select(_e3867[0], -(_e3867[0]), (_e3867[0] < 0.0lf));
-                                            let _e3876 = select(_e3867[1], -(_e3867[1]), (_e3867[1] < 0.0lf));
-                                            let _e3878 = select(_e3876, _e3873, (_e3873 > _e3876));
-                                            let _e3881 = select(_e3867[2], -(_e3867[2]), (_e3867[2] < 0.0lf));
-                                            let _e3883 = select(_e3881, _e3878, (_e3878 > _e3881));
-                                            let _e3887 = local_5.member_3;
-                                            let _e3891 = local_5.member_1[0u];
-                                            let _e3897 = select(_e3891[0], -(_e3891[0]), (_e3891[0] < 0.0lf));
-                                            let _e3900 = select(_e3891[1], -(_e3891[1]), (_e3891[1] < 0.0lf));
-                                            let _e3902 = select(_e3900, _e3897, (_e3897 > _e3900));
-                                            let _e3905 = select(_e3891[2], -(_e3891[2]), (_e3891[2] < 0.0lf));
-                                            let _e3907 = select(_e3905, _e3902, (_e3902 > _e3905));
-                                            let _e3910 = local_5.member_1[1u];
-                                            let _e3916 = select(_e3910[0], -(_e3910[0]), (_e3910[0] < 0.0lf));
-                                            let _e3919 = select(_e3910[1], -(_e3910[1]), (_e3910[1] < 0.0lf));
-                                            let _e3921 = select(_e3919, _e3916, (_e3916 > _e3919));
-                                            let _e3924 = select(_e3910[2], -(_e3910[2]), (_e3910[2] < 0.0lf));
-                                            let _e3926 = select(_e3924, _e3921, (_e3921 > _e3924));
-                                            let _e3930 = local_5.member_3;
-                                            let _e3934 = local_5.member_2[0u];
-                                            let _e3940 = select(_e3934[0], -(_e3934[0]), (_e3934[0] < 0.0lf));
-                                            let _e3943 = select(_e3934[1], -(_e3934[1]), (_e3934[1] < 0.0lf));
-                                            let _e3945 = select(_e3943, _e3940, (_e3940 > _e3943));
-                                            let _e3948 = select(_e3934[2], -(_e3934[2]), (_e3934[2] < 0.0lf));
-                                            let _e3950 = select(_e3948, _e3945, (_e3945 > _e3948));
-                                            let _e3953 = local_5.member_2[1u];
-                                            let _e3959 = select(_e3953[0], -(_e3953[0]), (_e3953[0] < 0.0lf));
-                                            let _e3962 = select(_e3953[1], -(_e3953[1]), (_e3953[1] < 0.0lf));
-                                            let _e3964 = select(_e3962, _e3959, (_e3959 > _e3962));
-                                            let _e3967 = select(_e3953[2], -(_e3953[2]), (_e3953[2] < 0.0lf));
-                                            let _e3969 = select(_e3967, _e3964, (_e3964 > _e3967));
-                                            let _e3973 = local_5.member_3;
-                                            let _e3981 = local_5.member_3;
-                                            let _e3996 = ((((_e3840 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e3883, _e3864, (_e3864 > _e3883)) + _e3887) + (select(_e3926, _e3907, (_e3907 > _e3926)) + _e3930)) + (select(_e3969, _e3950, (_e3950 > _e3969)) + _e3973)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3981 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) * _e3781) * (f64(1f) + (1.1102230246251565e-16lf * f64(64f))));
-                                            let _e3999 = local_2.member[0u];
-                                            let _e4002 = local_2.member_1[0u];
-                                            phi_7252_ = type_9(1u, 4u);
-                                            phi_7255_ = ((_e3999 + ((_e4002 - _e3999) * _e1512)) - ((_e3514 * f64(1.01f)) + ((select(_e3999, -(_e3999), (_e3999 < 0.0lf)) + select(_e4002, -(_e4002), (_e4002 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
+                                            let _e3964 = phi_7157_;
+                                            let _e3972 = local_5.member[0u];
+                                            let _e3978 = select(_e3972[0], -(_e3972[0]), (_e3972[0] < 0.0lf));
+                                            let _e3981 = select(_e3972[1], -(_e3972[1]), (_e3972[1] < 0.0lf));
+                                            let _e3983 = select(_e3981, _e3978, (_e3978 > _e3981));
+                                            let _e3986 = select(_e3972[2], -(_e3972[2]), (_e3972[2] < 0.0lf));
+                                            let _e3988 = select(_e3986, _e3983, (_e3983 > _e3986));
+                                            let _e3991 = local_5.member[1u];
+                                            let _e3997 = select(_e3991[0], -(_e3991[0]), (_e3991[0] < 0.0lf));
+                                            let _e4000 = select(_e3991[1], -(_e3991[1]), (_e3991[1] < 0.0lf));
+                                            let _e4002 = select(_e4000, _e3997, (_e3997 > _e4000));
+                                            let _e4005 = select(_e3991[2], -(_e3991[2]), (_e3991[2] < 0.0lf));
+                                            let _e4007 = select(_e4005, _e4002, (_e4002 > _e4005));
+                                            let _e4011 = local_5.member_3;
+                                            let _e4015 = local_5.member_1[0u];
+                                            let _e4021 = select(_e4015[0], -(_e4015[0]), (_e4015[0] < 0.0lf));
+                                            let _e4024 = select(_e4015[1], -(_e4015[1]), (_e4015[1] < 0.0lf));
+                                            let _e4026 = select(_e4024, _e4021, (_e4021 > _e4024));
+                                            let _e4029 = select(_e4015[2], -(_e4015[2]), (_e4015[2] < 0.0lf));
+                                            let _e4031 = select(_e4029, _e4026, (_e4026 > _e4029));
+                                            let _e4034 = local_5.member_1[1u];
+                                            let _e4040 = select(_e4034[0], -(_e4034[0]), (_e4034[0] < 0.0lf));
+                                            let _e4043 = select(_e4034[1], -(_e4034[1]), (_e4034[1] < 0.0lf));
+                                            let _e4045 = select(_e4043, _e4040, (_e4040 > _e4043));
+                                            let _e4048 = select(_e4034[2], -(_e4034[2]), (_e4034[2] < 0.0lf));
+                                            let _e4050 = select(_e4048, _e4045, (_e4045 > _e4048));
+                                            let _e4054 = local_5.member_3;
+                                            let _e4058 = local_5.member_2[0u];
+                                            let _e4064 = select(_e4058[0], -(_e4058[0]), (_e4058[0] < 0.0lf));
+                                            let _e4067 = select(_e4058[1], -(_e4058[1]), (_e4058[1] < 0.0lf));
+                                            let _e4069 = select(_e4067, _e4064, (_e4064 > _e4067));
+                                            let _e4072 = select(_e4058[2], -(_e4058[2]), (_e4058[2] < 0.0lf));
+                                            let _e4074 = select(_e4072, _e4069, (_e4069 > _e4072));
+                                            let _e4077 = local_5.member_2[1u];
+                                            let _e4083 = select(_e4077[0], -(_e4077[0]), (_e4077[0] < 0.0lf));
+                                            let _e4086 = select(_e4077[1], -(_e4077[1]), (_e4077[1] < 0.0lf));
+                                            let _e4088 = select(_e4086, _e4083, (_e4083 > _e4086));
+                                            let _e4091 = select(_e4077[2], -(_e4077[2]), (_e4077[2] < 0.0lf));
+                                            let _e4093 = select(_e4091, _e4088, (_e4088 > _e4091));
+                                            let _e4097 = local_5.member_3;
+                                            let _e4105 = local_5.member_3;
+                                            let _e4120 = ((((_e3964 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e4007, _e3988, (_e3988 > _e4007)) + _e4011) + (select(_e4050, _e4031, (_e4031 > _e4050)) + _e4054)) + (select(_e4093, _e4074, (_e4074 > _e4093)) + _e4097)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4105 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) * _e3905) * (f64(1f) + (1.1102230246251565e-16lf * f64(64f))));
+                                            let _e4123 = local_2.member[0u];
+                                            let _e4126 = local_2.member_1[0u];
+                                            phi_7475_ = type_9(1u, 4u);
+                                            phi_7478_ = ((_e4123 + ((_e4126 - _e4123) * _e1636)) - ((_e3638 * f64(1.01f)) + ((select(_e4123, -(_e4123), (_e4123 < 0.0lf)) + select(_e4126, -(_e4126), (_e4126 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
                                             loop {
-                                                let _e4021 = phi_7252_;
-                                                let _e4023 = phi_7255_;
-                                                local_28 = _e4023;
-                                                local_29 = _e4023;
-                                                let _e4026 = (_e4021.member < _e4021.member_1);
-                                                let _e4037 = select(type_9().member_1, _e4021.member, _e4026);
-                                                let _e4039 = (bitcast<i32>(select(0u, 1u, _e4026)) != 0i);
-                                                if _e4039 {
-                                                    let _e4042 = local_2.member[_e4037];
-                                                    let _e4045 = local_2.member_1[_e4037];
-                                                    let _e4062 = ((_e4042 + ((_e4045 - _e4042) * _e1512)) - ((_e3514 * f64(1.01f)) + ((select(_e4042, -(_e4042), (_e4042 < 0.0lf)) + select(_e4045, -(_e4045), (_e4045 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
-                                                    phi_7256_ = select(_e4062, _e4023, (_e4023 < _e4062));
+                                                let _e4145 = phi_7475_;
+                                                let _e4147 = phi_7478_;
+                                                local_28 = _e4147;
+                                                local_29 = _e4147;
+                                                let _e4150 = (_e4145.member < _e4145.member_1);
+                                                let _e4161 = select(type_9().member_1, _e4145.member, _e4150);
+                                                let _e4163 = (bitcast<i32>(select(0u, 1u, _e4150)) != 0i);
+                                                if _e4163 {
+                                                    let _e4166 = local_2.member[_e4161];
+                                                    let _e4169 = local_2.member_1[_e4161];
+                                                    let _e4186 = ((_e4166 + ((_e4169 - _e4166) * _e1636)) - ((_e3638 * f64(1.01f)) + ((select(_e4166, -(_e4166), (_e4166 < 0.0lf)) + select(_e4169, -(_e4169), (_e4169 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f)))));
+                                                    phi_7479_ = select(_e4186, _e4147, (_e4147 < _e4186));
                                                 } else {
-                                                    phi_7256_ = f64();
+                                                    phi_7479_ = f64();
                                                 }
-                                                let _e4066 = phi_7256_;
+                                                let _e4190 = phi_7479_;
                                                 continue;
                                                 continuing {
-                                                    phi_7252_ = type_9(select(_e4021.member, (_e4021.member + 1u), _e4026), select(_e4021.member_1, _e4021.member_1, _e4026));
-                                                    phi_7255_ = _e4066;
-                                                    break if !(_e4039);
+                                                    phi_7475_ = type_9(select(_e4145.member, (_e4145.member + 1u), _e4150), select(_e4145.member_1, _e4145.member_1, _e4150));
+                                                    phi_7478_ = _e4190;
+                                                    break if !(_e4163);
                                                 }
                                             }
-                                            let _e4069 = local_28;
-                                            if (_e4069 > f64(0f)) {
-                                                let _e4074 = local_29;
-                                                let _e4078 = (((_e3996 - _e4074) / _e3996) * f64(2.02f));
-                                                if (_e4078 <= 2.2250738585072014e-308lf) {
-                                                    phi_7414_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4078 > 0.0lf));
+                                            let _e4193 = local_28;
+                                            if (_e4193 > f64(0f)) {
+                                                let _e4198 = local_29;
+                                                let _e4202 = (((_e4120 - _e4198) / _e4120) * f64(2.02f));
+                                                if (_e4202 <= 2.2250738585072014e-308lf) {
+                                                    phi_7637_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4202 > 0.0lf));
                                                 } else {
-                                                    phi_7357_ = type_16(0i, 5i);
-                                                    phi_7360_ = bitcast<f64>(((bitcast<u64>(_e4078) / 2lu) + 2303426169912950784lu));
+                                                    phi_7580_ = type_16(0i, 5i);
+                                                    phi_7583_ = bitcast<f64>(((bitcast<u64>(_e4202) / 2lu) + 2303426169912950784lu));
                                                     loop {
-                                                        let _e4085 = phi_7357_;
-                                                        let _e4087 = phi_7360_;
-                                                        local_30 = _e4087;
-                                                        if (_e4085.member < _e4085.member_1) {
-                                                            let _e4094 = (_e4085.member + 1i);
-                                                            phi_7358_ = type_16(select(_e4094, type_17().member_1, select(false, true, ((false == (_e4094 > _e4085.member)) != false))), _e4085.member_1);
-                                                            phi_7401_ = type_17(1u, _e4085.member);
+                                                        let _e4209 = phi_7580_;
+                                                        let _e4211 = phi_7583_;
+                                                        local_30 = _e4211;
+                                                        if (_e4209.member < _e4209.member_1) {
+                                                            let _e4218 = (_e4209.member + 1i);
+                                                            phi_7581_ = type_16(select(_e4218, type_17().member_1, select(false, true, ((false == (_e4218 > _e4209.member)) != false))), _e4209.member_1);
+                                                            phi_7624_ = type_17(1u, _e4209.member);
                                                         } else {
-                                                            phi_7358_ = _e4085;
-                                                            phi_7401_ = type_17(0u, type_17().member_1);
+                                                            phi_7581_ = _e4209;
+                                                            phi_7624_ = type_17(0u, type_17().member_1);
                                                         }
-                                                        let _e4105 = phi_7358_;
-                                                        let _e4107 = phi_7401_;
-                                                        let _e4110 = (bitcast<i32>(_e4107.member) != 0i);
-                                                        if _e4110 {
-                                                            phi_7361_ = (0.5lf * (_e4087 + (_e4078 / _e4087)));
+                                                        let _e4229 = phi_7581_;
+                                                        let _e4231 = phi_7624_;
+                                                        let _e4234 = (bitcast<i32>(_e4231.member) != 0i);
+                                                        if _e4234 {
+                                                            phi_7584_ = (0.5lf * (_e4211 + (_e4202 / _e4211)));
                                                         } else {
-                                                            phi_7361_ = f64();
+                                                            phi_7584_ = f64();
                                                         }
-                                                        let _e4115 = phi_7361_;
+                                                        let _e4239 = phi_7584_;
                                                         continue;
                                                         continuing {
-                                                            phi_7357_ = _e4105;
-                                                            phi_7360_ = _e4115;
-                                                            break if !(_e4110);
+                                                            phi_7580_ = _e4229;
+                                                            phi_7583_ = _e4239;
+                                                            break if !(_e4234);
                                                         }
                                                     }
-                                                    let _e4120 = local_30;
-                                                    phi_7414_ = (_e4120 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                    let _e4244 = local_30;
+                                                    phi_7637_ = (_e4244 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                 }
-                                                let _e4126 = phi_7414_;
-                                                let _e4129 = ((_e4126 * _e3781) * f64(1.01f));
-                                                phi_7421_ = type_9(0u, 4u);
-                                                phi_7424_ = f64(2f);
-                                                phi_7426_ = true;
-                                                phi_7428_ = true;
+                                                let _e4250 = phi_7637_;
+                                                let _e4253 = ((_e4250 * _e3905) * f64(1.01f));
+                                                phi_7644_ = type_9(0u, 4u);
+                                                phi_7647_ = f64(2f);
+                                                phi_7649_ = true;
+                                                phi_7651_ = true;
                                                 loop {
-                                                    let _e4132 = phi_7421_;
-                                                    let _e4134 = phi_7424_;
-                                                    let _e4136 = phi_7426_;
-                                                    let _e4138 = phi_7428_;
-                                                    local_31 = _e4134;
-                                                    local_32 = _e4134;
-                                                    local_33 = _e4136;
-                                                    local_34 = _e4138;
-                                                    local_35 = _e4138;
-                                                    local_36 = _e4138;
-                                                    local_61 = _e4138;
-                                                    local_37 = _e4138;
-                                                    let _e4141 = (_e4132.member < _e4132.member_1);
-                                                    let _e4152 = select(type_9().member_1, _e4132.member, _e4141);
-                                                    let _e4154 = (bitcast<i32>(select(0u, 1u, _e4141)) != 0i);
-                                                    if _e4154 {
-                                                        let _e4158 = local_1.member[0u][_e4152];
-                                                        let _e4165 = local_1.member[1u][_e4152];
-                                                        let _e4179 = ((select(_e4158[0], -(_e4158[0]), (_e4158[0] < 0.0lf)) + select(_e4158[1], -(_e4158[1]), (_e4158[1] < 0.0lf))) + select(_e4158[2], -(_e4158[2]), (_e4158[2] < 0.0lf)));
-                                                        let _e4190 = ((select(_e4165[0], -(_e4165[0]), (_e4165[0] < 0.0lf)) + select(_e4165[1], -(_e4165[1]), (_e4165[1] < 0.0lf))) + select(_e4165[2], -(_e4165[2]), (_e4165[2] < 0.0lf)));
-                                                        let _e4198 = (_e4165[0] - _e4158[0]);
-                                                        let _e4199 = (_e4165[1] - _e4158[1]);
-                                                        let _e4200 = (_e4165[2] - _e4158[2]);
-                                                        let _e4219 = local_2.member[_e4152];
-                                                        let _e4222 = local_2.member_1[_e4152];
-                                                        let _e4235 = ((_e3514 * f64(1.01f)) + ((select(_e4219, -(_e4219), (_e4219 < 0.0lf)) + select(_e4222, -(_e4222), (_e4222 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f))));
-                                                        let _e4242 = local_2.member_1[_e4152];
-                                                        let _e4245 = local_2.member[_e4152];
-                                                        let _e4246 = (_e4242 - _e4245);
-                                                        let _e4249 = ((_e4235 + _e4235) + (_e4129 * ((((select(_e4198, -(_e4198), (_e4198 < 0.0lf)) + select(_e4199, -(_e4199), (_e4199 < 0.0lf))) + select(_e4200, -(_e4200), (_e4200 < 0.0lf))) + (_e3514 * f64(6f))) * f64(1.01f))));
-                                                        let _e4252 = ((((_e4219 + ((_e4222 - _e4219) * _e1512)) - _e4235) - (_e4129 * ((select(_e4190, _e4179, (_e4179 > _e4190)) + (_e3514 * f64(3f))) * f64(1.01f)))) - _e3996);
-                                                        let _e4253 = (_e4252 > 2.2250738585072014e-308lf);
-                                                        let _e4254 = (_e4246 > _e4249);
-                                                        if _e4254 {
-                                                            phi_7665_ = _e4134;
+                                                    let _e4256 = phi_7644_;
+                                                    let _e4258 = phi_7647_;
+                                                    let _e4260 = phi_7649_;
+                                                    let _e4262 = phi_7651_;
+                                                    local_31 = _e4258;
+                                                    local_32 = _e4258;
+                                                    local_33 = _e4260;
+                                                    local_34 = _e4262;
+                                                    local_35 = _e4262;
+                                                    local_36 = _e4262;
+                                                    local_61 = _e4262;
+                                                    local_37 = _e4262;
+                                                    let _e4265 = (_e4256.member < _e4256.member_1);
+                                                    let _e4276 = select(type_9().member_1, _e4256.member, _e4265);
+                                                    let _e4278 = (bitcast<i32>(select(0u, 1u, _e4265)) != 0i);
+                                                    if _e4278 {
+                                                        let _e4282 = local_1.member[0u][_e4276];
+                                                        let _e4289 = local_1.member[1u][_e4276];
+                                                        let _e4303 = ((select(_e4282[0], -(_e4282[0]), (_e4282[0] < 0.0lf)) + select(_e4282[1], -(_e4282[1]), (_e4282[1] < 0.0lf))) + select(_e4282[2], -(_e4282[2]), (_e4282[2] < 0.0lf)));
+                                                        let _e4314 = ((select(_e4289[0], -(_e4289[0]), (_e4289[0] < 0.0lf)) + select(_e4289[1], -(_e4289[1]), (_e4289[1] < 0.0lf))) + select(_e4289[2], -(_e4289[2]), (_e4289[2] < 0.0lf)));
+                                                        let _e4322 = (_e4289[0] - _e4282[0]);
+                                                        let _e4323 = (_e4289[1] - _e4282[1]);
+                                                        let _e4324 = (_e4289[2] - _e4282[2]);
+                                                        let _e4343 = local_2.member[_e4276];
+                                                        let _e4346 = local_2.member_1[_e4276];
+                                                        let _e4359 = ((_e3638 * f64(1.01f)) + ((select(_e4343, -(_e4343), (_e4343 < 0.0lf)) + select(_e4346, -(_e4346), (_e4346 < 0.0lf))) * (1.1102230246251565e-16lf * f64(12f))));
+                                                        let _e4366 = local_2.member_1[_e4276];
+                                                        let _e4369 = local_2.member[_e4276];
+                                                        let _e4370 = (_e4366 - _e4369);
+                                                        let _e4373 = ((_e4359 + _e4359) + (_e4253 * ((((select(_e4322, -(_e4322), (_e4322 < 0.0lf)) + select(_e4323, -(_e4323), (_e4323 < 0.0lf))) + select(_e4324, -(_e4324), (_e4324 < 0.0lf))) + (_e3638 * f64(6f))) * f64(1.01f))));
+                                                        let _e4376 = ((((_e4343 + ((_e4346 - _e4343) * _e1636)) - _e4359) - (_e4253 * ((select(_e4314, _e4303, (_e4303 > _e4314)) + (_e3638 * f64(3f))) * f64(1.01f)))) - _e4120);
+                                                        let _e4377 = (_e4376 > 2.2250738585072014e-308lf);
+                                                        let _e4378 = (_e4370 > _e4373);
+                                                        if _e4378 {
+                                                            phi_7888_ = _e4258;
                                                         } else {
-                                                            if _e4253 {
-                                                                let _e4261 = (_e4249 - _e4246);
-                                                                let _e4264 = (_e4252 / select(2.2250738585072014e-308lf, _e4261, (_e4261 > 2.2250738585072014e-308lf)));
-                                                                phi_7664_ = select(_e4264, _e4134, (_e4134 < _e4264));
+                                                            if _e4377 {
+                                                                let _e4385 = (_e4373 - _e4370);
+                                                                let _e4388 = (_e4376 / select(2.2250738585072014e-308lf, _e4385, (_e4385 > 2.2250738585072014e-308lf)));
+                                                                phi_7887_ = select(_e4388, _e4258, (_e4258 < _e4388));
                                                             } else {
-                                                                phi_7664_ = _e4134;
+                                                                phi_7887_ = _e4258;
                                                             }
-                                                            let _e4268 = phi_7664_;
-                                                            phi_7665_ = _e4268;
+                                                            let _e4392 = phi_7887_;
+                                                            phi_7888_ = _e4392;
                                                         }
-                                                        let _e4270 = phi_7665_;
-                                                        phi_7425_ = _e4270;
-                                                        phi_7427_ = (_e4136 && select(_e4253, true, (_e4246 < -(_e4249))));
-                                                        phi_7429_ = (_e4138 && select(_e4253, true, _e4254));
+                                                        let _e4394 = phi_7888_;
+                                                        phi_7648_ = _e4394;
+                                                        phi_7650_ = (_e4260 && select(_e4377, true, (_e4370 < -(_e4373))));
+                                                        phi_7652_ = (_e4262 && select(_e4377, true, _e4378));
                                                     } else {
-                                                        phi_7425_ = f64();
-                                                        phi_7427_ = bool();
-                                                        phi_7429_ = bool();
+                                                        phi_7648_ = f64();
+                                                        phi_7650_ = bool();
+                                                        phi_7652_ = bool();
                                                     }
-                                                    let _e4272 = phi_7425_;
-                                                    let _e4274 = phi_7427_;
-                                                    let _e4276 = phi_7429_;
+                                                    let _e4396 = phi_7648_;
+                                                    let _e4398 = phi_7650_;
+                                                    let _e4400 = phi_7652_;
                                                     continue;
                                                     continuing {
-                                                        phi_7421_ = type_9(select(_e4132.member, (_e4132.member + 1u), _e4141), select(_e4132.member_1, _e4132.member_1, _e4141));
-                                                        phi_7424_ = _e4272;
-                                                        phi_7426_ = _e4274;
-                                                        phi_7428_ = _e4276;
-                                                        break if !(_e4154);
+                                                        phi_7644_ = type_9(select(_e4256.member, (_e4256.member + 1u), _e4265), select(_e4256.member_1, _e4256.member_1, _e4265));
+                                                        phi_7647_ = _e4396;
+                                                        phi_7649_ = _e4398;
+                                                        phi_7651_ = _e4400;
+                                                        break if !(_e4278);
                                                     }
                                                 }
-                                                let _e4278 = f64(2f);
-                                                let _e4280 = local_31;
-                                                let _e4283 = local_32;
-                                                let _e4286 = (select(_e4278, _e4283, (_e4280 < _e4278)) * f64(0.999f));
-                                                let _e4288 = local_33;
-                                                if _e4288 {
-                                                    let _e4292 = local_34;
-                                                    let _e4296 = local_35;
-                                                    let _e4300 = local_36;
-                                                    phi_7683_ = type_42(select(_e1512, type_42().member, _e4292), select(f64(2f), type_42().member_1, _e4296), select(1u, type_42().member_2, _e4300));
-                                                    let _e5411 = local_61;
-                                                    phi_7684_ = _e5411;
+                                                let _e4402 = f64(2f);
+                                                let _e4404 = local_31;
+                                                let _e4407 = local_32;
+                                                let _e4410 = (select(_e4402, _e4407, (_e4404 < _e4402)) * f64(0.999f));
+                                                let _e4412 = local_33;
+                                                if _e4412 {
+                                                    let _e4416 = local_34;
+                                                    let _e4420 = local_35;
+                                                    let _e4424 = local_36;
+                                                    phi_7906_ = type_42(select(_e1636, type_42().member, _e4416), select(f64(2f), type_42().member_1, _e4420), select(1u, type_42().member_2, _e4424));
+                                                    let _e5535 = local_61;
+                                                    phi_7907_ = _e5535;
                                                 } else {
-                                                    phi_7683_ = type_42();
-                                                    phi_7684_ = true;
+                                                    phi_7906_ = type_42();
+                                                    phi_7907_ = true;
                                                 }
-                                                let _e4304 = phi_7683_;
-                                                let _e4306 = phi_7684_;
-                                                if _e4306 {
-                                                    let _e4308 = local_37;
-                                                    if _e4308 {
-                                                        let _e4314 = (_e1512 + _e4286);
-                                                        let _e4317 = select(_e1512, select(_e551, _e4314, (_e4314 < _e551)), (_e4286 > (1.1102230246251565e-16lf * f64(4096f))));
-                                                        phi_7706_ = type_9(0u, 4u);
-                                                        phi_7709_ = _e4317;
-                                                        phi_7711_ = _e1512;
+                                                let _e4428 = phi_7906_;
+                                                let _e4430 = phi_7907_;
+                                                if _e4430 {
+                                                    let _e4432 = local_37;
+                                                    if _e4432 {
+                                                        let _e4438 = (_e1636 + _e4410);
+                                                        let _e4441 = select(_e1636, select(_e551, _e4438, (_e4438 < _e551)), (_e4410 > (1.1102230246251565e-16lf * f64(4096f))));
+                                                        phi_7929_ = type_9(0u, 4u);
+                                                        phi_7932_ = _e4441;
+                                                        phi_7934_ = _e1636;
                                                         loop {
-                                                            let _e4319 = phi_7706_;
-                                                            let _e4321 = phi_7709_;
-                                                            let _e4323 = phi_7711_;
-                                                            local_38 = _e4321;
-                                                            local_39 = _e4323;
-                                                            local_40 = _e4323;
-                                                            let _e4326 = (_e4319.member < _e4319.member_1);
-                                                            let _e4337 = select(type_9().member_1, _e4319.member, _e4326);
-                                                            let _e4339 = (bitcast<i32>(select(0u, 1u, _e4326)) != 0i);
-                                                            if _e4339 {
-                                                                let _e4342 = local_2.member[_e4337];
-                                                                let _e4345 = local_2.member_1[_e4337];
-                                                                let _e4348 = local_2.member[_e4337];
-                                                                let _e4354 = local_2.member_2[_e4337];
-                                                                let _e4355 = ((_e4342 + ((_e4345 - _e4348) * _e1512)) - _e4354);
-                                                                let _e4358 = local_2.member_1[_e4337];
-                                                                let _e4361 = local_2.member[_e4337];
-                                                                let _e4362 = (_e4358 - _e4361);
-                                                                if (_e4362 > f64(0f)) {
-                                                                    let _e4378 = (_e1512 - (_e4355 / _e4362));
-                                                                    phi_7823_ = _e4321;
-                                                                    phi_7824_ = select(_e4378, _e4323, (_e4323 > _e4378));
+                                                            let _e4443 = phi_7929_;
+                                                            let _e4445 = phi_7932_;
+                                                            let _e4447 = phi_7934_;
+                                                            local_38 = _e4445;
+                                                            local_39 = _e4447;
+                                                            local_40 = _e4447;
+                                                            let _e4450 = (_e4443.member < _e4443.member_1);
+                                                            let _e4461 = select(type_9().member_1, _e4443.member, _e4450);
+                                                            let _e4463 = (bitcast<i32>(select(0u, 1u, _e4450)) != 0i);
+                                                            if _e4463 {
+                                                                let _e4466 = local_2.member[_e4461];
+                                                                let _e4469 = local_2.member_1[_e4461];
+                                                                let _e4472 = local_2.member[_e4461];
+                                                                let _e4478 = local_2.member_2[_e4461];
+                                                                let _e4479 = ((_e4466 + ((_e4469 - _e4472) * _e1636)) - _e4478);
+                                                                let _e4482 = local_2.member_1[_e4461];
+                                                                let _e4485 = local_2.member[_e4461];
+                                                                let _e4486 = (_e4482 - _e4485);
+                                                                if (_e4486 > f64(0f)) {
+                                                                    let _e4502 = (_e1636 - (_e4479 / _e4486));
+                                                                    phi_8046_ = _e4445;
+                                                                    phi_8047_ = select(_e4502, _e4447, (_e4447 > _e4502));
                                                                 } else {
-                                                                    if (_e4355 > f64(0f)) {
-                                                                        if (_e4362 < f64(0f)) {
-                                                                            let _e4370 = (_e1512 - (_e4355 / _e4362));
-                                                                            phi_7821_ = select(_e4370, _e4321, (_e4321 < _e4370));
+                                                                    if (_e4479 > f64(0f)) {
+                                                                        if (_e4486 < f64(0f)) {
+                                                                            let _e4494 = (_e1636 - (_e4479 / _e4486));
+                                                                            phi_8044_ = select(_e4494, _e4445, (_e4445 < _e4494));
                                                                         } else {
-                                                                            phi_7821_ = _e4321;
+                                                                            phi_8044_ = _e4445;
                                                                         }
-                                                                        let _e4374 = phi_7821_;
-                                                                        phi_7822_ = _e4374;
+                                                                        let _e4498 = phi_8044_;
+                                                                        phi_8045_ = _e4498;
                                                                     } else {
-                                                                        phi_7822_ = _e4321;
+                                                                        phi_8045_ = _e4445;
                                                                     }
-                                                                    let _e4376 = phi_7822_;
-                                                                    phi_7823_ = _e4376;
-                                                                    phi_7824_ = _e4323;
+                                                                    let _e4500 = phi_8045_;
+                                                                    phi_8046_ = _e4500;
+                                                                    phi_8047_ = _e4447;
                                                                 }
-                                                                let _e4382 = phi_7823_;
-                                                                let _e4384 = phi_7824_;
-                                                                phi_7710_ = _e4382;
-                                                                phi_7712_ = _e4384;
+                                                                let _e4506 = phi_8046_;
+                                                                let _e4508 = phi_8047_;
+                                                                phi_7933_ = _e4506;
+                                                                phi_7935_ = _e4508;
                                                             } else {
-                                                                phi_7710_ = f64();
-                                                                phi_7712_ = f64();
+                                                                phi_7933_ = f64();
+                                                                phi_7935_ = f64();
                                                             }
-                                                            let _e4386 = phi_7710_;
-                                                            let _e4388 = phi_7712_;
+                                                            let _e4510 = phi_7933_;
+                                                            let _e4512 = phi_7935_;
                                                             continue;
                                                             continuing {
-                                                                phi_7706_ = type_9(select(_e4319.member, (_e4319.member + 1u), _e4326), select(_e4319.member_1, _e4319.member_1, _e4326));
-                                                                phi_7709_ = _e4386;
-                                                                phi_7711_ = _e4388;
-                                                                break if !(_e4339);
+                                                                phi_7929_ = type_9(select(_e4443.member, (_e4443.member + 1u), _e4450), select(_e4443.member_1, _e4443.member_1, _e4450));
+                                                                phi_7932_ = _e4510;
+                                                                phi_7934_ = _e4512;
+                                                                break if !(_e4463);
                                                             }
                                                         }
-                                                        let _e4391 = local_38;
-                                                        let _e4393 = local_39;
-                                                        let _e4398 = local_40;
-                                                        let _e4399 = (_e4398 + ((_e4391 - _e4393) * f64(0.5f)));
-                                                        if (_e4399 > _e1512) {
-                                                            if (_e4399 <= _e4317) {
-                                                                let _e4402 = f64(0f);
-                                                                let _e4405 = local_2.member[0u];
-                                                                let _e4408 = local_2.member_1[0u];
-                                                                let _e4411 = local_2.member[0u];
-                                                                let _e4417 = local_2.member_2[0u];
-                                                                if (((_e4405 + ((_e4408 - _e4411) * _e4399)) - _e4417) > _e4402) {
-                                                                    let _e4422 = local_2.member[1u];
-                                                                    let _e4425 = local_2.member_1[1u];
-                                                                    let _e4428 = local_2.member[1u];
-                                                                    let _e4434 = local_2.member_2[1u];
-                                                                    if (((_e4422 + ((_e4425 - _e4428) * _e4399)) - _e4434) > _e4402) {
-                                                                        let _e4439 = local_2.member[2u];
-                                                                        let _e4442 = local_2.member_1[2u];
-                                                                        let _e4445 = local_2.member[2u];
-                                                                        let _e4451 = local_2.member_2[2u];
-                                                                        if (((_e4439 + ((_e4442 - _e4445) * _e4399)) - _e4451) > _e4402) {
-                                                                            let _e4456 = local_2.member[3u];
-                                                                            let _e4459 = local_2.member_1[3u];
-                                                                            let _e4462 = local_2.member[3u];
-                                                                            let _e4468 = local_2.member_2[3u];
-                                                                            phi_7987_ = (((_e4456 + ((_e4459 - _e4462) * _e4399)) - _e4468) > _e4402);
-                                                                            phi_7988_ = false;
+                                                        let _e4515 = local_38;
+                                                        let _e4517 = local_39;
+                                                        let _e4522 = local_40;
+                                                        let _e4523 = (_e4522 + ((_e4515 - _e4517) * f64(0.5f)));
+                                                        if (_e4523 > _e1636) {
+                                                            if (_e4523 <= _e4441) {
+                                                                let _e4526 = f64(0f);
+                                                                let _e4529 = local_2.member[0u];
+                                                                let _e4532 = local_2.member_1[0u];
+                                                                let _e4535 = local_2.member[0u];
+                                                                let _e4541 = local_2.member_2[0u];
+                                                                if (((_e4529 + ((_e4532 - _e4535) * _e4523)) - _e4541) > _e4526) {
+                                                                    let _e4546 = local_2.member[1u];
+                                                                    let _e4549 = local_2.member_1[1u];
+                                                                    let _e4552 = local_2.member[1u];
+                                                                    let _e4558 = local_2.member_2[1u];
+                                                                    if (((_e4546 + ((_e4549 - _e4552) * _e4523)) - _e4558) > _e4526) {
+                                                                        let _e4563 = local_2.member[2u];
+                                                                        let _e4566 = local_2.member_1[2u];
+                                                                        let _e4569 = local_2.member[2u];
+                                                                        let _e4575 = local_2.member_2[2u];
+                                                                        if (((_e4563 + ((_e4566 - _e4569) * _e4523)) - _e4575) > _e4526) {
+                                                                            let _e4580 = local_2.member[3u];
+                                                                            let _e4583 = local_2.member_1[3u];
+                                                                            let _e4586 = local_2.member[3u];
+                                                                            let _e4592 = local_2.member_2[3u];
+                                                                            phi_8210_ = (((_e4580 + ((_e4583 - _e4586) * _e4523)) - _e4592) > _e4526);
+                                                                            phi_8211_ = false;
                                                                         } else {
-                                                                            phi_7987_ = bool();
-                                                                            phi_7988_ = true;
+                                                                            phi_8210_ = bool();
+                                                                            phi_8211_ = true;
                                                                         }
-                                                                        let _e4472 = phi_7987_;
-                                                                        let _e4474 = phi_7988_;
-                                                                        phi_7989_ = _e4472;
-                                                                        phi_7990_ = _e4474;
+                                                                        let _e4596 = phi_8210_;
+                                                                        let _e4598 = phi_8211_;
+                                                                        phi_8212_ = _e4596;
+                                                                        phi_8213_ = _e4598;
                                                                     } else {
-                                                                        phi_7989_ = bool();
-                                                                        phi_7990_ = true;
+                                                                        phi_8212_ = bool();
+                                                                        phi_8213_ = true;
                                                                     }
-                                                                    let _e4476 = phi_7989_;
-                                                                    let _e4478 = phi_7990_;
-                                                                    phi_7991_ = _e4476;
-                                                                    phi_7992_ = _e4478;
+                                                                    let _e4600 = phi_8212_;
+                                                                    let _e4602 = phi_8213_;
+                                                                    phi_8214_ = _e4600;
+                                                                    phi_8215_ = _e4602;
                                                                 } else {
-                                                                    phi_7991_ = bool();
-                                                                    phi_7992_ = true;
+                                                                    phi_8214_ = bool();
+                                                                    phi_8215_ = true;
                                                                 }
-                                                                let _e4480 = phi_7991_;
-                                                                let _e4482 = phi_7992_;
-                                                                phi_8001_ = select(true, false, select(_e4480, false, _e4482));
+                                                                let _e4604 = phi_8214_;
+                                                                let _e4606 = phi_8215_;
+                                                                phi_8224_ = select(true, false, select(_e4604, false, _e4606));
                                                             } else {
-                                                                phi_8001_ = true;
+                                                                phi_8224_ = true;
                                                             }
-                                                            let _e4486 = phi_8001_;
-                                                            phi_8002_ = _e4486;
+                                                            let _e4610 = phi_8224_;
+                                                            phi_8225_ = _e4610;
                                                         } else {
-                                                            phi_8002_ = true;
+                                                            phi_8225_ = true;
                                                         }
-                                                        let _e4488 = phi_8002_;
-                                                        phi_8011_ = type_42(_e4317, select(_e4399, f64(2f), _e4488), 2u);
-                                                        phi_8012_ = type_42();
-                                                        phi_8013_ = false;
+                                                        let _e4612 = phi_8225_;
+                                                        phi_8234_ = type_42(_e4441, select(_e4523, f64(2f), _e4612), 2u);
+                                                        phi_8235_ = type_42();
+                                                        phi_8236_ = false;
                                                     } else {
-                                                        phi_8011_ = type_42();
-                                                        phi_8012_ = type_42(_e1512, f64(2f), 0u);
-                                                        phi_8013_ = true;
+                                                        phi_8234_ = type_42();
+                                                        phi_8235_ = type_42(_e1636, f64(2f), 0u);
+                                                        phi_8236_ = true;
                                                     }
-                                                    let _e4493 = phi_8011_;
-                                                    let _e4495 = phi_8012_;
-                                                    let _e4497 = phi_8013_;
-                                                    phi_8014_ = _e4493;
-                                                    phi_8015_ = _e4495;
-                                                    phi_8016_ = _e4497;
+                                                    let _e4617 = phi_8234_;
+                                                    let _e4619 = phi_8235_;
+                                                    let _e4621 = phi_8236_;
+                                                    phi_8237_ = _e4617;
+                                                    phi_8238_ = _e4619;
+                                                    phi_8239_ = _e4621;
                                                 } else {
-                                                    phi_8014_ = type_42();
-                                                    phi_8015_ = _e4304;
-                                                    phi_8016_ = true;
+                                                    phi_8237_ = type_42();
+                                                    phi_8238_ = _e4428;
+                                                    phi_8239_ = true;
                                                 }
-                                                let _e4499 = phi_8014_;
-                                                let _e4501 = phi_8015_;
-                                                let _e4503 = phi_8016_;
-                                                phi_8022_ = _e4501;
-                                                phi_8023_ = _e4499;
-                                                phi_8024_ = _e4503;
+                                                let _e4623 = phi_8237_;
+                                                let _e4625 = phi_8238_;
+                                                let _e4627 = phi_8239_;
+                                                phi_8245_ = _e4625;
+                                                phi_8246_ = _e4623;
+                                                phi_8247_ = _e4627;
                                             } else {
-                                                phi_8022_ = type_42(_e1512, f64(2f), 0u);
-                                                phi_8023_ = type_42();
-                                                phi_8024_ = true;
+                                                phi_8245_ = type_42(_e1636, f64(2f), 0u);
+                                                phi_8246_ = type_42();
+                                                phi_8247_ = true;
                                             }
-                                            let _e4505 = phi_8022_;
-                                            let _e4507 = phi_8023_;
-                                            let _e4509 = phi_8024_;
-                                            phi_8028_ = _e4505;
-                                            phi_8029_ = _e4507;
-                                            phi_8030_ = false;
-                                            phi_8031_ = _e4509;
+                                            let _e4629 = phi_8245_;
+                                            let _e4631 = phi_8246_;
+                                            let _e4633 = phi_8247_;
+                                            phi_8251_ = _e4629;
+                                            phi_8252_ = _e4631;
+                                            phi_8253_ = false;
+                                            phi_8254_ = _e4633;
                                         } else {
-                                            phi_8028_ = type_42();
-                                            phi_8029_ = type_42();
-                                            phi_8030_ = true;
-                                            phi_8031_ = false;
+                                            phi_8251_ = type_42();
+                                            phi_8252_ = type_42();
+                                            phi_8253_ = true;
+                                            phi_8254_ = false;
                                         }
-                                        let _e4511 = phi_8028_;
-                                        let _e4513 = phi_8029_;
-                                        let _e4515 = phi_8030_;
-                                        let _e4517 = phi_8031_;
-                                        phi_8032_ = _e4511;
-                                        phi_8033_ = _e4513;
-                                        phi_8034_ = _e4515;
-                                        phi_8035_ = _e4517;
+                                        let _e4635 = phi_8251_;
+                                        let _e4637 = phi_8252_;
+                                        let _e4639 = phi_8253_;
+                                        let _e4641 = phi_8254_;
+                                        phi_8255_ = _e4635;
+                                        phi_8256_ = _e4637;
+                                        phi_8257_ = _e4639;
+                                        phi_8258_ = _e4641;
                                     } else {
-                                        phi_8032_ = type_42();
-                                        phi_8033_ = type_42();
-                                        phi_8034_ = true;
-                                        phi_8035_ = false;
+                                        phi_8255_ = type_42();
+                                        phi_8256_ = type_42();
+                                        phi_8257_ = true;
+                                        phi_8258_ = false;
                                     }
-                                    let _e4519 = phi_8032_;
-                                    let _e4521 = phi_8033_;
-                                    let _e4523 = phi_8034_;
-                                    let _e4525 = phi_8035_;
-                                    let _e4533 = select(_e4525, true, _e4523);
-                                    let _e4537 = select(_e4521.member_1, select(_e4519.member_1, f64(2f), _e4523), _e4533);
-                                    let _e4539 = select(_e4521.member_2, select(_e4519.member_2, 0u, _e4523), _e4533);
+                                    let _e4643 = phi_8255_;
+                                    let _e4645 = phi_8256_;
+                                    let _e4647 = phi_8257_;
+                                    let _e4649 = phi_8258_;
+                                    let _e4657 = select(_e4649, true, _e4647);
+                                    let _e4661 = select(_e4645.member_1, select(_e4643.member_1, f64(2f), _e4647), _e4657);
+                                    let _e4663 = select(_e4645.member_2, select(_e4643.member_2, 0u, _e4647), _e4657);
                                     if ((_e553 & 64u) != 0u) {
-                                        let _e4541 = (_e4539 == 2u);
-                                        let _e4542 = (_e4537 <= _e551);
-                                        phi_8070_ = select(f64(), select(f64(), _e4537, _e4542), _e4541);
-                                        phi_8071_ = select(f64(), select(f64(), _e4537, _e4542), _e4541);
-                                        phi_8072_ = select(false, _e4542, _e4541);
-                                        phi_8073_ = select(false, select(true, false, _e4542), _e4541);
-                                        phi_8074_ = select(true, false, _e4541);
+                                        let _e4665 = (_e4663 == 2u);
+                                        let _e4666 = (_e4661 <= _e551);
+                                        phi_8293_ = select(f64(), select(f64(), _e4661, _e4666), _e4665);
+                                        phi_8294_ = select(f64(), select(f64(), _e4661, _e4666), _e4665);
+                                        phi_8295_ = select(false, _e4666, _e4665);
+                                        phi_8296_ = select(false, select(true, false, _e4666), _e4665);
+                                        phi_8297_ = select(true, false, _e4665);
                                     } else {
-                                        phi_8070_ = f64();
-                                        phi_8071_ = f64();
-                                        phi_8072_ = false;
-                                        phi_8073_ = false;
-                                        phi_8074_ = true;
+                                        phi_8293_ = f64();
+                                        phi_8294_ = f64();
+                                        phi_8295_ = false;
+                                        phi_8296_ = false;
+                                        phi_8297_ = true;
                                     }
-                                    let _e4552 = phi_8070_;
-                                    let _e4554 = phi_8071_;
-                                    let _e4556 = phi_8072_;
-                                    let _e4558 = phi_8073_;
-                                    let _e4560 = phi_8074_;
-                                    phi_8075_ = _e4552;
-                                    phi_8076_ = _e4539;
-                                    phi_8077_ = _e4554;
-                                    phi_8078_ = type_42(select(_e4521.member, select(_e4519.member, _e1512, _e4523), _e4533), _e4537, _e4539);
-                                    phi_8079_ = _e4539;
-                                    phi_8080_ = _e4539;
-                                    phi_8081_ = _e4556;
-                                    phi_8082_ = _e4558;
-                                    phi_8083_ = _e4560;
+                                    let _e4676 = phi_8293_;
+                                    let _e4678 = phi_8294_;
+                                    let _e4680 = phi_8295_;
+                                    let _e4682 = phi_8296_;
+                                    let _e4684 = phi_8297_;
+                                    phi_8298_ = _e4676;
+                                    phi_8299_ = _e4663;
+                                    phi_8300_ = _e4678;
+                                    phi_8301_ = type_42(select(_e4645.member, select(_e4643.member, _e1636, _e4647), _e4657), _e4661, _e4663);
+                                    phi_8302_ = _e4663;
+                                    phi_8303_ = _e4663;
+                                    phi_8304_ = _e4680;
+                                    phi_8305_ = _e4682;
+                                    phi_8306_ = _e4684;
                                 }
-                                let _e4562 = phi_8075_;
-                                let _e4564 = phi_8076_;
-                                let _e4566 = phi_8077_;
-                                let _e4568 = phi_8078_;
-                                let _e4570 = phi_8079_;
-                                let _e4572 = phi_8080_;
-                                let _e4574 = phi_8081_;
-                                let _e4576 = phi_8082_;
-                                let _e4578 = phi_8083_;
-                                phi_8084_ = _e4562;
-                                phi_8085_ = _e4564;
-                                phi_8086_ = _e4566;
-                                phi_8087_ = _e4568;
-                                phi_8088_ = _e4570;
-                                phi_8089_ = _e4572;
-                                phi_8090_ = _e4574;
-                                phi_8091_ = _e3216;
-                                phi_8092_ = _e4576;
-                                phi_8093_ = _e4578;
-                                phi_8094_ = false;
+                                let _e4686 = phi_8298_;
+                                let _e4688 = phi_8299_;
+                                let _e4690 = phi_8300_;
+                                let _e4692 = phi_8301_;
+                                let _e4694 = phi_8302_;
+                                let _e4696 = phi_8303_;
+                                let _e4698 = phi_8304_;
+                                let _e4700 = phi_8305_;
+                                let _e4702 = phi_8306_;
+                                phi_8307_ = _e4686;
+                                phi_8308_ = _e4688;
+                                phi_8309_ = _e4690;
+                                phi_8310_ = _e4692;
+                                phi_8311_ = _e4694;
+                                phi_8312_ = _e4696;
+                                phi_8313_ = _e4698;
+                                phi_8314_ = _e3340;
+                                phi_8315_ = _e4700;
+                                phi_8316_ = _e4702;
+                                phi_8317_ = false;
                             } else {
-                                phi_8084_ = f64();
-                                phi_8085_ = u32();
-                                phi_8086_ = f64();
-                                phi_8087_ = type_42();
-                                phi_8088_ = u32();
-                                phi_8089_ = u32();
-                                phi_8090_ = false;
-                                phi_8091_ = false;
-                                phi_8092_ = false;
-                                phi_8093_ = false;
-                                phi_8094_ = true;
+                                phi_8307_ = f64();
+                                phi_8308_ = u32();
+                                phi_8309_ = f64();
+                                phi_8310_ = type_42();
+                                phi_8311_ = u32();
+                                phi_8312_ = u32();
+                                phi_8313_ = false;
+                                phi_8314_ = false;
+                                phi_8315_ = false;
+                                phi_8316_ = false;
+                                phi_8317_ = true;
                             }
-                            let _e4580 = phi_8084_;
-                            let _e4582 = phi_8085_;
-                            let _e4584 = phi_8086_;
-                            let _e4586 = phi_8087_;
-                            let _e4588 = phi_8088_;
-                            let _e4590 = phi_8089_;
-                            let _e4592 = phi_8090_;
-                            let _e4594 = phi_8091_;
-                            let _e4596 = phi_8092_;
-                            let _e4598 = phi_8093_;
-                            let _e4600 = phi_8094_;
-                            phi_8095_ = _e3213;
-                            phi_3079_ = _e4580;
-                            phi_3081_ = _e4582;
-                            phi_3083_ = _e4584;
-                            phi_8096_ = _e4586;
-                            phi_8097_ = _e4588;
-                            phi_8098_ = _e3213;
-                            phi_8099_ = _e4590;
-                            phi_8100_ = _e4592;
-                            phi_8101_ = _e4594;
-                            phi_8102_ = _e4596;
-                            phi_8103_ = _e4598;
-                            phi_8104_ = false;
-                            phi_8105_ = _e4600;
+                            let _e4704 = phi_8307_;
+                            let _e4706 = phi_8308_;
+                            let _e4708 = phi_8309_;
+                            let _e4710 = phi_8310_;
+                            let _e4712 = phi_8311_;
+                            let _e4714 = phi_8312_;
+                            let _e4716 = phi_8313_;
+                            let _e4718 = phi_8314_;
+                            let _e4720 = phi_8315_;
+                            let _e4722 = phi_8316_;
+                            let _e4724 = phi_8317_;
+                            phi_8318_ = _e3337;
+                            phi_3302_ = _e4704;
+                            phi_3304_ = _e4706;
+                            phi_3306_ = _e4708;
+                            phi_8319_ = _e4710;
+                            phi_8320_ = _e4712;
+                            phi_8321_ = _e3337;
+                            phi_8322_ = _e4714;
+                            phi_8323_ = _e4716;
+                            phi_8324_ = _e4718;
+                            phi_8325_ = _e4720;
+                            phi_8326_ = _e4722;
+                            phi_8327_ = false;
+                            phi_8328_ = _e4724;
                         } else {
-                            phi_8095_ = f64();
-                            phi_3079_ = f64();
-                            phi_3081_ = u32();
-                            phi_3083_ = f64();
-                            phi_8096_ = type_42();
-                            phi_8097_ = u32();
-                            phi_8098_ = f64();
-                            phi_8099_ = u32();
-                            phi_8100_ = false;
-                            phi_8101_ = false;
-                            phi_8102_ = false;
-                            phi_8103_ = false;
-                            phi_8104_ = true;
-                            phi_8105_ = false;
+                            phi_8318_ = f64();
+                            phi_3302_ = f64();
+                            phi_3304_ = u32();
+                            phi_3306_ = f64();
+                            phi_8319_ = type_42();
+                            phi_8320_ = u32();
+                            phi_8321_ = f64();
+                            phi_8322_ = u32();
+                            phi_8323_ = false;
+                            phi_8324_ = false;
+                            phi_8325_ = false;
+                            phi_8326_ = false;
+                            phi_8327_ = true;
+                            phi_8328_ = false;
                         }
-                        let _e4602 = phi_8095_;
-                        let _e4604 = phi_3079_;
-                        let _e4606 = phi_3081_;
-                        let _e4608 = phi_3083_;
-                        let _e4610 = phi_8096_;
-                        let _e4612 = phi_8097_;
-                        let _e4614 = phi_8098_;
-                        let _e4616 = phi_8099_;
-                        let _e4618 = phi_8100_;
-                        let _e4620 = phi_8101_;
-                        let _e4622 = phi_8102_;
-                        let _e4624 = phi_8103_;
-                        let _e4626 = phi_8104_;
-                        let _e4628 = phi_8105_;
-                        local_41 = _e4620;
-                        local_42 = _e4622;
-                        local_43 = _e4620;
-                        local_44 = _e4624;
-                        local_45 = _e4620;
-                        local_46 = _e4626;
-                        local_47 = _e4620;
-                        local_48 = _e4628;
-                        local_49 = _e4610;
-                        local_50 = _e4610;
-                        local_51 = _e4612;
-                        local_52 = _e4610;
-                        local_62 = _e4620;
-                        local_53 = _e4616;
-                        local_55 = _e4614;
-                        local_56 = _e4602;
+                        let _e4726 = phi_8318_;
+                        let _e4728 = phi_3302_;
+                        let _e4730 = phi_3304_;
+                        let _e4732 = phi_3306_;
+                        let _e4734 = phi_8319_;
+                        let _e4736 = phi_8320_;
+                        let _e4738 = phi_8321_;
+                        let _e4740 = phi_8322_;
+                        let _e4742 = phi_8323_;
+                        let _e4744 = phi_8324_;
+                        let _e4746 = phi_8325_;
+                        let _e4748 = phi_8326_;
+                        let _e4750 = phi_8327_;
+                        let _e4752 = phi_8328_;
+                        local_41 = _e4744;
+                        local_42 = _e4746;
+                        local_43 = _e4744;
+                        local_44 = _e4748;
+                        local_45 = _e4744;
+                        local_46 = _e4750;
+                        local_47 = _e4744;
+                        local_48 = _e4752;
+                        local_49 = _e4734;
+                        local_50 = _e4734;
+                        local_51 = _e4736;
+                        local_52 = _e4734;
+                        local_62 = _e4744;
+                        local_53 = _e4740;
+                        local_55 = _e4738;
+                        local_56 = _e4726;
                         continue;
                         continuing {
-                            phi_3075_ = _e1530;
-                            phi_3078_ = _e4604;
-                            phi_3080_ = _e4606;
-                            phi_3082_ = _e4608;
-                            break if !(_e4618);
+                            phi_3298_ = _e1654;
+                            phi_3301_ = _e4728;
+                            phi_3303_ = _e4730;
+                            phi_3305_ = _e4732;
+                            break if !(_e4742);
                         }
                     }
-                    let _e4631 = local_41;
-                    let _e4633 = local_42;
-                    let _e4634 = select(_e4633, false, _e4631);
-                    let _e4636 = local_43;
-                    let _e4638 = local_44;
-                    let _e4641 = local_45;
-                    let _e4643 = local_46;
-                    let _e4646 = local_47;
-                    let _e4648 = local_48;
-                    if _e4634 {
-                        let _e4651 = local_49;
-                        if (_e4651.member >= _e551) {
-                            phi_8134_ = type_38(type_37(0u, f64()), 0u);
+                    let _e4755 = local_41;
+                    let _e4757 = local_42;
+                    let _e4758 = select(_e4757, false, _e4755);
+                    let _e4760 = local_43;
+                    let _e4762 = local_44;
+                    let _e4765 = local_45;
+                    let _e4767 = local_46;
+                    let _e4770 = local_47;
+                    let _e4772 = local_48;
+                    if _e4758 {
+                        let _e4775 = local_49;
+                        if (_e4775.member >= _e551) {
+                            phi_8357_ = type_38(type_37(0u, f64()), 0u);
                         } else {
-                            let _e4655 = local_50;
-                            let _e4659 = local_51;
-                            let _e4662 = local_52;
-                            phi_8134_ = type_38(type_37(2u, _e4662.member), select(_e4659, 0u, (_e4655.member > _e542)));
+                            let _e4779 = local_50;
+                            let _e4783 = local_51;
+                            let _e4786 = local_52;
+                            phi_8357_ = type_38(type_37(2u, _e4786.member), select(_e4783, 0u, (_e4779.member > _e542)));
                         }
-                        let _e4669 = phi_8134_;
-                        phi_8135_ = _e4669;
-                        phi_8136_ = false;
-                        phi_8137_ = false;
-                        phi_8138_ = false;
-                        phi_8139_ = false;
+                        let _e4793 = phi_8357_;
+                        phi_8358_ = _e4793;
+                        phi_8359_ = false;
+                        phi_8360_ = false;
+                        phi_8361_ = false;
+                        phi_8362_ = false;
                     } else {
-                        phi_8135_ = type_38();
-                        phi_8136_ = select(_e4638, false, _e4636);
-                        let _e5506 = local_62;
-                        phi_8137_ = _e5506;
-                        phi_8138_ = select(_e4643, false, _e4641);
-                        phi_8139_ = select(_e4648, false, _e4646);
+                        phi_8358_ = type_38();
+                        phi_8359_ = select(_e4762, false, _e4760);
+                        let _e5630 = local_62;
+                        phi_8360_ = _e5630;
+                        phi_8361_ = select(_e4767, false, _e4765);
+                        phi_8362_ = select(_e4772, false, _e4770);
                     }
-                    let _e4671 = phi_8135_;
-                    let _e4673 = phi_8136_;
-                    let _e4675 = phi_8137_;
-                    let _e4677 = phi_8138_;
-                    let _e4679 = phi_8139_;
-                    let _e4681 = local_53;
-                    let _e4683 = local_54;
-                    let _e4686 = local_55;
-                    let _e4688 = local_56;
-                    let _e4690 = select(_e4675, true, _e4673);
-                    let _e4695 = local_57;
-                    let _e4696 = select(_e4695, select(_e4688, _e4686, _e4673), _e4690);
-                    let _e4698 = local_58;
-                    let _e4699 = select(_e4698, select(_e4683, _e4681, _e4673), _e4690);
-                    if select(select(_e4677, false, _e4673), true, _e4690) {
+                    let _e4795 = phi_8358_;
+                    let _e4797 = phi_8359_;
+                    let _e4799 = phi_8360_;
+                    let _e4801 = phi_8361_;
+                    let _e4803 = phi_8362_;
+                    let _e4805 = local_53;
+                    let _e4807 = local_54;
+                    let _e4810 = local_55;
+                    let _e4812 = local_56;
+                    let _e4814 = select(_e4799, true, _e4797);
+                    let _e4819 = local_57;
+                    let _e4820 = select(_e4819, select(_e4812, _e4810, _e4797), _e4814);
+                    let _e4822 = local_58;
+                    let _e4823 = select(_e4822, select(_e4807, _e4805, _e4797), _e4814);
+                    if select(select(_e4801, false, _e4797), true, _e4814) {
                         local[0u] = 0.01f;
                         local[1u] = 0f;
                         local[2u] = 0.8f;
-                        phi_8173_ = type_9(0u, 3u);
+                        phi_8396_ = type_9(0u, 3u);
                         loop {
-                            let _e4712 = phi_8173_;
-                            let _e4715 = (_e4712.member < _e4712.member_1);
-                            if (bitcast<i32>(select(0u, 1u, _e4715)) != 0i) {
-                                let _e4730 = local[select(type_9().member_1, _e4712.member, _e4715)];
-                                let _e4733 = (_e4696 + (select(f64(0f), _e533, (_e533 >= (1.1102230246251565e-16lf * f64(8f)))) * f64(_e4730)));
-                                let _e4735 = select(_e551, _e4733, (_e4733 < _e551));
-                                let _e4738 = local_5.member[0u];
-                                let _e4744 = local_5.member[1u];
-                                let _e4760 = local_5.member_1[0u];
-                                let _e4766 = local_5.member_1[1u];
-                                let _e4782 = local_5.member_2[0u];
-                                let _e4788 = local_5.member_2[1u];
-                                let _e4802 = function_4(array<f64, 3>((_e4738[0] + ((_e4744[0] - _e4738[0]) * _e4735)), (_e4738[1] + ((_e4744[1] - _e4738[1]) * _e4735)), (_e4738[2] + ((_e4744[2] - _e4738[2]) * _e4735))), array<f64, 3>((_e4760[0] + ((_e4766[0] - _e4760[0]) * _e4735)), (_e4760[1] + ((_e4766[1] - _e4760[1]) * _e4735)), (_e4760[2] + ((_e4766[2] - _e4760[2]) * _e4735))), array<f64, 3>((_e4782[0] + ((_e4788[0] - _e4782[0]) * _e4735)), (_e4782[1] + ((_e4788[1] - _e4782[1]) * _e4735)), (_e4782[2] + ((_e4788[2] - _e4782[2]) * _e4735))), _e230.member);
-                                let _e4813 = (((_e4802[0] * _e4802[0]) + (_e4802[1] * _e4802[1])) + (_e4802[2] * _e4802[2]));
-                                if (_e4813 <= 2.2250738585072014e-308lf) {
-                                    phi_8406_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4813 > 0.0lf));
+                            let _e4836 = phi_8396_;
+                            let _e4839 = (_e4836.member < _e4836.member_1);
+                            if (bitcast<i32>(select(0u, 1u, _e4839)) != 0i) {
+                                let _e4854 = local[select(type_9().member_1, _e4836.member, _e4839)];
+                                let _e4857 = (_e4820 + (select(f64(0f), _e533, (_e533 >= (1.1102230246251565e-16lf * f64(8f)))) * f64(_e4854)));
+                                let _e4859 = select(_e551, _e4857, (_e4857 < _e551));
+                                let _e4862 = local_5.member[0u];
+                                let _e4868 = local_5.member[1u];
+                                let _e4884 = local_5.member_1[0u];
+                                let _e4890 = local_5.member_1[1u];
+                                let _e4906 = local_5.member_2[0u];
+                                let _e4912 = local_5.member_2[1u];
+                                let _e4926 = function_4(array<f64, 3>((_e4862[0] + ((_e4868[0] - _e4862[0]) * _e4859)), (_e4862[1] + ((_e4868[1] - _e4862[1]) * _e4859)), (_e4862[2] + ((_e4868[2] - _e4862[2]) * _e4859))), array<f64, 3>((_e4884[0] + ((_e4890[0] - _e4884[0]) * _e4859)), (_e4884[1] + ((_e4890[1] - _e4884[1]) * _e4859)), (_e4884[2] + ((_e4890[2] - _e4884[2]) * _e4859))), array<f64, 3>((_e4906[0] + ((_e4912[0] - _e4906[0]) * _e4859)), (_e4906[1] + ((_e4912[1] - _e4906[1]) * _e4859)), (_e4906[2] + ((_e4912[2] - _e4906[2]) * _e4859))), _e230.member);
+                                let _e4937 = (((_e4926[0] * _e4926[0]) + (_e4926[1] * _e4926[1])) + (_e4926[2] * _e4926[2]));
+                                if (_e4937 <= 2.2250738585072014e-308lf) {
+                                    phi_8629_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e4937 > 0.0lf));
                                 } else {
-                                    phi_8349_ = type_16(0i, 5i);
-                                    phi_8352_ = bitcast<f64>(((bitcast<u64>(_e4813) / 2lu) + 2303426169912950784lu));
+                                    phi_8572_ = type_16(0i, 5i);
+                                    phi_8575_ = bitcast<f64>(((bitcast<u64>(_e4937) / 2lu) + 2303426169912950784lu));
                                     loop {
-                                        let _e4820 = phi_8349_;
-                                        let _e4822 = phi_8352_;
-                                        local_59 = _e4822;
-                                        if (_e4820.member < _e4820.member_1) {
-                                            let _e4829 = (_e4820.member + 1i);
-                                            phi_8350_ = type_16(select(_e4829, type_17().member_1, select(false, true, ((false == (_e4829 > _e4820.member)) != false))), _e4820.member_1);
-                                            phi_8393_ = type_17(1u, _e4820.member);
+                                        let _e4944 = phi_8572_;
+                                        let _e4946 = phi_8575_;
+                                        local_59 = _e4946;
+                                        if (_e4944.member < _e4944.member_1) {
+                                            let _e4953 = (_e4944.member + 1i);
+                                            phi_8573_ = type_16(select(_e4953, type_17().member_1, select(false, true, ((false == (_e4953 > _e4944.member)) != false))), _e4944.member_1);
+                                            phi_8616_ = type_17(1u, _e4944.member);
                                         } else {
-                                            phi_8350_ = _e4820;
-                                            phi_8393_ = type_17(0u, type_17().member_1);
+                                            phi_8573_ = _e4944;
+                                            phi_8616_ = type_17(0u, type_17().member_1);
                                         }
-                                        let _e4840 = phi_8350_;
-                                        let _e4842 = phi_8393_;
-                                        let _e4845 = (bitcast<i32>(_e4842.member) != 0i);
-                                        if _e4845 {
-                                            phi_8353_ = (0.5lf * (_e4822 + (_e4813 / _e4822)));
+                                        let _e4964 = phi_8573_;
+                                        let _e4966 = phi_8616_;
+                                        let _e4969 = (bitcast<i32>(_e4966.member) != 0i);
+                                        if _e4969 {
+                                            phi_8576_ = (0.5lf * (_e4946 + (_e4937 / _e4946)));
                                         } else {
-                                            phi_8353_ = f64();
+                                            phi_8576_ = f64();
                                         }
-                                        let _e4850 = phi_8353_;
+                                        let _e4974 = phi_8576_;
                                         continue;
                                         continuing {
-                                            phi_8349_ = _e4840;
-                                            phi_8352_ = _e4850;
-                                            break if !(_e4845);
+                                            phi_8572_ = _e4964;
+                                            phi_8575_ = _e4974;
+                                            break if !(_e4969);
                                         }
                                     }
-                                    let _e4855 = local_59;
-                                    phi_8406_ = (_e4855 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                    let _e4979 = local_59;
+                                    phi_8629_ = (_e4979 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                 }
-                                let _e4861 = phi_8406_;
-                                let _e4869 = local_5.member[0u];
-                                let _e4875 = select(_e4869[0], -(_e4869[0]), (_e4869[0] < 0.0lf));
-                                let _e4878 = select(_e4869[1], -(_e4869[1]), (_e4869[1] < 0.0lf));
-                                let _e4880 = select(_e4878, _e4875, (_e4875 > _e4878));
-                                let _e4883 = select(_e4869[2], -(_e4869[2]), (_e4869[2] < 0.0lf));
-                                let _e4885 = select(_e4883, _e4880, (_e4880 > _e4883));
-                                let _e4888 = local_5.member[1u];
-                                let _e4894 = select(_e4888[0], -(_e4888[0]), (_e4888[0] < 0.0lf));
-                                let _e4897 = select(_e4888[1], -(_e4888[1]), (_e4888[1] < 0.0lf));
-                                let _e4899 = select(_e4897, _e4894, (_e4894 > _e4897));
-                                let _e4902 = select(_e4888[2], -(_e4888[2]), (_e4888[2] < 0.0lf));
-                                let _e4904 = select(_e4902, _e4899, (_e4899 > _e4902));
-                                let _e4908 = local_5.member_3;
-                                let _e4912 = local_5.member_1[0u];
-                                let _e4918 = select(_e4912[0], -(_e4912[0]), (_e4912[0] < 0.0lf));
-                                let _e4921 = select(_e4912[1], -(_e4912[1]), (_e4912[1] < 0.0lf));
-                                let _e4923 = select(_e4921, _e4918, (_e4918 > _e4921));
-                                let _e4926 = select(_e4912[2], -(_e4912[2]), (_e4912[2] < 0.0lf));
-                                let _e4928 = select(_e4926, _e4923, (_e4923 > _e4926));
-                                let _e4931 = local_5.member_1[1u];
-                                let _e4937 = select(_e4931[0], -(_e4931[0]), (_e4931[0] < 0.0lf));
-                                let _e4940 = select(_e4931[1], -(_e4931[1]), (_e4931[1] < 0.0lf));
-                                let _e4942 = select(_e4940, _e4937, (_e4937 > _e4940));
-                                let _e4945 = select(_e4931[2], -(_e4931[2]), (_e4931[2] < 0.0lf));
-                                let _e4947 = select(_e4945, _e4942, (_e4942 > _e4945));
-                                let _e4951 = local_5.member_3;
-                                let _e4955 = local_5.member_2[0u];
-                                let _e4961 = select(_e4955[0], -(_e4955[0]), (_e4955[0] < 0.0lf));
-                                let _e4964 = select(_e4955[1], -(_e4955[1]), (_e4955[1] < 0.0lf));
-                                let _e4966 = select(_e4964, _e4961, (_e4961 > _e4964));
-                                let _e4969 = select(_e4955[2], -(_e4955[2]), (_e4955[2] < 0.0lf));
-                                let _e4971 = select(_e4969, _e4966, (_e4966 > _e4969));
-                                let _e4974 = local_5.member_2[1u];
-                                let _e4980 = select(_e4974[0], -(_e4974[0]), (_e4974[0] < 0.0lf));
-                                let _e4983 = select(_e4974[1], -(_e4974[1]), (_e4974[1] < 0.0lf));
-                                let _e4985 = select(_e4983, _e4980, (_e4980 > _e4983));
-                                let _e4988 = select(_e4974[2], -(_e4974[2]), (_e4974[2] < 0.0lf));
-                                let _e4990 = select(_e4988, _e4985, (_e4985 > _e4988));
-                                let _e4994 = local_5.member_3;
-                                let _e5002 = local_5.member_3;
-                                let _e5012 = (((_e4861 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e4904, _e4885, (_e4885 > _e4904)) + _e4908) + (select(_e4947, _e4928, (_e4928 > _e4947)) + _e4951)) + (select(_e4990, _e4971, (_e4971 > _e4990)) + _e4994)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5002 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e781.member_1);
-                                phi_8683_ = select(true, false, _e5012);
-                                phi_8684_ = _e5012;
+                                let _e4985 = phi_8629_;
+                                let _e4993 = local_5.member[0u];
+                                let _e4999 = select(_e4993[0], -(_e4993[0]), (_e4993[0] < 0.0lf));
+                                let _e5002 = select(_e4993[1], -(_e4993[1]), (_e4993[1] < 0.0lf));
+                                let _e5004 = select(_e5002, _e4999, (_e4999 > _e5002));
+                                let _e5007 = select(_e4993[2], -(_e4993[2]), (_e4993[2] < 0.0lf));
+                                let _e5009 = select(_e5007, _e5004, (_e5004 > _e5007));
+                                let _e5012 = local_5.member[1u];
+                                let _e5018 = select(_e5012[0], -(_e5012[0]), (_e5012[0] < 0.0lf));
+                                let _e5021 = select(_e5012[1], -(_e5012[1]), (_e5012[1] < 0.0lf));
+                                let _e5023 = select(_e5021, _e5018, (_e5018 > _e5021));
+                                let _e5026 = select(_e5012[2], -(_e5012[2]), (_e5012[2] < 0.0lf));
+                                let _e5028 = select(_e5026, _e5023, (_e5023 > _e5026));
+                                let _e5032 = local_5.member_3;
+                                let _e5036 = local_5.member_1[0u];
+                                let _e5042 = select(_e5036[0], -(_e5036[0]), (_e5036[0] < 0.0lf));
+                                let _e5045 = select(_e5036[1], -(_e5036[1]), (_e5036[1] < 0.0lf));
+                                let _e5047 = select(_e5045, _e5042, (_e5042 > _e5045));
+                                let _e5050 = select(_e5036[2], -(_e5036[2]), (_e5036[2] < 0.0lf));
+                                let _e5052 = select(_e5050, _e5047, (_e5047 > _e5050));
+                                let _e5055 = local_5.member_1[1u];
+                                let _e5061 = select(_e5055[0], -(_e5055[0]), (_e5055[0] < 0.0lf));
+                                let _e5064 = select(_e5055[1], -(_e5055[1]), (_e5055[1] < 0.0lf));
+                                let _e5066 = select(_e5064, _e5061, (_e5061 > _e5064));
+                                let _e5069 = select(_e5055[2], -(_e5055[2]), (_e5055[2] < 0.0lf));
+                                let _e5071 = select(_e5069, _e5066, (_e5066 > _e5069));
+                                let _e5075 = local_5.member_3;
+                                let _e5079 = local_5.member_2[0u];
+                                let _e5085 = select(_e5079[0], -(_e5079[0]), (_e5079[0] < 0.0lf));
+                                let _e5088 = select(_e5079[1], -(_e5079[1]), (_e5079[1] < 0.0lf));
+                                let _e5090 = select(_e5088, _e5085, (_e5085 > _e5088));
+                                let _e5093 = select(_e5079[2], -(_e5079[2]), (_e5079[2] < 0.0lf));
+                                let _e5095 = select(_e5093, _e5090, (_e5090 > _e5093));
+                                let _e5098 = local_5.member_2[1u];
+                                let _e5104 = select(_e5098[0], -(_e5098[0]), (_e5098[0] < 0.0lf));
+                                let _e5107 = select(_e5098[1], -(_e5098[1]), (_e5098[1] < 0.0lf));
+                                let _e5109 = select(_e5107, _e5104, (_e5104 > _e5107));
+                                let _e5112 = select(_e5098[2], -(_e5098[2]), (_e5098[2] < 0.0lf));
+                                let _e5114 = select(_e5112, _e5109, (_e5109 > _e5112));
+                                let _e5118 = local_5.member_3;
+                                let _e5126 = local_5.member_3;
+                                let _e5136 = (((_e4985 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((select(_e5028, _e5009, (_e5009 > _e5028)) + _e5032) + (select(_e5071, _e5052, (_e5052 > _e5071)) + _e5075)) + (select(_e5114, _e5095, (_e5095 > _e5114)) + _e5118)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5126 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e905.member_1);
+                                phi_8906_ = select(true, false, _e5136);
+                                phi_8907_ = _e5136;
                             } else {
-                                phi_8683_ = false;
-                                phi_8684_ = false;
+                                phi_8906_ = false;
+                                phi_8907_ = false;
                             }
-                            let _e5015 = phi_8683_;
-                            let _e5017 = phi_8684_;
-                            local_60 = _e5017;
+                            let _e5139 = phi_8906_;
+                            let _e5141 = phi_8907_;
+                            local_60 = _e5141;
                             continue;
                             continuing {
-                                phi_8173_ = type_9(select(_e4712.member, (_e4712.member + 1u), _e4715), select(_e4712.member_1, _e4712.member_1, _e4715));
-                                break if !(_e5015);
+                                phi_8396_ = type_9(select(_e4836.member, (_e4836.member + 1u), _e4839), select(_e4836.member_1, _e4836.member_1, _e4839));
+                                break if !(_e5139);
                             }
                         }
-                        let _e5020 = local_60;
-                        if _e5020 {
-                            phi_8696_ = type_38(type_37(1u, _e4696), select(_e4699, 1u, (_e4696 > _e542)));
-                            phi_8697_ = false;
+                        let _e5144 = local_60;
+                        if _e5144 {
+                            phi_8919_ = type_38(type_37(1u, _e4820), select(_e4823, 1u, (_e4820 > _e542)));
+                            phi_8920_ = false;
                         } else {
-                            phi_8696_ = type_38();
-                            phi_8697_ = true;
+                            phi_8919_ = type_38();
+                            phi_8920_ = true;
                         }
-                        let _e5026 = phi_8696_;
-                        let _e5028 = phi_8697_;
-                        if _e5028 {
-                            phi_8709_ = type_38(type_37(2u, _e4696), select(_e4699, 0u, (_e4696 > _e542)));
+                        let _e5150 = phi_8919_;
+                        let _e5152 = phi_8920_;
+                        if _e5152 {
+                            phi_8932_ = type_38(type_37(2u, _e4820), select(_e4823, 0u, (_e4820 > _e542)));
                         } else {
-                            phi_8709_ = _e5026;
+                            phi_8932_ = _e5150;
                         }
-                        let _e5034 = phi_8709_;
-                        phi_8710_ = _e5034;
-                        phi_8711_ = false;
-                        phi_8712_ = false;
+                        let _e5158 = phi_8932_;
+                        phi_8933_ = _e5158;
+                        phi_8934_ = false;
+                        phi_8935_ = false;
                     } else {
-                        phi_8710_ = type_38();
-                        phi_8711_ = select(select(_e4679, false, _e4673), false, _e4690);
-                        phi_8712_ = select(select(_e4634, false, _e4673), false, _e4690);
+                        phi_8933_ = type_38();
+                        phi_8934_ = select(select(_e4803, false, _e4797), false, _e4814);
+                        phi_8935_ = select(select(_e4758, false, _e4797), false, _e4814);
                     }
-                    let _e5036 = phi_8710_;
-                    let _e5038 = phi_8711_;
-                    let _e5040 = phi_8712_;
-                    if _e5038 {
-                        phi_8719_ = type_38(type_37(0u, f64()), 0u);
-                        phi_8720_ = true;
+                    let _e5160 = phi_8933_;
+                    let _e5162 = phi_8934_;
+                    let _e5164 = phi_8935_;
+                    if _e5162 {
+                        phi_8942_ = type_38(type_37(0u, f64()), 0u);
+                        phi_8943_ = true;
                     } else {
-                        phi_8719_ = _e4671;
-                        phi_8720_ = _e5040;
+                        phi_8942_ = _e4795;
+                        phi_8943_ = _e5164;
                     }
-                    let _e5044 = phi_8719_;
-                    let _e5046 = phi_8720_;
-                    phi_8724_ = _e5044;
-                    phi_8725_ = _e5036;
-                    phi_8726_ = _e5046;
+                    let _e5168 = phi_8942_;
+                    let _e5170 = phi_8943_;
+                    phi_8947_ = _e5168;
+                    phi_8948_ = _e5160;
+                    phi_8949_ = _e5170;
                 } else {
-                    phi_8724_ = _e1502;
-                    phi_8725_ = type_38();
-                    phi_8726_ = true;
+                    phi_8947_ = _e1626;
+                    phi_8948_ = type_38();
+                    phi_8949_ = true;
                 }
-                let _e5048 = phi_8724_;
-                let _e5050 = phi_8725_;
-                let _e5052 = phi_8726_;
-                if _e5052 {
-                    phi_8730_ = _e5048;
+                let _e5172 = phi_8947_;
+                let _e5174 = phi_8948_;
+                let _e5176 = phi_8949_;
+                if _e5176 {
+                    phi_8953_ = _e5172;
                 } else {
-                    phi_8730_ = _e5050;
+                    phi_8953_ = _e5174;
                 }
-                let _e5054 = phi_8730_;
-                switch bitcast<i32>(_e5054.member.member) {
+                let _e5178 = phi_8953_;
+                switch bitcast<i32>(_e5178.member.member) {
                     case 0: {
-                        phi_8748_ = type_35(0u, _e5054.member_1, array<u32, 2>(0u, 0u), false);
+                        phi_8971_ = type_35(0u, _e5178.member_1, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5065 = function_1(_e5054.member.member_1);
-                        phi_8748_ = type_35(0u, _e5054.member_1, _e5065, true);
+                        let _e5189 = function_1(_e5178.member.member_1);
+                        phi_8971_ = type_35(0u, _e5178.member_1, _e5189, true);
                         break;
                     }
                     case 2: {
-                        let _e5061 = function_1(_e5054.member.member_1);
-                        phi_8748_ = type_35(1u, _e5054.member_1, _e5061, true);
+                        let _e5185 = function_1(_e5178.member.member_1);
+                        phi_8971_ = type_35(1u, _e5178.member_1, _e5185, true);
                         break;
                     }
                     default: {
-                        phi_8748_ = type_35();
+                        phi_8971_ = type_35();
                         break;
                     }
                 }
-                let _e5069 = phi_8748_;
-                local_6 = type_35(_e5069.member, _e5069.member_1, array<u32, 2>(_e5069.member_2[0], _e5069.member_2[1]), _e5069.member_3);
-                phi_8757_ = type_9(_e188, _e191);
+                let _e5193 = phi_8971_;
+                local_6 = type_35(_e5193.member, _e5193.member_1, array<u32, 2>(_e5193.member_2[0], _e5193.member_2[1]), _e5193.member_3);
+                phi_8980_ = type_9(_e188, _e191);
             } else {
-                phi_8757_ = type_9(0u, 0u);
+                phi_8980_ = type_9(0u, 0u);
             }
-            let _e5079 = phi_8757_;
-            let _e5085 = local_6.member_3;
-            if _e5085 {
-                let _e5087 = params.member.member.member_1;
-                phi_8782_ = ((_e5087 & 16u) != 0u);
+            let _e5203 = phi_8980_;
+            let _e5209 = local_6.member_3;
+            if _e5209 {
+                let _e5211 = params.member.member.member_1;
+                phi_9005_ = ((_e5211 & 16u) != 0u);
             } else {
-                phi_8782_ = false;
+                phi_9005_ = false;
             }
-            let _e5091 = phi_8782_;
-            let _e5093 = local_6.member_3;
-            if _e5093 {
-                let _e5095 = local_6.member_2;
-                let _e5099 = (_e5095[1] >> bitcast<u32>(20i));
-                let _e5113 = atomicMin((&earliest.member[0u]), select(((((_e5099 - 896u) << bitcast<u32>(23i)) | ((_e5095[1] & 1048575u) << bitcast<u32>(3i))) | (_e5095[0] >> bitcast<u32>(29i))), 0u, (_e5099 <= 896u)));
+            let _e5215 = phi_9005_;
+            let _e5217 = local_6.member_3;
+            if _e5217 {
+                let _e5219 = local_6.member_2;
+                let _e5223 = (_e5219[1] >> bitcast<u32>(20i));
+                let _e5237 = atomicMin((&earliest.member[0u]), select(((((_e5223 - 896u) << bitcast<u32>(23i)) | ((_e5219[1] & 1048575u) << bitcast<u32>(3i))) | (_e5219[0] >> bitcast<u32>(29i))), 0u, (_e5223 <= 896u)));
             }
             if (_e106 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e5091 {
-                let _e5117 = atomicAdd((&counters[0u]), 1u);
-                phi_8825_ = _e5117;
+            if _e5215 {
+                let _e5241 = atomicAdd((&counters[0u]), 1u);
+                phi_9048_ = _e5241;
             } else {
-                phi_8825_ = 0u;
+                phi_9048_ = 0u;
             }
-            let _e5119 = phi_8825_;
+            let _e5243 = phi_9048_;
             workgroupBarrier();
             if (_e106 == 0u) {
-                let _e5122 = atomicLoad((&counters[0u]));
-                if (_e5122 > 0u) {
-                    let _e5125 = atomicAdd((&contacts.member[0u]), _e5122);
-                    atomicStore((&counters[1u]), _e5125);
+                let _e5246 = atomicLoad((&counters[0u]));
+                if (_e5246 > 0u) {
+                    let _e5249 = atomicAdd((&contacts.member[0u]), _e5246);
+                    atomicStore((&counters[1u]), _e5249);
                 }
             }
             workgroupBarrier();
-            let _e5128 = atomicLoad((&counters[1u]));
-            let _e5129 = (_e5128 + _e5119);
-            if _e5091 {
-                let _e5131 = params.member.member_1.member_3;
-                if (_e5129 < _e5131) {
-                    let _e5137 = (7u * _e5129);
-                    atomicStore((&contacts.member[(4u + _e5137)]), select(1u, 0u, ((_e5079.member_1 & 2147483648u) == 0u)));
-                    let _e5142 = local_6.member;
-                    atomicStore((&contacts.member[(_e5137 + 5u)]), _e5142);
-                    atomicStore((&contacts.member[(_e5137 + 6u)]), _e5079.member);
-                    atomicStore((&contacts.member[(_e5137 + 7u)]), (_e5079.member_1 & 2147483647u));
-                    let _e5151 = local_6.member_2[0u];
-                    atomicStore((&contacts.member[(_e5137 + 8u)]), _e5151);
-                    let _e5156 = local_6.member_2[1u];
-                    atomicStore((&contacts.member[(_e5137 + 9u)]), _e5156);
-                    let _e5160 = local_6.member_1;
-                    atomicStore((&contacts.member[(_e5137 + 10u)]), _e5160);
+            let _e5252 = atomicLoad((&counters[1u]));
+            let _e5253 = (_e5252 + _e5243);
+            if _e5215 {
+                let _e5255 = params.member.member_1.member_3;
+                if (_e5253 < _e5255) {
+                    let _e5261 = (7u * _e5253);
+                    atomicStore((&contacts.member[(4u + _e5261)]), select(1u, 0u, ((_e5203.member_1 & 2147483648u) == 0u)));
+                    let _e5266 = local_6.member;
+                    atomicStore((&contacts.member[(_e5261 + 5u)]), _e5266);
+                    atomicStore((&contacts.member[(_e5261 + 6u)]), _e5203.member);
+                    atomicStore((&contacts.member[(_e5261 + 7u)]), (_e5203.member_1 & 2147483647u));
+                    let _e5275 = local_6.member_2[0u];
+                    atomicStore((&contacts.member[(_e5261 + 8u)]), _e5275);
+                    let _e5280 = local_6.member_2[1u];
+                    atomicStore((&contacts.member[(_e5261 + 9u)]), _e5280);
+                    let _e5284 = local_6.member_1;
+                    atomicStore((&contacts.member[(_e5261 + 10u)]), _e5284);
                 }
             }
         }

@@ -193,9 +193,9 @@ fn function_1(param_1: f64) -> array<u32, 2> {
 }
 
 fn function_2(param_2: ptr<function, type_39>, param_3: f64, param_4: f64, param_5: f64) -> bool {
-    var phi_3983_: bool;
-    var phi_3984_: bool;
-    var phi_3989_: bool;
+    var phi_4206_: bool;
+    var phi_4207_: bool;
+    var phi_4212_: bool;
 
     let _e15 = (*param_2).member_3;
     let _e17 = (*param_2).member_3;
@@ -219,19 +219,19 @@ fn function_2(param_2: ptr<function, type_39>, param_3: f64, param_4: f64, param
         let _e82 = (*param_2).member_1;
         if (select(_e45, -(_e45), (_e45 < 0.0lf)) > _e82) {
             let _e87 = (select(_e72, -(_e72), (_e72 < 0.0lf)) > (_e74 + _e76));
-            phi_3983_ = select(bool(), ((_e45 > f64(0f)) == (_e72 > f64(0f))), _e87);
-            phi_3984_ = select(true, false, _e87);
+            phi_4206_ = select(bool(), ((_e45 > f64(0f)) == (_e72 > f64(0f))), _e87);
+            phi_4207_ = select(true, false, _e87);
         } else {
-            phi_3983_ = bool();
-            phi_3984_ = true;
+            phi_4206_ = bool();
+            phi_4207_ = true;
         }
-        let _e96 = phi_3983_;
-        let _e98 = phi_3984_;
-        phi_3989_ = select(_e96, false, _e98);
+        let _e96 = phi_4206_;
+        let _e98 = phi_4207_;
+        phi_4212_ = select(_e96, false, _e98);
     } else {
-        phi_3989_ = false;
+        phi_4212_ = false;
     }
-    let _e101 = phi_3989_;
+    let _e101 = phi_4212_;
     return _e101;
 }
 
@@ -249,115 +249,115 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_595_: type_23;
     var phi_791_: type_31;
     var phi_952_: type_33;
-    var phi_1225_: bool;
-    var phi_1321_: type_41;
-    var phi_1322_: bool;
-    var phi_1323_: type_41;
-    var phi_1324_: bool;
-    var phi_1325_: type_41;
-    var phi_1326_: bool;
-    var phi_1331_: type_41;
-    var phi_1876_: bool;
-    var phi_1891_: f64;
-    var phi_1967_: type_16;
-    var phi_1970_: f64;
-    var phi_1968_: type_16;
-    var phi_2011_: type_17;
-    var phi_1971_: f64;
+    var phi_1448_: bool;
+    var phi_1544_: type_41;
+    var phi_1545_: bool;
+    var phi_1546_: type_41;
+    var phi_1547_: bool;
+    var phi_1548_: type_41;
+    var phi_1549_: bool;
+    var phi_1554_: type_41;
+    var phi_2099_: bool;
+    var phi_2114_: f64;
+    var phi_2190_: type_16;
+    var phi_2193_: f64;
+    var phi_2191_: type_16;
+    var phi_2234_: type_17;
+    var phi_2194_: f64;
     var local_7: f64;
-    var phi_2024_: f64;
-    var phi_2055_: type_9;
-    var phi_2058_: u32;
-    var phi_2125_: u32;
-    var phi_2126_: u32;
-    var phi_2059_: u32;
-    var phi_2127_: u32;
-    var phi_2185_: type_9;
-    var phi_2345_: type_43;
-    var phi_2346_: bool;
-    var phi_2347_: type_43;
-    var phi_2348_: bool;
-    var phi_2383_: type_9;
-    var phi_2386_: f64;
-    var phi_2388_: f64;
-    var phi_2390_: f64;
-    var phi_2504_: bool;
-    var phi_2511_: f64;
-    var phi_2512_: bool;
-    var phi_2387_: f64;
-    var phi_2389_: f64;
-    var phi_2391_: f64;
-    var phi_2513_: f64;
-    var phi_2514_: bool;
-    var phi_2515_: bool;
+    var phi_2247_: f64;
+    var phi_2278_: type_9;
+    var phi_2281_: u32;
+    var phi_2348_: u32;
+    var phi_2349_: u32;
+    var phi_2282_: u32;
+    var phi_2350_: u32;
+    var phi_2408_: type_9;
+    var phi_2568_: type_43;
+    var phi_2569_: bool;
+    var phi_2570_: type_43;
+    var phi_2571_: bool;
+    var phi_2606_: type_9;
+    var phi_2609_: f64;
+    var phi_2611_: f64;
+    var phi_2613_: f64;
+    var phi_2727_: bool;
+    var phi_2734_: f64;
+    var phi_2735_: bool;
+    var phi_2610_: f64;
+    var phi_2612_: f64;
+    var phi_2614_: f64;
+    var phi_2736_: f64;
+    var phi_2737_: bool;
+    var phi_2738_: bool;
     var local_8: bool;
     var local_9: f64;
     var local_10: f64;
-    var phi_2520_: f64;
-    var phi_2538_: type_9;
-    var phi_2541_: f64;
-    var phi_2607_: f64;
-    var phi_2608_: bool;
-    var phi_2609_: bool;
-    var phi_2610_: bool;
-    var phi_2611_: f64;
-    var phi_2542_: f64;
-    var phi_2612_: bool;
-    var phi_2613_: bool;
-    var phi_2614_: bool;
-    var phi_2615_: bool;
+    var phi_2743_: f64;
+    var phi_2761_: type_9;
+    var phi_2764_: f64;
+    var phi_2830_: f64;
+    var phi_2831_: bool;
+    var phi_2832_: bool;
+    var phi_2833_: bool;
+    var phi_2834_: f64;
+    var phi_2765_: f64;
+    var phi_2835_: bool;
+    var phi_2836_: bool;
+    var phi_2837_: bool;
+    var phi_2838_: bool;
     var local_11: bool;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
     var local_15: f64;
-    var phi_2629_: f64;
-    var phi_2631_: type_43;
-    var phi_3396_: array<type_35, 4>;
-    var phi_3416_: type_9;
-    var phi_3419_: bool;
-    var phi_3420_: bool;
-    var phi_3471_: bool;
-    var phi_3472_: bool;
+    var phi_2852_: f64;
+    var phi_2854_: type_43;
+    var phi_3619_: array<type_35, 4>;
+    var phi_3639_: type_9;
+    var phi_3642_: bool;
+    var phi_3643_: bool;
+    var phi_3694_: bool;
+    var phi_3695_: bool;
     var local_16: bool;
     var local_17: bool;
-    var phi_3486_: u32;
-    var phi_3487_: u32;
-    var phi_3488_: bool;
-    var phi_3498_: u32;
-    var phi_3499_: bool;
-    var phi_3500_: bool;
-    var phi_3501_: u32;
-    var phi_3502_: bool;
-    var phi_3503_: bool;
-    var phi_3504_: bool;
-    var phi_3505_: type_43;
-    var phi_3506_: u32;
-    var phi_3507_: bool;
-    var phi_3508_: bool;
-    var phi_3509_: bool;
-    var phi_3510_: type_43;
-    var phi_3511_: u32;
-    var phi_3512_: bool;
-    var phi_3513_: bool;
-    var phi_3514_: bool;
-    var phi_3515_: bool;
-    var phi_3522_: type_43;
-    var phi_3523_: u32;
-    var phi_3524_: bool;
-    var phi_3525_: bool;
-    var phi_3526_: bool;
-    var phi_3527_: bool;
-    var phi_3528_: bool;
-    var phi_3529_: type_43;
-    var phi_3530_: u32;
-    var phi_3531_: type_43;
-    var phi_3532_: bool;
-    var phi_3533_: bool;
-    var phi_3534_: bool;
-    var phi_3535_: bool;
-    var phi_3536_: bool;
-    var phi_3537_: bool;
+    var phi_3709_: u32;
+    var phi_3710_: u32;
+    var phi_3711_: bool;
+    var phi_3721_: u32;
+    var phi_3722_: bool;
+    var phi_3723_: bool;
+    var phi_3724_: u32;
+    var phi_3725_: bool;
+    var phi_3726_: bool;
+    var phi_3727_: bool;
+    var phi_3728_: type_43;
+    var phi_3729_: u32;
+    var phi_3730_: bool;
+    var phi_3731_: bool;
+    var phi_3732_: bool;
+    var phi_3733_: type_43;
+    var phi_3734_: u32;
+    var phi_3735_: bool;
+    var phi_3736_: bool;
+    var phi_3737_: bool;
+    var phi_3738_: bool;
+    var phi_3745_: type_43;
+    var phi_3746_: u32;
+    var phi_3747_: bool;
+    var phi_3748_: bool;
+    var phi_3749_: bool;
+    var phi_3750_: bool;
+    var phi_3751_: bool;
+    var phi_3752_: type_43;
+    var phi_3753_: u32;
+    var phi_3754_: type_43;
+    var phi_3755_: bool;
+    var phi_3756_: bool;
+    var phi_3757_: bool;
+    var phi_3758_: bool;
+    var phi_3759_: bool;
+    var phi_3760_: bool;
     var local_18: bool;
     var local_19: bool;
     var local_20: bool;
@@ -373,23 +373,23 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_30: type_43;
     var local_31: type_43;
     var local_32: type_43;
-    var phi_3586_: type_42;
-    var phi_3587_: bool;
-    var phi_3592_: type_42;
-    var phi_3593_: bool;
-    var phi_3594_: bool;
-    var phi_3595_: bool;
+    var phi_3809_: type_42;
+    var phi_3810_: bool;
+    var phi_3815_: type_42;
+    var phi_3816_: bool;
+    var phi_3817_: bool;
+    var phi_3818_: bool;
     var local_33: type_43;
     var local_34: type_43;
-    var phi_3617_: type_42;
-    var phi_3618_: type_42;
-    var phi_3619_: bool;
-    var phi_3663_: type_34;
-    var phi_3672_: type_9;
-    var phi_3729_: bool;
-    var phi_3730_: bool;
-    var phi_3773_: u32;
-    var phi_3855_: u32;
+    var phi_3840_: type_42;
+    var phi_3841_: type_42;
+    var phi_3842_: bool;
+    var phi_3886_: type_34;
+    var phi_3895_: type_9;
+    var phi_3952_: bool;
+    var phi_3953_: bool;
+    var phi_3996_: u32;
+    var phi_4078_: u32;
     var local_35: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -544,936 +544,971 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e663 = (select(_e659, _e641, (_e641 > _e659)) + _e506.member_3);
                 let _e665 = select(_e623, _e583, (_e583 > _e623));
                 let _e667 = select(_e663, _e665, (_e665 > _e663));
-                if (_e667 <= f64(65536f)) {
-                    phi_1225_ = (_e667 >= f64((1f / 65536f)));
+                let _e673 = select(_e506.member[0][0], -(_e506.member[0][0]), (_e506.member[0][0] < 0.0lf));
+                let _e677 = select(_e506.member[0][1], -(_e506.member[0][1]), (_e506.member[0][1] < 0.0lf));
+                let _e679 = select(_e677, _e673, (_e673 > _e677));
+                let _e683 = select(_e506.member[0][2], -(_e506.member[0][2]), (_e506.member[0][2] < 0.0lf));
+                let _e685 = select(_e683, _e679, (_e679 > _e683));
+                let _e691 = select(_e506.member[1][0], -(_e506.member[1][0]), (_e506.member[1][0] < 0.0lf));
+                let _e695 = select(_e506.member[1][1], -(_e506.member[1][1]), (_e506.member[1][1] < 0.0lf));
+                let _e697 = select(_e695, _e691, (_e691 > _e695));
+                let _e701 = select(_e506.member[1][2], -(_e506.member[1][2]), (_e506.member[1][2] < 0.0lf));
+                let _e703 = select(_e701, _e697, (_e697 > _e701));
+                let _e707 = (select(_e703, _e685, (_e685 > _e703)) + _e506.member_3);
+                let _e713 = select(_e506.member_1[0][0], -(_e506.member_1[0][0]), (_e506.member_1[0][0] < 0.0lf));
+                let _e717 = select(_e506.member_1[0][1], -(_e506.member_1[0][1]), (_e506.member_1[0][1] < 0.0lf));
+                let _e719 = select(_e717, _e713, (_e713 > _e717));
+                let _e723 = select(_e506.member_1[0][2], -(_e506.member_1[0][2]), (_e506.member_1[0][2] < 0.0lf));
+                let _e725 = select(_e723, _e719, (_e719 > _e723));
+                let _e731 = select(_e506.member_1[1][0], -(_e506.member_1[1][0]), (_e506.member_1[1][0] < 0.0lf));
+                let _e735 = select(_e506.member_1[1][1], -(_e506.member_1[1][1]), (_e506.member_1[1][1] < 0.0lf));
+                let _e737 = select(_e735, _e731, (_e731 > _e735));
+                let _e741 = select(_e506.member_1[1][2], -(_e506.member_1[1][2]), (_e506.member_1[1][2] < 0.0lf));
+                let _e743 = select(_e741, _e737, (_e737 > _e741));
+                let _e747 = (select(_e743, _e725, (_e725 > _e743)) + _e506.member_3);
+                let _e753 = select(_e506.member_2[0][0], -(_e506.member_2[0][0]), (_e506.member_2[0][0] < 0.0lf));
+                let _e757 = select(_e506.member_2[0][1], -(_e506.member_2[0][1]), (_e506.member_2[0][1] < 0.0lf));
+                let _e759 = select(_e757, _e753, (_e753 > _e757));
+                let _e763 = select(_e506.member_2[0][2], -(_e506.member_2[0][2]), (_e506.member_2[0][2] < 0.0lf));
+                let _e765 = select(_e763, _e759, (_e759 > _e763));
+                let _e771 = select(_e506.member_2[1][0], -(_e506.member_2[1][0]), (_e506.member_2[1][0] < 0.0lf));
+                let _e775 = select(_e506.member_2[1][1], -(_e506.member_2[1][1]), (_e506.member_2[1][1] < 0.0lf));
+                let _e777 = select(_e775, _e771, (_e771 > _e775));
+                let _e781 = select(_e506.member_2[1][2], -(_e506.member_2[1][2]), (_e506.member_2[1][2] < 0.0lf));
+                let _e783 = select(_e781, _e777, (_e777 > _e781));
+                let _e787 = (select(_e783, _e765, (_e765 > _e783)) + _e506.member_3);
+                let _e789 = select(_e747, _e707, (_e707 > _e747));
+                let _e791 = select(_e787, _e789, (_e789 > _e787));
+                if (_e791 <= f64(65536f)) {
+                    phi_1448_ = (_e791 >= f64((1f / 65536f)));
                 } else {
-                    phi_1225_ = false;
+                    phi_1448_ = false;
                 }
-                let _e674 = phi_1225_;
-                if _e674 {
-                    phi_1325_ = type_41();
-                    phi_1326_ = true;
+                let _e798 = phi_1448_;
+                if _e798 {
+                    phi_1548_ = type_41();
+                    phi_1549_ = true;
                 } else {
                     if (_e667 >= 2.2250738585072014e-308lf) {
                         if ((bitcast<u64>(_e667) & 9218868437227405312lu) != 9218868437227405312lu) {
-                            let _e681 = (9214364837600034816lu - (bitcast<u64>(_e667) & 9218868437227405312lu));
-                            let _e684 = bitcast<f64>(select(4503599627370496lu, _e681, (_e681 > 4503599627370496lu)));
-                            let _e685 = (_e543 * _e684);
-                            phi_1321_ = type_41(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e506.member[0][0] * _e684), (_e506.member[0][1] * _e684), (_e506.member[0][2] * _e684)), array<f64, 3>((_e506.member[1][0] * _e684), (_e506.member[1][1] * _e684), (_e506.member[1][2] * _e684))), array<array<f64, 3>, 2>(array<f64, 3>((_e506.member_1[0][0] * _e684), (_e506.member_1[0][1] * _e684), (_e506.member_1[0][2] * _e684)), array<f64, 3>((_e506.member_1[1][0] * _e684), (_e506.member_1[1][1] * _e684), (_e506.member_1[1][2] * _e684))), array<array<f64, 3>, 2>(array<f64, 3>((_e506.member_2[0][0] * _e684), (_e506.member_2[0][1] * _e684), (_e506.member_2[0][2] * _e684)), array<f64, 3>((_e506.member_2[1][0] * _e684), (_e506.member_2[1][1] * _e684), (_e506.member_2[1][2] * _e684))), ((_e506.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e684)), select(_e685, select(2.2250738585072014e-308lf, _e685, (_e685 > 2.2250738585072014e-308lf)), (_e543 > f64(0f))));
-                            phi_1322_ = false;
+                            let _e805 = (9214364837600034816lu - (bitcast<u64>(_e667) & 9218868437227405312lu));
+                            let _e808 = bitcast<f64>(select(4503599627370496lu, _e805, (_e805 > 4503599627370496lu)));
+                            let _e809 = (_e543 * _e808);
+                            phi_1544_ = type_41(type_33(array<array<f64, 3>, 2>(array<f64, 3>((_e506.member[0][0] * _e808), (_e506.member[0][1] * _e808), (_e506.member[0][2] * _e808)), array<f64, 3>((_e506.member[1][0] * _e808), (_e506.member[1][1] * _e808), (_e506.member[1][2] * _e808))), array<array<f64, 3>, 2>(array<f64, 3>((_e506.member_1[0][0] * _e808), (_e506.member_1[0][1] * _e808), (_e506.member_1[0][2] * _e808)), array<f64, 3>((_e506.member_1[1][0] * _e808), (_e506.member_1[1][1] * _e808), (_e506.member_1[1][2] * _e808))), array<array<f64, 3>, 2>(array<f64, 3>((_e506.member_2[0][0] * _e808), (_e506.member_2[0][1] * _e808), (_e506.member_2[0][2] * _e808)), array<f64, 3>((_e506.member_2[1][0] * _e808), (_e506.member_2[1][1] * _e808), (_e506.member_2[1][2] * _e808))), ((_e506.member_3 + (2.2250738585072014e-308lf * f64(8f))) * _e808)), select(_e809, select(2.2250738585072014e-308lf, _e809, (_e809 > 2.2250738585072014e-308lf)), (_e543 > f64(0f))));
+                            phi_1545_ = false;
                         } else {
-                            phi_1321_ = type_41();
-                            phi_1322_ = true;
+                            phi_1544_ = type_41();
+                            phi_1545_ = true;
                         }
-                        let _e756 = phi_1321_;
-                        let _e758 = phi_1322_;
-                        phi_1323_ = _e756;
-                        phi_1324_ = _e758;
+                        let _e880 = phi_1544_;
+                        let _e882 = phi_1545_;
+                        phi_1546_ = _e880;
+                        phi_1547_ = _e882;
                     } else {
-                        phi_1323_ = type_41();
-                        phi_1324_ = true;
+                        phi_1546_ = type_41();
+                        phi_1547_ = true;
                     }
-                    let _e760 = phi_1323_;
-                    let _e762 = phi_1324_;
-                    phi_1325_ = _e760;
-                    phi_1326_ = _e762;
+                    let _e884 = phi_1546_;
+                    let _e886 = phi_1547_;
+                    phi_1548_ = _e884;
+                    phi_1549_ = _e886;
                 }
-                let _e764 = phi_1325_;
-                let _e766 = phi_1326_;
-                if _e766 {
-                    phi_1331_ = type_41(_e506, _e543);
+                let _e888 = phi_1548_;
+                let _e890 = phi_1549_;
+                if _e890 {
+                    phi_1554_ = type_41(_e506, _e543);
                 } else {
-                    phi_1331_ = _e764;
+                    phi_1554_ = _e888;
                 }
-                let _e769 = phi_1331_;
-                let _e781 = ((_e769.member.member_1[0][1] * _e769.member.member_2[0][2]) - (_e769.member.member_1[0][2] * _e769.member.member_2[0][1]));
-                let _e788 = ((_e769.member.member_1[0][2] * _e769.member.member_2[0][0]) - (_e769.member.member_1[0][0] * _e769.member.member_2[0][2]));
-                let _e795 = ((_e769.member.member_1[0][0] * _e769.member.member_2[0][1]) - (_e769.member.member_1[0][1] * _e769.member.member_2[0][0]));
-                let _e806 = ((_e769.member.member_1[1][1] * _e769.member.member_2[1][2]) - (_e769.member.member_1[1][2] * _e769.member.member_2[1][1]));
-                let _e813 = ((_e769.member.member_1[1][2] * _e769.member.member_2[1][0]) - (_e769.member.member_1[1][0] * _e769.member.member_2[1][2]));
-                let _e820 = ((_e769.member.member_1[1][0] * _e769.member.member_2[1][1]) - (_e769.member.member_1[1][1] * _e769.member.member_2[1][0]));
-                let _e871 = (((_e769.member.member_1[0][1] * _e769.member.member_2[1][2]) - (_e769.member.member_1[0][2] * _e769.member.member_2[1][1])) + ((_e769.member.member_1[1][1] * _e769.member.member_2[0][2]) - (_e769.member.member_1[1][2] * _e769.member.member_2[0][1])));
-                let _e872 = (((_e769.member.member_1[0][2] * _e769.member.member_2[1][0]) - (_e769.member.member_1[0][0] * _e769.member.member_2[1][2])) + ((_e769.member.member_1[1][2] * _e769.member.member_2[0][0]) - (_e769.member.member_1[1][0] * _e769.member.member_2[0][2])));
-                let _e873 = (((_e769.member.member_1[0][0] * _e769.member.member_2[1][1]) - (_e769.member.member_1[0][1] * _e769.member.member_2[1][0])) + ((_e769.member.member_1[1][0] * _e769.member.member_2[0][1]) - (_e769.member.member_1[1][1] * _e769.member.member_2[0][0])));
-                let _e883 = (((_e769.member.member[0][0] * _e781) + (_e769.member.member[0][1] * _e788)) + (_e769.member.member[0][2] * _e795));
-                let _e904 = ((((_e769.member.member[1][0] * _e781) + (_e769.member.member[1][1] * _e788)) + (_e769.member.member[1][2] * _e795)) + (((_e769.member.member[0][0] * _e871) + (_e769.member.member[0][1] * _e872)) + (_e769.member.member[0][2] * _e873)));
-                let _e925 = ((((_e769.member.member[0][0] * _e806) + (_e769.member.member[0][1] * _e813)) + (_e769.member.member[0][2] * _e820)) + (((_e769.member.member[1][0] * _e871) + (_e769.member.member[1][1] * _e872)) + (_e769.member.member[1][2] * _e873)));
-                let _e935 = (((_e769.member.member[1][0] * _e806) + (_e769.member.member[1][1] * _e813)) + (_e769.member.member[1][2] * _e820));
-                let _e941 = select(_e769.member.member[0][0], -(_e769.member.member[0][0]), (_e769.member.member[0][0] < 0.0lf));
-                let _e945 = select(_e769.member.member[0][1], -(_e769.member.member[0][1]), (_e769.member.member[0][1] < 0.0lf));
-                let _e947 = select(_e945, _e941, (_e941 > _e945));
-                let _e951 = select(_e769.member.member[0][2], -(_e769.member.member[0][2]), (_e769.member.member[0][2] < 0.0lf));
-                let _e953 = select(_e951, _e947, (_e947 > _e951));
-                let _e959 = select(_e769.member.member[1][0], -(_e769.member.member[1][0]), (_e769.member.member[1][0] < 0.0lf));
-                let _e963 = select(_e769.member.member[1][1], -(_e769.member.member[1][1]), (_e769.member.member[1][1] < 0.0lf));
-                let _e965 = select(_e963, _e959, (_e959 > _e963));
-                let _e969 = select(_e769.member.member[1][2], -(_e769.member.member[1][2]), (_e769.member.member[1][2] < 0.0lf));
-                let _e971 = select(_e969, _e965, (_e965 > _e969));
-                let _e975 = (select(_e971, _e953, (_e953 > _e971)) + _e769.member.member_3);
-                let _e981 = select(_e769.member.member_1[0][0], -(_e769.member.member_1[0][0]), (_e769.member.member_1[0][0] < 0.0lf));
-                let _e985 = select(_e769.member.member_1[0][1], -(_e769.member.member_1[0][1]), (_e769.member.member_1[0][1] < 0.0lf));
-                let _e987 = select(_e985, _e981, (_e981 > _e985));
-                let _e991 = select(_e769.member.member_1[0][2], -(_e769.member.member_1[0][2]), (_e769.member.member_1[0][2] < 0.0lf));
-                let _e993 = select(_e991, _e987, (_e987 > _e991));
-                let _e999 = select(_e769.member.member_1[1][0], -(_e769.member.member_1[1][0]), (_e769.member.member_1[1][0] < 0.0lf));
-                let _e1003 = select(_e769.member.member_1[1][1], -(_e769.member.member_1[1][1]), (_e769.member.member_1[1][1] < 0.0lf));
-                let _e1005 = select(_e1003, _e999, (_e999 > _e1003));
-                let _e1009 = select(_e769.member.member_1[1][2], -(_e769.member.member_1[1][2]), (_e769.member.member_1[1][2] < 0.0lf));
-                let _e1011 = select(_e1009, _e1005, (_e1005 > _e1009));
-                let _e1015 = (select(_e1011, _e993, (_e993 > _e1011)) + _e769.member.member_3);
-                let _e1021 = select(_e769.member.member_2[0][0], -(_e769.member.member_2[0][0]), (_e769.member.member_2[0][0] < 0.0lf));
-                let _e1025 = select(_e769.member.member_2[0][1], -(_e769.member.member_2[0][1]), (_e769.member.member_2[0][1] < 0.0lf));
-                let _e1027 = select(_e1025, _e1021, (_e1021 > _e1025));
-                let _e1031 = select(_e769.member.member_2[0][2], -(_e769.member.member_2[0][2]), (_e769.member.member_2[0][2] < 0.0lf));
-                let _e1033 = select(_e1031, _e1027, (_e1027 > _e1031));
-                let _e1039 = select(_e769.member.member_2[1][0], -(_e769.member.member_2[1][0]), (_e769.member.member_2[1][0] < 0.0lf));
-                let _e1043 = select(_e769.member.member_2[1][1], -(_e769.member.member_2[1][1]), (_e769.member.member_2[1][1] < 0.0lf));
-                let _e1045 = select(_e1043, _e1039, (_e1039 > _e1043));
-                let _e1049 = select(_e769.member.member_2[1][2], -(_e769.member.member_2[1][2]), (_e769.member.member_2[1][2] < 0.0lf));
-                let _e1051 = select(_e1049, _e1045, (_e1045 > _e1049));
-                let _e1055 = (select(_e1051, _e1033, (_e1033 > _e1051)) + _e769.member.member_3);
-                let _e1056 = f64(1f);
-                let _e1057 = f64(8f);
-                let _e1083 = (((((_e975 * _e1057) * ((_e1015 * _e1057) * _e1055)) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e769.member.member_3 * f64(19f)) * ((_e975 * (_e1015 + _e1055)) + (_e1015 * _e1055)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1056 + _e975) * ((_e1056 + _e1015) * (_e1056 + _e1055)))));
-                let _e1084 = f64(3f);
-                let _e1085 = (_e883 * _e1084);
-                let _e1086 = (_e935 * _e1084);
-                let _e1088 = select(_e1086, _e1085, (_e1085 < _e1086));
-                let _e1090 = select(_e925, _e904, (_e904 < _e925));
-                let _e1092 = select(_e1090, _e1088, (_e1088 < _e1090));
-                let _e1094 = select(_e1086, _e1085, (_e1085 > _e1086));
-                let _e1096 = select(_e925, _e904, (_e904 > _e925));
-                let _e1099 = -(select(_e1096, _e1094, (_e1094 > _e1096)));
-                if (select(_e1099, _e1092, (_e1092 > _e1099)) > _e1083) {
-                    phi_3617_ = type_42(0u, type_42().member_1);
-                    phi_3618_ = type_42();
-                    phi_3619_ = true;
+                let _e893 = phi_1554_;
+                let _e905 = ((_e893.member.member_1[0][1] * _e893.member.member_2[0][2]) - (_e893.member.member_1[0][2] * _e893.member.member_2[0][1]));
+                let _e912 = ((_e893.member.member_1[0][2] * _e893.member.member_2[0][0]) - (_e893.member.member_1[0][0] * _e893.member.member_2[0][2]));
+                let _e919 = ((_e893.member.member_1[0][0] * _e893.member.member_2[0][1]) - (_e893.member.member_1[0][1] * _e893.member.member_2[0][0]));
+                let _e930 = ((_e893.member.member_1[1][1] * _e893.member.member_2[1][2]) - (_e893.member.member_1[1][2] * _e893.member.member_2[1][1]));
+                let _e937 = ((_e893.member.member_1[1][2] * _e893.member.member_2[1][0]) - (_e893.member.member_1[1][0] * _e893.member.member_2[1][2]));
+                let _e944 = ((_e893.member.member_1[1][0] * _e893.member.member_2[1][1]) - (_e893.member.member_1[1][1] * _e893.member.member_2[1][0]));
+                let _e995 = (((_e893.member.member_1[0][1] * _e893.member.member_2[1][2]) - (_e893.member.member_1[0][2] * _e893.member.member_2[1][1])) + ((_e893.member.member_1[1][1] * _e893.member.member_2[0][2]) - (_e893.member.member_1[1][2] * _e893.member.member_2[0][1])));
+                let _e996 = (((_e893.member.member_1[0][2] * _e893.member.member_2[1][0]) - (_e893.member.member_1[0][0] * _e893.member.member_2[1][2])) + ((_e893.member.member_1[1][2] * _e893.member.member_2[0][0]) - (_e893.member.member_1[1][0] * _e893.member.member_2[0][2])));
+                let _e997 = (((_e893.member.member_1[0][0] * _e893.member.member_2[1][1]) - (_e893.member.member_1[0][1] * _e893.member.member_2[1][0])) + ((_e893.member.member_1[1][0] * _e893.member.member_2[0][1]) - (_e893.member.member_1[1][1] * _e893.member.member_2[0][0])));
+                let _e1007 = (((_e893.member.member[0][0] * _e905) + (_e893.member.member[0][1] * _e912)) + (_e893.member.member[0][2] * _e919));
+                let _e1028 = ((((_e893.member.member[1][0] * _e905) + (_e893.member.member[1][1] * _e912)) + (_e893.member.member[1][2] * _e919)) + (((_e893.member.member[0][0] * _e995) + (_e893.member.member[0][1] * _e996)) + (_e893.member.member[0][2] * _e997)));
+                let _e1049 = ((((_e893.member.member[0][0] * _e930) + (_e893.member.member[0][1] * _e937)) + (_e893.member.member[0][2] * _e944)) + (((_e893.member.member[1][0] * _e995) + (_e893.member.member[1][1] * _e996)) + (_e893.member.member[1][2] * _e997)));
+                let _e1059 = (((_e893.member.member[1][0] * _e930) + (_e893.member.member[1][1] * _e937)) + (_e893.member.member[1][2] * _e944));
+                let _e1065 = select(_e893.member.member[0][0], -(_e893.member.member[0][0]), (_e893.member.member[0][0] < 0.0lf));
+                let _e1069 = select(_e893.member.member[0][1], -(_e893.member.member[0][1]), (_e893.member.member[0][1] < 0.0lf));
+                let _e1071 = select(_e1069, _e1065, (_e1065 > _e1069));
+                let _e1075 = select(_e893.member.member[0][2], -(_e893.member.member[0][2]), (_e893.member.member[0][2] < 0.0lf));
+                let _e1077 = select(_e1075, _e1071, (_e1071 > _e1075));
+                let _e1083 = select(_e893.member.member[1][0], -(_e893.member.member[1][0]), (_e893.member.member[1][0] < 0.0lf));
+                let _e1087 = select(_e893.member.member[1][1], -(_e893.member.member[1][1]), (_e893.member.member[1][1] < 0.0lf));
+                let _e1089 = select(_e1087, _e1083, (_e1083 > _e1087));
+                let _e1093 = select(_e893.member.member[1][2], -(_e893.member.member[1][2]), (_e893.member.member[1][2] < 0.0lf));
+                let _e1095 = select(_e1093, _e1089, (_e1089 > _e1093));
+                let _e1099 = (select(_e1095, _e1077, (_e1077 > _e1095)) + _e893.member.member_3);
+                let _e1105 = select(_e893.member.member_1[0][0], -(_e893.member.member_1[0][0]), (_e893.member.member_1[0][0] < 0.0lf));
+                let _e1109 = select(_e893.member.member_1[0][1], -(_e893.member.member_1[0][1]), (_e893.member.member_1[0][1] < 0.0lf));
+                let _e1111 = select(_e1109, _e1105, (_e1105 > _e1109));
+                let _e1115 = select(_e893.member.member_1[0][2], -(_e893.member.member_1[0][2]), (_e893.member.member_1[0][2] < 0.0lf));
+                let _e1117 = select(_e1115, _e1111, (_e1111 > _e1115));
+                let _e1123 = select(_e893.member.member_1[1][0], -(_e893.member.member_1[1][0]), (_e893.member.member_1[1][0] < 0.0lf));
+                let _e1127 = select(_e893.member.member_1[1][1], -(_e893.member.member_1[1][1]), (_e893.member.member_1[1][1] < 0.0lf));
+                let _e1129 = select(_e1127, _e1123, (_e1123 > _e1127));
+                let _e1133 = select(_e893.member.member_1[1][2], -(_e893.member.member_1[1][2]), (_e893.member.member_1[1][2] < 0.0lf));
+                let _e1135 = select(_e1133, _e1129, (_e1129 > _e1133));
+                let _e1139 = (select(_e1135, _e1117, (_e1117 > _e1135)) + _e893.member.member_3);
+                let _e1145 = select(_e893.member.member_2[0][0], -(_e893.member.member_2[0][0]), (_e893.member.member_2[0][0] < 0.0lf));
+                let _e1149 = select(_e893.member.member_2[0][1], -(_e893.member.member_2[0][1]), (_e893.member.member_2[0][1] < 0.0lf));
+                let _e1151 = select(_e1149, _e1145, (_e1145 > _e1149));
+                let _e1155 = select(_e893.member.member_2[0][2], -(_e893.member.member_2[0][2]), (_e893.member.member_2[0][2] < 0.0lf));
+                let _e1157 = select(_e1155, _e1151, (_e1151 > _e1155));
+                let _e1163 = select(_e893.member.member_2[1][0], -(_e893.member.member_2[1][0]), (_e893.member.member_2[1][0] < 0.0lf));
+                let _e1167 = select(_e893.member.member_2[1][1], -(_e893.member.member_2[1][1]), (_e893.member.member_2[1][1] < 0.0lf));
+                let _e1169 = select(_e1167, _e1163, (_e1163 > _e1167));
+                let _e1173 = select(_e893.member.member_2[1][2], -(_e893.member.member_2[1][2]), (_e893.member.member_2[1][2] < 0.0lf));
+                let _e1175 = select(_e1173, _e1169, (_e1169 > _e1173));
+                let _e1179 = (select(_e1175, _e1157, (_e1157 > _e1175)) + _e893.member.member_3);
+                let _e1180 = f64(1f);
+                let _e1181 = f64(8f);
+                let _e1207 = (((((_e1099 * _e1181) * ((_e1139 * _e1181) * _e1179)) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e893.member.member_3 * f64(19f)) * ((_e1099 * (_e1139 + _e1179)) + (_e1139 * _e1179)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1180 + _e1099) * ((_e1180 + _e1139) * (_e1180 + _e1179)))));
+                let _e1208 = f64(3f);
+                let _e1209 = (_e1007 * _e1208);
+                let _e1210 = (_e1059 * _e1208);
+                let _e1212 = select(_e1210, _e1209, (_e1209 < _e1210));
+                let _e1214 = select(_e1049, _e1028, (_e1028 < _e1049));
+                let _e1216 = select(_e1214, _e1212, (_e1212 < _e1214));
+                let _e1218 = select(_e1210, _e1209, (_e1209 > _e1210));
+                let _e1220 = select(_e1049, _e1028, (_e1028 > _e1049));
+                let _e1223 = -(select(_e1220, _e1218, (_e1218 > _e1220)));
+                if (select(_e1223, _e1216, (_e1216 > _e1223)) > _e1207) {
+                    phi_3840_ = type_42(0u, type_42().member_1);
+                    phi_3841_ = type_42();
+                    phi_3842_ = true;
                 } else {
-                    let _e1107 = select(_e883, -(_e883), (_e883 < 0.0lf));
-                    let _e1110 = select(_e904, -(_e904), (_e904 < 0.0lf));
-                    let _e1112 = select(_e1110, _e1107, (_e1107 > _e1110));
-                    let _e1115 = select(_e925, -(_e925), (_e925 < 0.0lf));
-                    let _e1118 = select(_e935, -(_e935), (_e935 < 0.0lf));
-                    let _e1120 = select(_e1118, _e1115, (_e1115 > _e1118));
-                    let _e1122 = select(_e1120, _e1112, (_e1112 > _e1120));
-                    let _e1124 = (2.2250738585072014e-308lf * f64(67108864f));
-                    let _e1125 = f64(1f);
-                    if (_e1122 >= _e1124) {
-                        phi_1876_ = (_e1122 <= (_e1125 / _e1124));
+                    let _e1231 = select(_e1007, -(_e1007), (_e1007 < 0.0lf));
+                    let _e1234 = select(_e1028, -(_e1028), (_e1028 < 0.0lf));
+                    let _e1236 = select(_e1234, _e1231, (_e1231 > _e1234));
+                    let _e1239 = select(_e1049, -(_e1049), (_e1049 < 0.0lf));
+                    let _e1242 = select(_e1059, -(_e1059), (_e1059 < 0.0lf));
+                    let _e1244 = select(_e1242, _e1239, (_e1239 > _e1242));
+                    let _e1246 = select(_e1244, _e1236, (_e1236 > _e1244));
+                    let _e1248 = (2.2250738585072014e-308lf * f64(67108864f));
+                    let _e1249 = f64(1f);
+                    if (_e1246 >= _e1248) {
+                        phi_2099_ = (_e1246 <= (_e1249 / _e1248));
                     } else {
-                        phi_1876_ = false;
+                        phi_2099_ = false;
                     }
-                    let _e1130 = phi_1876_;
-                    if _e1130 {
-                        phi_1891_ = (_e1125 / _e1122);
+                    let _e1254 = phi_2099_;
+                    if _e1254 {
+                        phi_2114_ = (_e1249 / _e1246);
                     } else {
-                        phi_1891_ = f64(0f);
+                        phi_2114_ = f64(0f);
                     }
-                    let _e1140 = phi_1891_;
-                    let _e1141 = f64(0.00000000000022737368f);
-                    let _e1143 = (_e515 * f64(0.0625f));
-                    local_4 = type_39(array<f64, 4>(_e883, _e904, _e925, _e935), ((_e1083 * f64(0.34f)) + (_e1122 * select(f64(2f), (1.1102230246251565e-16lf * f64(256f)), _e1130))), _e1140, select(_e1143, _e1141, (_e1141 < _e1143)));
-                    let _e1148 = f64(0f);
-                    let _e1149 = f64(1f);
-                    let _e1150 = f64(3f);
-                    let _e1153 = local_4.member[0u];
-                    let _e1156 = local_4.member[1u];
-                    let _e1159 = local_4.member[2u];
-                    let _e1162 = local_4.member[3u];
-                    let _e1169 = local_4.member_2;
-                    let _e1170 = ((_e1156 - (_e1150 * _e1153)) * _e1169);
-                    let _e1172 = local_4.member_2;
-                    let _e1173 = ((_e1159 - _e1156) * _e1172);
-                    let _e1175 = local_4.member_2;
-                    let _e1176 = (((_e1150 * _e1162) - _e1159) * _e1175);
-                    local_2[0u] = _e1148;
-                    local_2[1u] = _e1149;
-                    local_2[2u] = _e1149;
-                    local_2[3u] = _e1149;
-                    let _e1183 = ((_e1173 * _e1173) - (_e1170 * _e1176));
-                    if (_e1183 > _e1148) {
-                        if (_e1183 <= 2.2250738585072014e-308lf) {
-                            phi_2024_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1183 > 0.0lf));
+                    let _e1264 = phi_2114_;
+                    let _e1265 = f64(0.00000000000022737368f);
+                    let _e1267 = (_e515 * f64(0.0625f));
+                    local_4 = type_39(array<f64, 4>(_e1007, _e1028, _e1049, _e1059), ((_e1207 * f64(0.34f)) + (_e1246 * select(f64(2f), (1.1102230246251565e-16lf * f64(256f)), _e1254))), _e1264, select(_e1267, _e1265, (_e1265 < _e1267)));
+                    let _e1272 = f64(0f);
+                    let _e1273 = f64(1f);
+                    let _e1274 = f64(3f);
+                    let _e1277 = local_4.member[0u];
+                    let _e1280 = local_4.member[1u];
+                    let _e1283 = local_4.member[2u];
+                    let _e1286 = local_4.member[3u];
+                    let _e1293 = local_4.member_2;
+                    let _e1294 = ((_e1280 - (_e1274 * _e1277)) * _e1293);
+                    let _e1296 = local_4.member_2;
+                    let _e1297 = ((_e1283 - _e1280) * _e1296);
+                    let _e1299 = local_4.member_2;
+                    let _e1300 = (((_e1274 * _e1286) - _e1283) * _e1299);
+                    local_2[0u] = _e1272;
+                    local_2[1u] = _e1273;
+                    local_2[2u] = _e1273;
+                    local_2[3u] = _e1273;
+                    let _e1307 = ((_e1297 * _e1297) - (_e1294 * _e1300));
+                    if (_e1307 > _e1272) {
+                        if (_e1307 <= 2.2250738585072014e-308lf) {
+                            phi_2247_ = select(0.0lf, (1.464336215552873e-154lf * 2.0lf), (_e1307 > 0.0lf));
                         } else {
-                            phi_1967_ = type_16(0i, 5i);
-                            phi_1970_ = bitcast<f64>(((bitcast<u64>(_e1183) / 2lu) + 2303426169912950784lu));
+                            phi_2190_ = type_16(0i, 5i);
+                            phi_2193_ = bitcast<f64>(((bitcast<u64>(_e1307) / 2lu) + 2303426169912950784lu));
                             loop {
-                                let _e1191 = phi_1967_;
-                                let _e1193 = phi_1970_;
-                                local_7 = _e1193;
-                                if (_e1191.member < _e1191.member_1) {
-                                    let _e1200 = (_e1191.member + 1i);
-                                    phi_1968_ = type_16(select(_e1200, type_17().member_1, select(false, true, ((false == (_e1200 > _e1191.member)) != false))), _e1191.member_1);
-                                    phi_2011_ = type_17(1u, _e1191.member);
+                                let _e1315 = phi_2190_;
+                                let _e1317 = phi_2193_;
+                                local_7 = _e1317;
+                                if (_e1315.member < _e1315.member_1) {
+                                    let _e1324 = (_e1315.member + 1i);
+                                    phi_2191_ = type_16(select(_e1324, type_17().member_1, select(false, true, ((false == (_e1324 > _e1315.member)) != false))), _e1315.member_1);
+                                    phi_2234_ = type_17(1u, _e1315.member);
                                 } else {
-                                    phi_1968_ = _e1191;
-                                    phi_2011_ = type_17(0u, type_17().member_1);
+                                    phi_2191_ = _e1315;
+                                    phi_2234_ = type_17(0u, type_17().member_1);
                                 }
-                                let _e1211 = phi_1968_;
-                                let _e1213 = phi_2011_;
-                                let _e1216 = (bitcast<i32>(_e1213.member) != 0i);
-                                if _e1216 {
-                                    phi_1971_ = (0.5lf * (_e1193 + (_e1183 / _e1193)));
+                                let _e1335 = phi_2191_;
+                                let _e1337 = phi_2234_;
+                                let _e1340 = (bitcast<i32>(_e1337.member) != 0i);
+                                if _e1340 {
+                                    phi_2194_ = (0.5lf * (_e1317 + (_e1307 / _e1317)));
                                 } else {
-                                    phi_1971_ = f64();
+                                    phi_2194_ = f64();
                                 }
-                                let _e1221 = phi_1971_;
+                                let _e1345 = phi_2194_;
                                 continue;
                                 continuing {
-                                    phi_1967_ = _e1211;
-                                    phi_1970_ = _e1221;
-                                    break if !(_e1216);
+                                    phi_2190_ = _e1335;
+                                    phi_2193_ = _e1345;
+                                    break if !(_e1340);
                                 }
                             }
-                            let _e1226 = local_7;
-                            phi_2024_ = (_e1226 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                            let _e1350 = local_7;
+                            phi_2247_ = (_e1350 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                         }
-                        let _e1232 = phi_2024_;
-                        let _e1237 = -((_e1173 + select(_e1232, -(_e1232), (_e1173 < _e1148))));
-                        local_3[0u] = (_e1237 / (_e1237 + _e1176));
-                        local_3[1u] = (_e1170 / (_e1170 + _e1237));
-                        let _e1246 = local_3[1u];
-                        let _e1247 = local_3[0u];
-                        if (_e1246 < _e1247) {
-                            let _e1250 = local_3[1u];
-                            let _e1252 = local_3[0u];
-                            local_3[0u] = _e1250;
-                            local_3[1u] = _e1252;
+                        let _e1356 = phi_2247_;
+                        let _e1361 = -((_e1297 + select(_e1356, -(_e1356), (_e1297 < _e1272))));
+                        local_3[0u] = (_e1361 / (_e1361 + _e1300));
+                        local_3[1u] = (_e1294 / (_e1294 + _e1361));
+                        let _e1370 = local_3[1u];
+                        let _e1371 = local_3[0u];
+                        if (_e1370 < _e1371) {
+                            let _e1374 = local_3[1u];
+                            let _e1376 = local_3[0u];
+                            local_3[0u] = _e1374;
+                            local_3[1u] = _e1376;
                         }
-                        phi_2055_ = type_9(0u, 2u);
-                        phi_2058_ = 1u;
+                        phi_2278_ = type_9(0u, 2u);
+                        phi_2281_ = 1u;
                         loop {
-                            let _e1256 = phi_2055_;
-                            let _e1258 = phi_2058_;
-                            local_35 = _e1258;
-                            let _e1261 = (_e1256.member < _e1256.member_1);
-                            let _e1272 = select(type_9().member_1, _e1256.member, _e1261);
-                            let _e1274 = (bitcast<i32>(select(0u, 1u, _e1261)) != 0i);
-                            if _e1274 {
-                                let _e1276 = local_3[_e1272];
-                                if (_e1276 > _e1148) {
-                                    let _e1279 = local_3[_e1272];
-                                    if (_e1279 < _e1149) {
-                                        let _e1282 = local_3[_e1272];
-                                        local_2[_e1258] = _e1282;
-                                        phi_2125_ = (_e1258 + 1u);
+                            let _e1380 = phi_2278_;
+                            let _e1382 = phi_2281_;
+                            local_35 = _e1382;
+                            let _e1385 = (_e1380.member < _e1380.member_1);
+                            let _e1396 = select(type_9().member_1, _e1380.member, _e1385);
+                            let _e1398 = (bitcast<i32>(select(0u, 1u, _e1385)) != 0i);
+                            if _e1398 {
+                                let _e1400 = local_3[_e1396];
+                                if (_e1400 > _e1272) {
+                                    let _e1403 = local_3[_e1396];
+                                    if (_e1403 < _e1273) {
+                                        let _e1406 = local_3[_e1396];
+                                        local_2[_e1382] = _e1406;
+                                        phi_2348_ = (_e1382 + 1u);
                                     } else {
-                                        phi_2125_ = _e1258;
+                                        phi_2348_ = _e1382;
                                     }
-                                    let _e1286 = phi_2125_;
-                                    phi_2126_ = _e1286;
+                                    let _e1410 = phi_2348_;
+                                    phi_2349_ = _e1410;
                                 } else {
-                                    phi_2126_ = _e1258;
+                                    phi_2349_ = _e1382;
                                 }
-                                let _e1288 = phi_2126_;
-                                phi_2059_ = _e1288;
+                                let _e1412 = phi_2349_;
+                                phi_2282_ = _e1412;
                             } else {
-                                phi_2059_ = u32();
+                                phi_2282_ = u32();
                             }
-                            let _e1290 = phi_2059_;
+                            let _e1414 = phi_2282_;
                             continue;
                             continuing {
-                                phi_2055_ = type_9(select(_e1256.member, (_e1256.member + 1u), _e1261), select(_e1256.member_1, _e1256.member_1, _e1261));
-                                phi_2058_ = _e1290;
-                                break if !(_e1274);
+                                phi_2278_ = type_9(select(_e1380.member, (_e1380.member + 1u), _e1385), select(_e1380.member_1, _e1380.member_1, _e1385));
+                                phi_2281_ = _e1414;
+                                break if !(_e1398);
                             }
                         }
-                        let _e2646 = local_35;
-                        phi_2127_ = _e2646;
+                        let _e2770 = local_35;
+                        phi_2350_ = _e2770;
                     } else {
-                        phi_2127_ = 1u;
+                        phi_2350_ = 1u;
                     }
-                    let _e1293 = phi_2127_;
-                    local_2[_e1293] = _e1149;
-                    let _e1295 = local_2;
-                    local_5 = _e1295;
-                    let _e1299 = (f64(1f) - _e524);
-                    let _e1302 = local_4.member[0u];
-                    let _e1305 = local_4.member[1u];
-                    let _e1308 = local_4.member[2u];
-                    let _e1311 = local_4.member[3u];
-                    let _e1322 = ((((_e1302 * _e1299) + (_e1305 * _e524)) * (_e1299 * _e1299)) + (((_e1308 * _e1299) + (_e1311 * _e524)) * (_e524 * _e524)));
-                    let _e1327 = local_4.member_1;
-                    phi_2185_ = type_9(select(1u, 0u, !((select(_e1322, -(_e1322), (_e1322 < 0.0lf)) > _e1327))), (_e1293 + 1u));
+                    let _e1417 = phi_2350_;
+                    local_2[_e1417] = _e1273;
+                    let _e1419 = local_2;
+                    local_5 = _e1419;
+                    let _e1423 = (f64(1f) - _e524);
+                    let _e1426 = local_4.member[0u];
+                    let _e1429 = local_4.member[1u];
+                    let _e1432 = local_4.member[2u];
+                    let _e1435 = local_4.member[3u];
+                    let _e1446 = ((((_e1426 * _e1423) + (_e1429 * _e524)) * (_e1423 * _e1423)) + (((_e1432 * _e1423) + (_e1435 * _e524)) * (_e524 * _e524)));
+                    let _e1451 = local_4.member_1;
+                    phi_2408_ = type_9(select(1u, 0u, !((select(_e1446, -(_e1446), (_e1446 < 0.0lf)) > _e1451))), (_e1417 + 1u));
                     loop {
-                        let _e1334 = phi_2185_;
-                        let _e1337 = (_e1334.member < _e1334.member_1);
-                        let _e1348 = select(type_9().member_1, _e1334.member, _e1337);
-                        if (bitcast<i32>(select(0u, 1u, _e1337)) != 0i) {
-                            if (_e1348 > 0u) {
-                                let _e1355 = local_5[(_e1348 - 1u)];
-                                let _e1357 = select(_e524, _e1355, (_e1355 > _e524));
-                                let _e1359 = local_5[_e1348];
-                                let _e1361 = select(_e533, _e1359, (_e1359 < _e533));
-                                if (_e1357 <= _e1361) {
-                                    let _e1363 = function_2((&local_4), _e542, _e1357, _e1361);
-                                    if _e1363 {
-                                        phi_3505_ = type_43();
-                                        phi_3506_ = u32();
-                                        phi_3507_ = false;
-                                        phi_3508_ = false;
-                                        phi_3509_ = false;
+                        let _e1458 = phi_2408_;
+                        let _e1461 = (_e1458.member < _e1458.member_1);
+                        let _e1472 = select(type_9().member_1, _e1458.member, _e1461);
+                        if (bitcast<i32>(select(0u, 1u, _e1461)) != 0i) {
+                            if (_e1472 > 0u) {
+                                let _e1479 = local_5[(_e1472 - 1u)];
+                                let _e1481 = select(_e524, _e1479, (_e1479 > _e524));
+                                let _e1483 = local_5[_e1472];
+                                let _e1485 = select(_e533, _e1483, (_e1483 < _e533));
+                                if (_e1481 <= _e1485) {
+                                    let _e1487 = function_2((&local_4), _e542, _e1481, _e1485);
+                                    if _e1487 {
+                                        phi_3728_ = type_43();
+                                        phi_3729_ = u32();
+                                        phi_3730_ = false;
+                                        phi_3731_ = false;
+                                        phi_3732_ = false;
                                     } else {
-                                        let _e1365 = (f64(1f) - _e1357);
-                                        let _e1368 = local_4.member[0u];
-                                        let _e1371 = local_4.member[1u];
-                                        let _e1374 = local_4.member[2u];
-                                        let _e1377 = local_4.member[3u];
-                                        let _e1388 = ((((_e1368 * _e1365) + (_e1371 * _e1357)) * (_e1365 * _e1365)) + (((_e1374 * _e1365) + (_e1377 * _e1357)) * (_e1357 * _e1357)));
-                                        let _e1390 = (f64(1f) - _e1361);
-                                        let _e1393 = local_4.member[0u];
-                                        let _e1396 = local_4.member[1u];
-                                        let _e1399 = local_4.member[2u];
-                                        let _e1402 = local_4.member[3u];
-                                        let _e1413 = ((((_e1393 * _e1390) + (_e1396 * _e1361)) * (_e1390 * _e1390)) + (((_e1399 * _e1390) + (_e1402 * _e1361)) * (_e1361 * _e1361)));
-                                        let _e1418 = local_4.member_1;
-                                        let _e1419 = (select(_e1388, -(_e1388), (_e1388 < 0.0lf)) > _e1418);
-                                        let _e1424 = local_4.member_1;
-                                        let _e1425 = (select(_e1413, -(_e1413), (_e1413 < 0.0lf)) > _e1424);
-                                        let _e1426 = f64(0f);
-                                        let _e1434 = select(select(bool(), select(bool(), ((_e1388 > _e1426) != (_e1413 > _e1426)), _e1425), _e1419), false, select(true, select(true, false, _e1425), _e1419));
-                                        if _e1419 {
-                                            if _e1425 {
-                                                phi_2345_ = type_43(select(f64(1f), type_43().member, _e1434), select(_e1426, type_43().member_1, _e1434), select(_e1434, type_43().member_2, _e1434));
-                                                phi_2346_ = _e1434;
+                                        let _e1489 = (f64(1f) - _e1481);
+                                        let _e1492 = local_4.member[0u];
+                                        let _e1495 = local_4.member[1u];
+                                        let _e1498 = local_4.member[2u];
+                                        let _e1501 = local_4.member[3u];
+                                        let _e1512 = ((((_e1492 * _e1489) + (_e1495 * _e1481)) * (_e1489 * _e1489)) + (((_e1498 * _e1489) + (_e1501 * _e1481)) * (_e1481 * _e1481)));
+                                        let _e1514 = (f64(1f) - _e1485);
+                                        let _e1517 = local_4.member[0u];
+                                        let _e1520 = local_4.member[1u];
+                                        let _e1523 = local_4.member[2u];
+                                        let _e1526 = local_4.member[3u];
+                                        let _e1537 = ((((_e1517 * _e1514) + (_e1520 * _e1485)) * (_e1514 * _e1514)) + (((_e1523 * _e1514) + (_e1526 * _e1485)) * (_e1485 * _e1485)));
+                                        let _e1542 = local_4.member_1;
+                                        let _e1543 = (select(_e1512, -(_e1512), (_e1512 < 0.0lf)) > _e1542);
+                                        let _e1548 = local_4.member_1;
+                                        let _e1549 = (select(_e1537, -(_e1537), (_e1537 < 0.0lf)) > _e1548);
+                                        let _e1550 = f64(0f);
+                                        let _e1558 = select(select(bool(), select(bool(), ((_e1512 > _e1550) != (_e1537 > _e1550)), _e1549), _e1543), false, select(true, select(true, false, _e1549), _e1543));
+                                        if _e1543 {
+                                            if _e1549 {
+                                                phi_2568_ = type_43(select(f64(1f), type_43().member, _e1558), select(_e1550, type_43().member_1, _e1558), select(_e1558, type_43().member_2, _e1558));
+                                                phi_2569_ = _e1558;
                                             } else {
-                                                phi_2345_ = type_43();
-                                                phi_2346_ = true;
+                                                phi_2568_ = type_43();
+                                                phi_2569_ = true;
                                             }
-                                            let _e1444 = phi_2345_;
-                                            let _e1446 = phi_2346_;
-                                            phi_2347_ = _e1444;
-                                            phi_2348_ = _e1446;
+                                            let _e1568 = phi_2568_;
+                                            let _e1570 = phi_2569_;
+                                            phi_2570_ = _e1568;
+                                            phi_2571_ = _e1570;
                                         } else {
-                                            phi_2347_ = type_43();
-                                            phi_2348_ = true;
+                                            phi_2570_ = type_43();
+                                            phi_2571_ = true;
                                         }
-                                        let _e1448 = phi_2347_;
-                                        let _e1450 = phi_2348_;
-                                        if _e1450 {
-                                            if _e1419 {
-                                                let _e1454 = select(f64(1f), f64(-1f), (_e1388 < _e1426));
-                                                let _e1456 = local_4.member_3;
-                                                let _e1457 = f64(0.5f);
-                                                let _e1458 = f64(3f);
-                                                let _e1461 = local_4.member[0u];
-                                                let _e1464 = local_4.member[1u];
-                                                let _e1467 = local_4.member[2u];
-                                                let _e1470 = local_4.member[3u];
-                                                let _e1473 = (_e1467 - _e1464);
-                                                phi_2383_ = type_9(0u, 64u);
-                                                phi_2386_ = _e1361;
-                                                phi_2388_ = _e1357;
-                                                phi_2390_ = (_e1457 * (_e1357 + _e1361));
+                                        let _e1572 = phi_2570_;
+                                        let _e1574 = phi_2571_;
+                                        if _e1574 {
+                                            if _e1543 {
+                                                let _e1578 = select(f64(1f), f64(-1f), (_e1512 < _e1550));
+                                                let _e1580 = local_4.member_3;
+                                                let _e1581 = f64(0.5f);
+                                                let _e1582 = f64(3f);
+                                                let _e1585 = local_4.member[0u];
+                                                let _e1588 = local_4.member[1u];
+                                                let _e1591 = local_4.member[2u];
+                                                let _e1594 = local_4.member[3u];
+                                                let _e1597 = (_e1591 - _e1588);
+                                                phi_2606_ = type_9(0u, 64u);
+                                                phi_2609_ = _e1485;
+                                                phi_2611_ = _e1481;
+                                                phi_2613_ = (_e1581 * (_e1481 + _e1485));
                                                 loop {
-                                                    let _e1479 = phi_2383_;
-                                                    let _e1481 = phi_2386_;
-                                                    let _e1483 = phi_2388_;
-                                                    let _e1485 = phi_2390_;
-                                                    local_10 = _e1483;
-                                                    let _e1488 = (_e1479.member < _e1479.member_1);
-                                                    if (bitcast<i32>(select(0u, 1u, _e1488)) != 0i) {
-                                                        let _e1501 = (f64(1f) - _e1485);
-                                                        let _e1504 = local_4.member[0u];
-                                                        let _e1507 = local_4.member[1u];
-                                                        let _e1510 = local_4.member[2u];
-                                                        let _e1513 = local_4.member[3u];
-                                                        let _e1527 = local_4.member_1;
-                                                        let _e1528 = ((_e1454 * ((((_e1504 * _e1501) + (_e1507 * _e1485)) * (_e1501 * _e1501)) + (((_e1510 * _e1501) + (_e1513 * _e1485)) * (_e1485 * _e1485)))) - _e1527);
-                                                        let _e1530 = (_e1528 > f64(0f));
-                                                        let _e1531 = select(_e1485, _e1481, _e1530);
-                                                        let _e1532 = select(_e1483, _e1485, _e1530);
-                                                        let _e1534 = ((_e1531 - _e1532) > _e1456);
-                                                        if _e1534 {
-                                                            let _e1536 = (f64(1f) - _e1485);
-                                                            let _e1548 = (-(_e1528) / (_e1454 * (((((_e1464 - (_e1458 * _e1461)) * _e1536) + (_e1473 * _e1485)) * _e1536) + (((_e1473 * _e1536) + (((_e1458 * _e1470) - _e1467) * _e1485)) * _e1485))));
-                                                            let _e1556 = ((_e1485 + _e1548) + select(-((_e1457 * _e1456)), (_e1457 * _e1456), (_e1528 > f64(0f))));
-                                                            if (_e1556 > _e1532) {
-                                                                phi_2504_ = select(true, select(true, false, (select(_e1548, -(_e1548), (_e1548 < 0.0lf)) < (_e1457 * (_e1531 - _e1532)))), (_e1556 < _e1531));
+                                                    let _e1603 = phi_2606_;
+                                                    let _e1605 = phi_2609_;
+                                                    let _e1607 = phi_2611_;
+                                                    let _e1609 = phi_2613_;
+                                                    local_10 = _e1607;
+                                                    let _e1612 = (_e1603.member < _e1603.member_1);
+                                                    if (bitcast<i32>(select(0u, 1u, _e1612)) != 0i) {
+                                                        let _e1625 = (f64(1f) - _e1609);
+                                                        let _e1628 = local_4.member[0u];
+                                                        let _e1631 = local_4.member[1u];
+                                                        let _e1634 = local_4.member[2u];
+                                                        let _e1637 = local_4.member[3u];
+                                                        let _e1651 = local_4.member_1;
+                                                        let _e1652 = ((_e1578 * ((((_e1628 * _e1625) + (_e1631 * _e1609)) * (_e1625 * _e1625)) + (((_e1634 * _e1625) + (_e1637 * _e1609)) * (_e1609 * _e1609)))) - _e1651);
+                                                        let _e1654 = (_e1652 > f64(0f));
+                                                        let _e1655 = select(_e1609, _e1605, _e1654);
+                                                        let _e1656 = select(_e1607, _e1609, _e1654);
+                                                        let _e1658 = ((_e1655 - _e1656) > _e1580);
+                                                        if _e1658 {
+                                                            let _e1660 = (f64(1f) - _e1609);
+                                                            let _e1672 = (-(_e1652) / (_e1578 * (((((_e1588 - (_e1582 * _e1585)) * _e1660) + (_e1597 * _e1609)) * _e1660) + (((_e1597 * _e1660) + (((_e1582 * _e1594) - _e1591) * _e1609)) * _e1609))));
+                                                            let _e1680 = ((_e1609 + _e1672) + select(-((_e1581 * _e1580)), (_e1581 * _e1580), (_e1652 > f64(0f))));
+                                                            if (_e1680 > _e1656) {
+                                                                phi_2727_ = select(true, select(true, false, (select(_e1672, -(_e1672), (_e1672 < 0.0lf)) < (_e1581 * (_e1655 - _e1656)))), (_e1680 < _e1655));
                                                             } else {
-                                                                phi_2504_ = true;
+                                                                phi_2727_ = true;
                                                             }
-                                                            let _e1568 = phi_2504_;
-                                                            phi_2511_ = select(_e1556, (_e1457 * (_e1532 + _e1531)), _e1568);
-                                                            phi_2512_ = false;
+                                                            let _e1692 = phi_2727_;
+                                                            phi_2734_ = select(_e1680, (_e1581 * (_e1656 + _e1655)), _e1692);
+                                                            phi_2735_ = false;
                                                         } else {
-                                                            phi_2511_ = f64();
-                                                            phi_2512_ = true;
+                                                            phi_2734_ = f64();
+                                                            phi_2735_ = true;
                                                         }
-                                                        let _e1573 = phi_2511_;
-                                                        let _e1575 = phi_2512_;
-                                                        phi_2387_ = _e1531;
-                                                        phi_2389_ = _e1532;
-                                                        phi_2391_ = _e1573;
-                                                        phi_2513_ = _e1532;
-                                                        phi_2514_ = _e1534;
-                                                        phi_2515_ = _e1575;
+                                                        let _e1697 = phi_2734_;
+                                                        let _e1699 = phi_2735_;
+                                                        phi_2610_ = _e1655;
+                                                        phi_2612_ = _e1656;
+                                                        phi_2614_ = _e1697;
+                                                        phi_2736_ = _e1656;
+                                                        phi_2737_ = _e1658;
+                                                        phi_2738_ = _e1699;
                                                     } else {
-                                                        phi_2387_ = f64();
-                                                        phi_2389_ = f64();
-                                                        phi_2391_ = f64();
-                                                        phi_2513_ = f64();
-                                                        phi_2514_ = false;
-                                                        phi_2515_ = false;
+                                                        phi_2610_ = f64();
+                                                        phi_2612_ = f64();
+                                                        phi_2614_ = f64();
+                                                        phi_2736_ = f64();
+                                                        phi_2737_ = false;
+                                                        phi_2738_ = false;
                                                     }
-                                                    let _e1577 = phi_2387_;
-                                                    let _e1579 = phi_2389_;
-                                                    let _e1581 = phi_2391_;
-                                                    let _e1583 = phi_2513_;
-                                                    let _e1585 = phi_2514_;
-                                                    let _e1587 = phi_2515_;
-                                                    local_8 = _e1587;
-                                                    local_9 = _e1583;
+                                                    let _e1701 = phi_2610_;
+                                                    let _e1703 = phi_2612_;
+                                                    let _e1705 = phi_2614_;
+                                                    let _e1707 = phi_2736_;
+                                                    let _e1709 = phi_2737_;
+                                                    let _e1711 = phi_2738_;
+                                                    local_8 = _e1711;
+                                                    local_9 = _e1707;
                                                     continue;
                                                     continuing {
-                                                        phi_2383_ = type_9(select(_e1479.member, (_e1479.member + 1u), _e1488), select(_e1479.member_1, _e1479.member_1, _e1488));
-                                                        phi_2386_ = _e1577;
-                                                        phi_2388_ = _e1579;
-                                                        phi_2390_ = _e1581;
-                                                        break if !(_e1585);
+                                                        phi_2606_ = type_9(select(_e1603.member, (_e1603.member + 1u), _e1612), select(_e1603.member_1, _e1603.member_1, _e1612));
+                                                        phi_2609_ = _e1701;
+                                                        phi_2611_ = _e1703;
+                                                        phi_2613_ = _e1705;
+                                                        break if !(_e1709);
                                                     }
                                                 }
-                                                let _e1590 = local_8;
-                                                let _e1592 = local_9;
-                                                let _e1594 = local_10;
-                                                phi_2520_ = select(_e1594, _e1592, _e1590);
+                                                let _e1714 = local_8;
+                                                let _e1716 = local_9;
+                                                let _e1718 = local_10;
+                                                phi_2743_ = select(_e1718, _e1716, _e1714);
                                             } else {
-                                                phi_2520_ = _e1357;
+                                                phi_2743_ = _e1481;
                                             }
-                                            let _e1597 = phi_2520_;
-                                            if _e1425 {
-                                                let _e1603 = local_4.member_3;
-                                                let _e1605 = local_4.member_3;
-                                                phi_2538_ = type_9(0u, 64u);
-                                                phi_2541_ = (_e1603 + _e1605);
+                                            let _e1721 = phi_2743_;
+                                            if _e1549 {
+                                                let _e1727 = local_4.member_3;
+                                                let _e1729 = local_4.member_3;
+                                                phi_2761_ = type_9(0u, 64u);
+                                                phi_2764_ = (_e1727 + _e1729);
                                                 loop {
-                                                    let _e1608 = phi_2538_;
-                                                    let _e1610 = phi_2541_;
-                                                    let _e1613 = (_e1608.member < _e1608.member_1);
-                                                    if (bitcast<i32>(select(0u, 1u, _e1613)) != 0i) {
-                                                        let _e1625 = (_e1597 + _e1610);
-                                                        if (_e1625 < _e1361) {
-                                                            let _e1628 = (f64(1f) - _e1625);
-                                                            let _e1631 = local_4.member[0u];
-                                                            let _e1634 = local_4.member[1u];
-                                                            let _e1637 = local_4.member[2u];
-                                                            let _e1640 = local_4.member[3u];
-                                                            let _e1654 = local_4.member_1;
-                                                            let _e1655 = ((select(f64(1f), f64(-1f), (_e1413 < _e1426)) * ((((_e1631 * _e1628) + (_e1634 * _e1625)) * (_e1628 * _e1628)) + (((_e1637 * _e1628) + (_e1640 * _e1625)) * (_e1625 * _e1625)))) > _e1654);
-                                                            phi_2607_ = select((_e1610 + _e1610), f64(), _e1655);
-                                                            phi_2608_ = select(true, false, _e1655);
-                                                            phi_2609_ = _e1655;
-                                                            phi_2610_ = false;
+                                                    let _e1732 = phi_2761_;
+                                                    let _e1734 = phi_2764_;
+                                                    let _e1737 = (_e1732.member < _e1732.member_1);
+                                                    if (bitcast<i32>(select(0u, 1u, _e1737)) != 0i) {
+                                                        let _e1749 = (_e1721 + _e1734);
+                                                        if (_e1749 < _e1485) {
+                                                            let _e1752 = (f64(1f) - _e1749);
+                                                            let _e1755 = local_4.member[0u];
+                                                            let _e1758 = local_4.member[1u];
+                                                            let _e1761 = local_4.member[2u];
+                                                            let _e1764 = local_4.member[3u];
+                                                            let _e1778 = local_4.member_1;
+                                                            let _e1779 = ((select(f64(1f), f64(-1f), (_e1537 < _e1550)) * ((((_e1755 * _e1752) + (_e1758 * _e1749)) * (_e1752 * _e1752)) + (((_e1761 * _e1752) + (_e1764 * _e1749)) * (_e1749 * _e1749)))) > _e1778);
+                                                            phi_2830_ = select((_e1734 + _e1734), f64(), _e1779);
+                                                            phi_2831_ = select(true, false, _e1779);
+                                                            phi_2832_ = _e1779;
+                                                            phi_2833_ = false;
                                                         } else {
-                                                            phi_2607_ = f64();
-                                                            phi_2608_ = false;
-                                                            phi_2609_ = false;
-                                                            phi_2610_ = true;
+                                                            phi_2830_ = f64();
+                                                            phi_2831_ = false;
+                                                            phi_2832_ = false;
+                                                            phi_2833_ = true;
                                                         }
-                                                        let _e1660 = phi_2607_;
-                                                        let _e1662 = phi_2608_;
-                                                        let _e1664 = phi_2609_;
-                                                        let _e1666 = phi_2610_;
-                                                        phi_2611_ = _e1625;
-                                                        phi_2542_ = _e1660;
-                                                        phi_2612_ = _e1662;
-                                                        phi_2613_ = _e1664;
-                                                        phi_2614_ = _e1666;
-                                                        phi_2615_ = false;
+                                                        let _e1784 = phi_2830_;
+                                                        let _e1786 = phi_2831_;
+                                                        let _e1788 = phi_2832_;
+                                                        let _e1790 = phi_2833_;
+                                                        phi_2834_ = _e1749;
+                                                        phi_2765_ = _e1784;
+                                                        phi_2835_ = _e1786;
+                                                        phi_2836_ = _e1788;
+                                                        phi_2837_ = _e1790;
+                                                        phi_2838_ = false;
                                                     } else {
-                                                        phi_2611_ = f64();
-                                                        phi_2542_ = f64();
-                                                        phi_2612_ = false;
-                                                        phi_2613_ = false;
-                                                        phi_2614_ = false;
-                                                        phi_2615_ = true;
+                                                        phi_2834_ = f64();
+                                                        phi_2765_ = f64();
+                                                        phi_2835_ = false;
+                                                        phi_2836_ = false;
+                                                        phi_2837_ = false;
+                                                        phi_2838_ = true;
                                                     }
-                                                    let _e1668 = phi_2611_;
-                                                    let _e1670 = phi_2542_;
-                                                    let _e1672 = phi_2612_;
-                                                    let _e1674 = phi_2613_;
-                                                    let _e1676 = phi_2614_;
-                                                    let _e1678 = phi_2615_;
-                                                    local_11 = _e1674;
-                                                    local_12 = _e1676;
-                                                    local_13 = _e1674;
-                                                    local_14 = _e1678;
-                                                    local_15 = _e1668;
+                                                    let _e1792 = phi_2834_;
+                                                    let _e1794 = phi_2765_;
+                                                    let _e1796 = phi_2835_;
+                                                    let _e1798 = phi_2836_;
+                                                    let _e1800 = phi_2837_;
+                                                    let _e1802 = phi_2838_;
+                                                    local_11 = _e1798;
+                                                    local_12 = _e1800;
+                                                    local_13 = _e1798;
+                                                    local_14 = _e1802;
+                                                    local_15 = _e1792;
                                                     continue;
                                                     continuing {
-                                                        phi_2538_ = type_9(select(_e1608.member, (_e1608.member + 1u), _e1613), select(_e1608.member_1, _e1608.member_1, _e1613));
-                                                        phi_2541_ = _e1670;
-                                                        break if !(_e1672);
+                                                        phi_2761_ = type_9(select(_e1732.member, (_e1732.member + 1u), _e1737), select(_e1732.member_1, _e1732.member_1, _e1737));
+                                                        phi_2764_ = _e1794;
+                                                        break if !(_e1796);
                                                     }
                                                 }
-                                                let _e1681 = local_11;
-                                                let _e1683 = local_12;
-                                                let _e1686 = local_13;
-                                                let _e1688 = local_14;
-                                                let _e1692 = local_15;
-                                                phi_2629_ = select(_e1692, _e1361, select(select(_e1688, false, _e1686), true, select(_e1683, false, _e1681)));
+                                                let _e1805 = local_11;
+                                                let _e1807 = local_12;
+                                                let _e1810 = local_13;
+                                                let _e1812 = local_14;
+                                                let _e1816 = local_15;
+                                                phi_2852_ = select(_e1816, _e1485, select(select(_e1812, false, _e1810), true, select(_e1807, false, _e1805)));
                                             } else {
-                                                phi_2629_ = _e1361;
+                                                phi_2852_ = _e1485;
                                             }
-                                            let _e1695 = phi_2629_;
-                                            phi_2631_ = type_43(_e1597, _e1695, _e1434);
+                                            let _e1819 = phi_2852_;
+                                            phi_2854_ = type_43(_e1721, _e1819, _e1558);
                                         } else {
-                                            phi_2631_ = _e1448;
+                                            phi_2854_ = _e1572;
                                         }
-                                        let _e1698 = phi_2631_;
-                                        if (_e1698.member > _e1698.member_1) {
-                                            phi_3501_ = u32();
-                                            phi_3502_ = true;
-                                            phi_3503_ = false;
-                                            phi_3504_ = false;
+                                        let _e1822 = phi_2854_;
+                                        if (_e1822.member > _e1822.member_1) {
+                                            phi_3724_ = u32();
+                                            phi_3725_ = true;
+                                            phi_3726_ = false;
+                                            phi_3727_ = false;
                                         } else {
-                                            let _e1703 = (_e1698.member > _e542);
-                                            if _e1703 {
-                                                phi_3498_ = u32();
-                                                phi_3499_ = false;
-                                                phi_3500_ = false;
+                                            let _e1827 = (_e1822.member > _e542);
+                                            if _e1827 {
+                                                phi_3721_ = u32();
+                                                phi_3722_ = false;
+                                                phi_3723_ = false;
                                             } else {
-                                                let _e1708 = ((_e1698.member_1 - _e1698.member) * f64(0.5f));
-                                                let _e1709 = (_e1698.member + _e1708);
-                                                let _e1712 = (_e1708 + (1.1102230246251565e-16lf * f64(4f)));
-                                                let _e1719 = select(_e769.member.member[0][0], -(_e769.member.member[0][0]), (_e769.member.member[0][0] < 0.0lf));
-                                                let _e1723 = select(_e769.member.member[0][1], -(_e769.member.member[0][1]), (_e769.member.member[0][1] < 0.0lf));
-                                                let _e1725 = select(_e1723, _e1719, (_e1719 > _e1723));
-                                                let _e1729 = select(_e769.member.member[0][2], -(_e769.member.member[0][2]), (_e769.member.member[0][2] < 0.0lf));
-                                                let _e1731 = select(_e1729, _e1725, (_e1725 > _e1729));
-                                                let _e1737 = select(_e769.member.member[1][0], -(_e769.member.member[1][0]), (_e769.member.member[1][0] < 0.0lf));
-                                                let _e1741 = select(_e769.member.member[1][1], -(_e769.member.member[1][1]), (_e769.member.member[1][1] < 0.0lf));
-                                                let _e1743 = select(_e1741, _e1737, (_e1737 > _e1741));
-                                                let _e1747 = select(_e769.member.member[1][2], -(_e769.member.member[1][2]), (_e769.member.member[1][2] < 0.0lf));
-                                                let _e1749 = select(_e1747, _e1743, (_e1743 > _e1747));
-                                                let _e1770 = (_e769.member.member[0][0] + ((_e769.member.member[1][0] - _e769.member.member[0][0]) * _e1709));
-                                                let _e1772 = (_e769.member.member[0][1] + ((_e769.member.member[1][1] - _e769.member.member[0][1]) * _e1709));
-                                                let _e1774 = (_e769.member.member[0][2] + ((_e769.member.member[1][2] - _e769.member.member[0][2]) * _e1709));
-                                                let _e1781 = (_e769.member.member[1][0] - _e769.member.member[0][0]);
-                                                let _e1784 = (_e769.member.member[1][1] - _e769.member.member[0][1]);
-                                                let _e1787 = (_e769.member.member[1][2] - _e769.member.member[0][2]);
-                                                let _e1790 = select(_e1781, -(_e1781), (_e1781 < 0.0lf));
-                                                let _e1793 = select(_e1784, -(_e1784), (_e1784 < 0.0lf));
-                                                let _e1795 = select(_e1793, _e1790, (_e1790 > _e1793));
-                                                let _e1798 = select(_e1787, -(_e1787), (_e1787 < 0.0lf));
-                                                let _e1808 = ((((_e1712 * select(_e1798, _e1795, (_e1795 > _e1798))) * f64(1.01f)) + ((select(_e1749, _e1731, (_e1731 > _e1749)) + _e769.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e769.member.member_3);
-                                                let _e1811 = select(_e1770, -(_e1770), (_e1770 < 0.0lf));
-                                                let _e1814 = select(_e1772, -(_e1772), (_e1772 < 0.0lf));
-                                                let _e1816 = select(_e1814, _e1811, (_e1811 > _e1814));
-                                                let _e1819 = select(_e1774, -(_e1774), (_e1774 < 0.0lf));
-                                                let _e1822 = (select(_e1819, _e1816, (_e1816 > _e1819)) + _e1808);
-                                                let _e1829 = select(_e769.member.member_1[0][0], -(_e769.member.member_1[0][0]), (_e769.member.member_1[0][0] < 0.0lf));
-                                                let _e1833 = select(_e769.member.member_1[0][1], -(_e769.member.member_1[0][1]), (_e769.member.member_1[0][1] < 0.0lf));
-                                                let _e1835 = select(_e1833, _e1829, (_e1829 > _e1833));
-                                                let _e1839 = select(_e769.member.member_1[0][2], -(_e769.member.member_1[0][2]), (_e769.member.member_1[0][2] < 0.0lf));
-                                                let _e1841 = select(_e1839, _e1835, (_e1835 > _e1839));
-                                                let _e1847 = select(_e769.member.member_1[1][0], -(_e769.member.member_1[1][0]), (_e769.member.member_1[1][0] < 0.0lf));
-                                                let _e1851 = select(_e769.member.member_1[1][1], -(_e769.member.member_1[1][1]), (_e769.member.member_1[1][1] < 0.0lf));
-                                                let _e1853 = select(_e1851, _e1847, (_e1847 > _e1851));
-                                                let _e1857 = select(_e769.member.member_1[1][2], -(_e769.member.member_1[1][2]), (_e769.member.member_1[1][2] < 0.0lf));
-                                                let _e1859 = select(_e1857, _e1853, (_e1853 > _e1857));
-                                                let _e1880 = (_e769.member.member_1[0][0] + ((_e769.member.member_1[1][0] - _e769.member.member_1[0][0]) * _e1709));
-                                                let _e1882 = (_e769.member.member_1[0][1] + ((_e769.member.member_1[1][1] - _e769.member.member_1[0][1]) * _e1709));
-                                                let _e1884 = (_e769.member.member_1[0][2] + ((_e769.member.member_1[1][2] - _e769.member.member_1[0][2]) * _e1709));
-                                                let _e1891 = (_e769.member.member_1[1][0] - _e769.member.member_1[0][0]);
-                                                let _e1894 = (_e769.member.member_1[1][1] - _e769.member.member_1[0][1]);
-                                                let _e1897 = (_e769.member.member_1[1][2] - _e769.member.member_1[0][2]);
-                                                let _e1900 = select(_e1891, -(_e1891), (_e1891 < 0.0lf));
-                                                let _e1903 = select(_e1894, -(_e1894), (_e1894 < 0.0lf));
-                                                let _e1905 = select(_e1903, _e1900, (_e1900 > _e1903));
-                                                let _e1908 = select(_e1897, -(_e1897), (_e1897 < 0.0lf));
-                                                let _e1918 = ((((_e1712 * select(_e1908, _e1905, (_e1905 > _e1908))) * f64(1.01f)) + ((select(_e1859, _e1841, (_e1841 > _e1859)) + _e769.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e769.member.member_3);
-                                                let _e1921 = select(_e1880, -(_e1880), (_e1880 < 0.0lf));
-                                                let _e1924 = select(_e1882, -(_e1882), (_e1882 < 0.0lf));
-                                                let _e1926 = select(_e1924, _e1921, (_e1921 > _e1924));
-                                                let _e1929 = select(_e1884, -(_e1884), (_e1884 < 0.0lf));
-                                                let _e1932 = (select(_e1929, _e1926, (_e1926 > _e1929)) + _e1918);
-                                                let _e1939 = select(_e769.member.member_2[0][0], -(_e769.member.member_2[0][0]), (_e769.member.member_2[0][0] < 0.0lf));
-                                                let _e1943 = select(_e769.member.member_2[0][1], -(_e769.member.member_2[0][1]), (_e769.member.member_2[0][1] < 0.0lf));
-                                                let _e1945 = select(_e1943, _e1939, (_e1939 > _e1943));
-                                                let _e1949 = select(_e769.member.member_2[0][2], -(_e769.member.member_2[0][2]), (_e769.member.member_2[0][2] < 0.0lf));
-                                                let _e1951 = select(_e1949, _e1945, (_e1945 > _e1949));
-                                                let _e1957 = select(_e769.member.member_2[1][0], -(_e769.member.member_2[1][0]), (_e769.member.member_2[1][0] < 0.0lf));
-                                                let _e1961 = select(_e769.member.member_2[1][1], -(_e769.member.member_2[1][1]), (_e769.member.member_2[1][1] < 0.0lf));
-                                                let _e1963 = select(_e1961, _e1957, (_e1957 > _e1961));
-                                                let _e1967 = select(_e769.member.member_2[1][2], -(_e769.member.member_2[1][2]), (_e769.member.member_2[1][2] < 0.0lf));
-                                                let _e1969 = select(_e1967, _e1963, (_e1963 > _e1967));
-                                                let _e1990 = (_e769.member.member_2[0][0] + ((_e769.member.member_2[1][0] - _e769.member.member_2[0][0]) * _e1709));
-                                                let _e1992 = (_e769.member.member_2[0][1] + ((_e769.member.member_2[1][1] - _e769.member.member_2[0][1]) * _e1709));
-                                                let _e1994 = (_e769.member.member_2[0][2] + ((_e769.member.member_2[1][2] - _e769.member.member_2[0][2]) * _e1709));
-                                                let _e2001 = (_e769.member.member_2[1][0] - _e769.member.member_2[0][0]);
-                                                let _e2004 = (_e769.member.member_2[1][1] - _e769.member.member_2[0][1]);
-                                                let _e2007 = (_e769.member.member_2[1][2] - _e769.member.member_2[0][2]);
-                                                let _e2010 = select(_e2001, -(_e2001), (_e2001 < 0.0lf));
-                                                let _e2013 = select(_e2004, -(_e2004), (_e2004 < 0.0lf));
-                                                let _e2015 = select(_e2013, _e2010, (_e2010 > _e2013));
-                                                let _e2018 = select(_e2007, -(_e2007), (_e2007 < 0.0lf));
-                                                let _e2028 = ((((_e1712 * select(_e2018, _e2015, (_e2015 > _e2018))) * f64(1.01f)) + ((select(_e1969, _e1951, (_e1951 > _e1969)) + _e769.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e769.member.member_3);
-                                                let _e2031 = select(_e1990, -(_e1990), (_e1990 < 0.0lf));
-                                                let _e2034 = select(_e1992, -(_e1992), (_e1992 < 0.0lf));
-                                                let _e2036 = select(_e2034, _e2031, (_e2031 > _e2034));
-                                                let _e2039 = select(_e1994, -(_e1994), (_e1994 < 0.0lf));
-                                                let _e2042 = (select(_e2039, _e2036, (_e2036 > _e2039)) + _e2028);
-                                                let _e2045 = ((_e1882 * _e1994) - (_e1884 * _e1992));
-                                                let _e2048 = ((_e1884 * _e1990) - (_e1880 * _e1994));
-                                                let _e2051 = ((_e1880 * _e1992) - (_e1882 * _e1990));
-                                                let _e2066 = select(false, (select(_e2045, -(_e2045), (_e2045 < 0.0lf)) > select(_e2051, -(_e2051), (_e2051 < 0.0lf))), (select(_e2045, -(_e2045), (_e2045 < 0.0lf)) > select(_e2048, -(_e2048), (_e2048 < 0.0lf))));
-                                                let _e2081 = select((select(_e2048, -(_e2048), (_e2048 < 0.0lf)) > select(_e2051, -(_e2051), (_e2051 < 0.0lf))), false, (select(_e2045, -(_e2045), (_e2045 < 0.0lf)) > select(_e2048, -(_e2048), (_e2048 < 0.0lf))));
-                                                let _e2084 = select(select(_e1770, _e1772, _e2066), _e1774, _e2081);
-                                                let _e2085 = select(select(_e1772, _e1774, _e2066), _e1770, _e2081);
-                                                let _e2088 = select(select(_e1880, _e1882, _e2066), _e1884, _e2081);
-                                                let _e2089 = select(select(_e1882, _e1884, _e2066), _e1880, _e2081);
-                                                let _e2092 = select(select(_e1990, _e1992, _e2066), _e1994, _e2081);
-                                                let _e2093 = select(select(_e1992, _e1994, _e2066), _e1990, _e2081);
-                                                let _e2096 = ((_e2088 * _e2093) - (_e2089 * _e2092));
-                                                let _e2097 = f64(1f);
-                                                let _e2098 = f64(2f);
-                                                let _e2116 = (((((_e1918 * _e2042) + (_e1932 * _e2028)) * f64(2.01f)) + (((_e1932 * _e2098) * (_e2042 * _e2098)) * (1.1102230246251565e-16lf * _e2098))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2097 + _e1932) * (_e2097 + _e2042))));
-                                                if (select(_e2096, -(_e2096), (_e2096 < 0.0lf)) > _e2116) {
-                                                    let _e2125 = select(f64(1f), f64(-1f), (_e2096 < f64(0f)));
-                                                    let _e2129 = f64(1f);
-                                                    let _e2130 = f64(2f);
-                                                    let _e2148 = (((((_e1808 * _e2042) + (_e1822 * _e2028)) * f64(2.01f)) + (((_e1822 * _e2130) * (_e2042 * _e2130)) * (1.1102230246251565e-16lf * _e2130))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2129 + _e1822) * (_e2129 + _e2042))));
-                                                    let _e2152 = f64(1f);
-                                                    let _e2153 = f64(2f);
-                                                    let _e2171 = (((((_e1918 * _e1822) + (_e1932 * _e1808)) * f64(2.01f)) + (((_e1932 * _e2153) * (_e1822 * _e2153)) * (1.1102230246251565e-16lf * _e2153))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2152 + _e1932) * (_e2152 + _e1822))));
-                                                    let _e2172 = (_e2096 * _e2125);
-                                                    let _e2173 = (((_e2084 * _e2093) - (_e2085 * _e2092)) * _e2125);
-                                                    let _e2174 = (((_e2088 * _e2085) - (_e2089 * _e2084)) * _e2125);
-                                                    let _e2188 = (((select(_e2172, -(_e2172), (_e2172 < 0.0lf)) + select(_e2173, -(_e2173), (_e2173 < 0.0lf))) + select(_e2174, -(_e2174), (_e2174 < 0.0lf))) * (1.1102230246251565e-16lf * f64(4f)));
+                                                let _e1832 = ((_e1822.member_1 - _e1822.member) * f64(0.5f));
+                                                let _e1833 = (_e1822.member + _e1832);
+                                                let _e1836 = (_e1832 + (1.1102230246251565e-16lf * f64(4f)));
+                                                let _e1843 = select(_e893.member.member[0][0], -(_e893.member.member[0][0]), (_e893.member.member[0][0] < 0.0lf));
+                                                let _e1847 = select(_e893.member.member[0][1], -(_e893.member.member[0][1]), (_e893.member.member[0][1] < 0.0lf));
+                                                let _e1849 = select(_e1847, _e1843, (_e1843 > _e1847));
+                                                let _e1853 = select(_e893.member.member[0][2], -(_e893.member.member[0][2]), (_e893.member.member[0][2] < 0.0lf));
+                                                let _e1855 = select(_e1853, _e1849, (_e1849 > _e1853));
+                                                let _e1861 = select(_e893.member.member[1][0], -(_e893.member.member[1][0]), (_e893.member.member[1][0] < 0.0lf));
+                                                let _e1865 = select(_e893.member.member[1][1], -(_e893.member.member[1][1]), (_e893.member.member[1][1] < 0.0lf));
+                                                let _e1867 = select(_e1865, _e1861, (_e1861 > _e1865));
+                                                let _e1871 = select(_e893.member.member[1][2], -(_e893.member.member[1][2]), (_e893.member.member[1][2] < 0.0lf));
+                                                let _e1873 = select(_e1871, _e1867, (_e1867 > _e1871));
+                                                let _e1894 = (_e893.member.member[0][0] + ((_e893.member.member[1][0] - _e893.member.member[0][0]) * _e1833));
+                                                let _e1896 = (_e893.member.member[0][1] + ((_e893.member.member[1][1] - _e893.member.member[0][1]) * _e1833));
+                                                let _e1898 = (_e893.member.member[0][2] + ((_e893.member.member[1][2] - _e893.member.member[0][2]) * _e1833));
+                                                let _e1905 = (_e893.member.member[1][0] - _e893.member.member[0][0]);
+                                                let _e1908 = (_e893.member.member[1][1] - _e893.member.member[0][1]);
+                                                let _e1911 = (_e893.member.member[1][2] - _e893.member.member[0][2]);
+                                                let _e1914 = select(_e1905, -(_e1905), (_e1905 < 0.0lf));
+                                                let _e1917 = select(_e1908, -(_e1908), (_e1908 < 0.0lf));
+                                                let _e1919 = select(_e1917, _e1914, (_e1914 > _e1917));
+                                                let _e1922 = select(_e1911, -(_e1911), (_e1911 < 0.0lf));
+                                                let _e1932 = ((((_e1836 * select(_e1922, _e1919, (_e1919 > _e1922))) * f64(1.01f)) + ((select(_e1873, _e1855, (_e1855 > _e1873)) + _e893.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e893.member.member_3);
+                                                let _e1935 = select(_e1894, -(_e1894), (_e1894 < 0.0lf));
+                                                let _e1938 = select(_e1896, -(_e1896), (_e1896 < 0.0lf));
+                                                let _e1940 = select(_e1938, _e1935, (_e1935 > _e1938));
+                                                let _e1943 = select(_e1898, -(_e1898), (_e1898 < 0.0lf));
+                                                let _e1946 = (select(_e1943, _e1940, (_e1940 > _e1943)) + _e1932);
+                                                let _e1953 = select(_e893.member.member_1[0][0], -(_e893.member.member_1[0][0]), (_e893.member.member_1[0][0] < 0.0lf));
+                                                let _e1957 = select(_e893.member.member_1[0][1], -(_e893.member.member_1[0][1]), (_e893.member.member_1[0][1] < 0.0lf));
+                                                let _e1959 = select(_e1957, _e1953, (_e1953 > _e1957));
+                                                let _e1963 = select(_e893.member.member_1[0][2], -(_e893.member.member_1[0][2]), (_e893.member.member_1[0][2] < 0.0lf));
+                                                let _e1965 = select(_e1963, _e1959, (_e1959 > _e1963));
+                                                let _e1971 = select(_e893.member.member_1[1][0], -(_e893.member.member_1[1][0]), (_e893.member.member_1[1][0] < 0.0lf));
+                                                let _e1975 = select(_e893.member.member_1[1][1], -(_e893.member.member_1[1][1]), (_e893.member.member_1[1][1] < 0.0lf));
+                                                let _e1977 = select(_e1975, _e1971, (_e1971 > _e1975));
+                                                let _e1981 = select(_e893.member.member_1[1][2], -(_e893.member.member_1[1][2]), (_e893.member.member_1[1][2] < 0.0lf));
+                                                let _e1983 = select(_e1981, _e1977, (_e1977 > _e1981));
+                                                let _e2004 = (_e893.member.member_1[0][0] + ((_e893.member.member_1[1][0] - _e893.member.member_1[0][0]) * _e1833));
+                                                let _e2006 = (_e893.member.member_1[0][1] + ((_e893.member.member_1[1][1] - _e893.member.member_1[0][1]) * _e1833));
+                                                let _e2008 = (_e893.member.member_1[0][2] + ((_e893.member.member_1[1][2] - _e893.member.member_1[0][2]) * _e1833));
+                                                let _e2015 = (_e893.member.member_1[1][0] - _e893.member.member_1[0][0]);
+                                                let _e2018 = (_e893.member.member_1[1][1] - _e893.member.member_1[0][1]);
+                                                let _e2021 = (_e893.member.member_1[1][2] - _e893.member.member_1[0][2]);
+                                                let _e2024 = select(_e2015, -(_e2015), (_e2015 < 0.0lf));
+                                                let _e2027 = select(_e2018, -(_e2018), (_e2018 < 0.0lf));
+                                                let _e2029 = select(_e2027, _e2024, (_e2024 > _e2027));
+                                                let _e2032 = select(_e2021, -(_e2021), (_e2021 < 0.0lf));
+                                                let _e2042 = ((((_e1836 * select(_e2032, _e2029, (_e2029 > _e2032))) * f64(1.01f)) + ((select(_e1983, _e1965, (_e1965 > _e1983)) + _e893.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e893.member.member_3);
+                                                let _e2045 = select(_e2004, -(_e2004), (_e2004 < 0.0lf));
+                                                let _e2048 = select(_e2006, -(_e2006), (_e2006 < 0.0lf));
+                                                let _e2050 = select(_e2048, _e2045, (_e2045 > _e2048));
+                                                let _e2053 = select(_e2008, -(_e2008), (_e2008 < 0.0lf));
+                                                let _e2056 = (select(_e2053, _e2050, (_e2050 > _e2053)) + _e2042);
+                                                let _e2063 = select(_e893.member.member_2[0][0], -(_e893.member.member_2[0][0]), (_e893.member.member_2[0][0] < 0.0lf));
+                                                let _e2067 = select(_e893.member.member_2[0][1], -(_e893.member.member_2[0][1]), (_e893.member.member_2[0][1] < 0.0lf));
+                                                let _e2069 = select(_e2067, _e2063, (_e2063 > _e2067));
+                                                let _e2073 = select(_e893.member.member_2[0][2], -(_e893.member.member_2[0][2]), (_e893.member.member_2[0][2] < 0.0lf));
+                                                let _e2075 = select(_e2073, _e2069, (_e2069 > _e2073));
+                                                let _e2081 = select(_e893.member.member_2[1][0], -(_e893.member.member_2[1][0]), (_e893.member.member_2[1][0] < 0.0lf));
+                                                let _e2085 = select(_e893.member.member_2[1][1], -(_e893.member.member_2[1][1]), (_e893.member.member_2[1][1] < 0.0lf));
+                                                let _e2087 = select(_e2085, _e2081, (_e2081 > _e2085));
+                                                let _e2091 = select(_e893.member.member_2[1][2], -(_e893.member.member_2[1][2]), (_e893.member.member_2[1][2] < 0.0lf));
+                                                let _e2093 = select(_e2091, _e2087, (_e2087 > _e2091));
+                                                let _e2114 = (_e893.member.member_2[0][0] + ((_e893.member.member_2[1][0] - _e893.member.member_2[0][0]) * _e1833));
+                                                let _e2116 = (_e893.member.member_2[0][1] + ((_e893.member.member_2[1][1] - _e893.member.member_2[0][1]) * _e1833));
+                                                let _e2118 = (_e893.member.member_2[0][2] + ((_e893.member.member_2[1][2] - _e893.member.member_2[0][2]) * _e1833));
+                                                let _e2125 = (_e893.member.member_2[1][0] - _e893.member.member_2[0][0]);
+                                                let _e2128 = (_e893.member.member_2[1][1] - _e893.member.member_2[0][1]);
+                                                let _e2131 = (_e893.member.member_2[1][2] - _e893.member.member_2[0][2]);
+                                                let _e2134 = select(_e2125, -(_e2125), (_e2125 < 0.0lf));
+                                                let _e2137 = select(_e2128, -(_e2128), (_e2128 < 0.0lf));
+                                                let _e2139 = select(_e2137, _e2134, (_e2134 > _e2137));
+                                                let _e2142 = select(_e2131, -(_e2131), (_e2131 < 0.0lf));
+                                                let _e2152 = ((((_e1836 * select(_e2142, _e2139, (_e2139 > _e2142))) * f64(1.01f)) + ((select(_e2093, _e2075, (_e2075 > _e2093)) + _e893.member.member_3) * (1.1102230246251565e-16lf * f64(8f)))) + _e893.member.member_3);
+                                                let _e2155 = select(_e2114, -(_e2114), (_e2114 < 0.0lf));
+                                                let _e2158 = select(_e2116, -(_e2116), (_e2116 < 0.0lf));
+                                                let _e2160 = select(_e2158, _e2155, (_e2155 > _e2158));
+                                                let _e2163 = select(_e2118, -(_e2118), (_e2118 < 0.0lf));
+                                                let _e2166 = (select(_e2163, _e2160, (_e2160 > _e2163)) + _e2152);
+                                                let _e2169 = ((_e2006 * _e2118) - (_e2008 * _e2116));
+                                                let _e2172 = ((_e2008 * _e2114) - (_e2004 * _e2118));
+                                                let _e2175 = ((_e2004 * _e2116) - (_e2006 * _e2114));
+                                                let _e2190 = select(false, (select(_e2169, -(_e2169), (_e2169 < 0.0lf)) > select(_e2175, -(_e2175), (_e2175 < 0.0lf))), (select(_e2169, -(_e2169), (_e2169 < 0.0lf)) > select(_e2172, -(_e2172), (_e2172 < 0.0lf))));
+                                                let _e2205 = select((select(_e2172, -(_e2172), (_e2172 < 0.0lf)) > select(_e2175, -(_e2175), (_e2175 < 0.0lf))), false, (select(_e2169, -(_e2169), (_e2169 < 0.0lf)) > select(_e2172, -(_e2172), (_e2172 < 0.0lf))));
+                                                let _e2208 = select(select(_e1894, _e1896, _e2190), _e1898, _e2205);
+                                                let _e2209 = select(select(_e1896, _e1898, _e2190), _e1894, _e2205);
+                                                let _e2212 = select(select(_e2004, _e2006, _e2190), _e2008, _e2205);
+                                                let _e2213 = select(select(_e2006, _e2008, _e2190), _e2004, _e2205);
+                                                let _e2216 = select(select(_e2114, _e2116, _e2190), _e2118, _e2205);
+                                                let _e2217 = select(select(_e2116, _e2118, _e2190), _e2114, _e2205);
+                                                let _e2220 = ((_e2212 * _e2217) - (_e2213 * _e2216));
+                                                let _e2221 = f64(1f);
+                                                let _e2222 = f64(2f);
+                                                let _e2240 = (((((_e2042 * _e2166) + (_e2056 * _e2152)) * f64(2.01f)) + (((_e2056 * _e2222) * (_e2166 * _e2222)) * (1.1102230246251565e-16lf * _e2222))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2221 + _e2056) * (_e2221 + _e2166))));
+                                                if (select(_e2220, -(_e2220), (_e2220 < 0.0lf)) > _e2240) {
+                                                    let _e2249 = select(f64(1f), f64(-1f), (_e2220 < f64(0f)));
+                                                    let _e2253 = f64(1f);
+                                                    let _e2254 = f64(2f);
+                                                    let _e2272 = (((((_e1932 * _e2166) + (_e1946 * _e2152)) * f64(2.01f)) + (((_e1946 * _e2254) * (_e2166 * _e2254)) * (1.1102230246251565e-16lf * _e2254))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2253 + _e1946) * (_e2253 + _e2166))));
+                                                    let _e2276 = f64(1f);
+                                                    let _e2277 = f64(2f);
+                                                    let _e2295 = (((((_e2042 * _e1946) + (_e2056 * _e1932)) * f64(2.01f)) + (((_e2056 * _e2277) * (_e1946 * _e2277)) * (1.1102230246251565e-16lf * _e2277))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2276 + _e2056) * (_e2276 + _e1946))));
+                                                    let _e2296 = (_e2220 * _e2249);
+                                                    let _e2297 = (((_e2208 * _e2217) - (_e2209 * _e2216)) * _e2249);
+                                                    let _e2298 = (((_e2212 * _e2209) - (_e2213 * _e2208)) * _e2249);
+                                                    let _e2312 = (((select(_e2296, -(_e2296), (_e2296 < 0.0lf)) + select(_e2297, -(_e2297), (_e2297 < 0.0lf))) + select(_e2298, -(_e2298), (_e2298 < 0.0lf))) * (1.1102230246251565e-16lf * f64(4f)));
                                                     if (_e221.member != 0u) {
-                                                        phi_3396_ = array<type_35, 4>(type_35(_e2173, _e2148), type_35(_e2174, _e2171), type_35((_e2172 - _e2173), ((_e2116 + _e2148) + _e2188)), type_35((_e2172 - _e2174), ((_e2116 + _e2171) + _e2188)));
+                                                        phi_3619_ = array<type_35, 4>(type_35(_e2297, _e2272), type_35(_e2298, _e2295), type_35((_e2296 - _e2297), ((_e2240 + _e2272) + _e2312)), type_35((_e2296 - _e2298), ((_e2240 + _e2295) + _e2312)));
                                                     } else {
-                                                        let _e2191 = ((_e2172 - _e2173) - _e2174);
-                                                        let _e2194 = (((_e2116 + _e2148) + _e2171) + _e2188);
-                                                        phi_3396_ = array<type_35, 4>(type_35(_e2173, _e2148), type_35(_e2174, _e2171), type_35(_e2191, _e2194), type_35(_e2191, _e2194));
+                                                        let _e2315 = ((_e2296 - _e2297) - _e2298);
+                                                        let _e2318 = (((_e2240 + _e2272) + _e2295) + _e2312);
+                                                        phi_3619_ = array<type_35, 4>(type_35(_e2297, _e2272), type_35(_e2298, _e2295), type_35(_e2315, _e2318), type_35(_e2315, _e2318));
                                                     }
-                                                    let _e2212 = phi_3396_;
-                                                    local_1 = array<type_35, 4>(type_35(_e2212[0].member, _e2212[0].member_1), type_35(_e2212[1].member, _e2212[1].member_1), type_35(_e2212[2].member, _e2212[2].member_1), type_35(_e2212[3].member, _e2212[3].member_1));
-                                                    phi_3416_ = type_9(0u, 4u);
-                                                    phi_3419_ = true;
+                                                    let _e2336 = phi_3619_;
+                                                    local_1 = array<type_35, 4>(type_35(_e2336[0].member, _e2336[0].member_1), type_35(_e2336[1].member, _e2336[1].member_1), type_35(_e2336[2].member, _e2336[2].member_1), type_35(_e2336[3].member, _e2336[3].member_1));
+                                                    phi_3639_ = type_9(0u, 4u);
+                                                    phi_3642_ = true;
                                                     loop {
-                                                        let _e2231 = phi_3416_;
-                                                        let _e2233 = phi_3419_;
-                                                        local_17 = _e2233;
-                                                        let _e2236 = (_e2231.member < _e2231.member_1);
-                                                        let _e2247 = select(type_9().member_1, _e2231.member, _e2236);
-                                                        if (bitcast<i32>(select(0u, 1u, _e2236)) != 0i) {
-                                                            let _e2252 = local_1[_e2247].member;
-                                                            let _e2255 = local_1[_e2247].member_1;
-                                                            let _e2257 = (_e2252 < -(_e2255));
-                                                            phi_3420_ = select((_e2233 && (_e2252 > _e2255)), bool(), _e2257);
-                                                            phi_3471_ = select(true, false, _e2257);
-                                                            phi_3472_ = _e2257;
+                                                        let _e2355 = phi_3639_;
+                                                        let _e2357 = phi_3642_;
+                                                        local_17 = _e2357;
+                                                        let _e2360 = (_e2355.member < _e2355.member_1);
+                                                        let _e2371 = select(type_9().member_1, _e2355.member, _e2360);
+                                                        if (bitcast<i32>(select(0u, 1u, _e2360)) != 0i) {
+                                                            let _e2376 = local_1[_e2371].member;
+                                                            let _e2379 = local_1[_e2371].member_1;
+                                                            let _e2381 = (_e2376 < -(_e2379));
+                                                            phi_3643_ = select((_e2357 && (_e2376 > _e2379)), bool(), _e2381);
+                                                            phi_3694_ = select(true, false, _e2381);
+                                                            phi_3695_ = _e2381;
                                                         } else {
-                                                            phi_3420_ = bool();
-                                                            phi_3471_ = false;
-                                                            phi_3472_ = false;
+                                                            phi_3643_ = bool();
+                                                            phi_3694_ = false;
+                                                            phi_3695_ = false;
                                                         }
-                                                        let _e2263 = phi_3420_;
-                                                        let _e2265 = phi_3471_;
-                                                        let _e2267 = phi_3472_;
-                                                        local_16 = _e2267;
+                                                        let _e2387 = phi_3643_;
+                                                        let _e2389 = phi_3694_;
+                                                        let _e2391 = phi_3695_;
+                                                        local_16 = _e2391;
                                                         continue;
                                                         continuing {
-                                                            phi_3416_ = type_9(select(_e2231.member, (_e2231.member + 1u), _e2236), select(_e2231.member_1, _e2231.member_1, _e2236));
-                                                            phi_3419_ = _e2263;
-                                                            break if !(_e2265);
+                                                            phi_3639_ = type_9(select(_e2355.member, (_e2355.member + 1u), _e2360), select(_e2355.member_1, _e2355.member_1, _e2360));
+                                                            phi_3642_ = _e2387;
+                                                            break if !(_e2389);
                                                         }
                                                     }
-                                                    let _e2270 = local_16;
-                                                    let _e2271 = select(true, false, _e2270);
-                                                    let _e2273 = local_17;
-                                                    phi_3486_ = select(u32(), select(2u, 1u, _e2273), _e2271);
-                                                    phi_3487_ = 0u;
-                                                    phi_3488_ = select(true, false, _e2271);
+                                                    let _e2394 = local_16;
+                                                    let _e2395 = select(true, false, _e2394);
+                                                    let _e2397 = local_17;
+                                                    phi_3709_ = select(u32(), select(2u, 1u, _e2397), _e2395);
+                                                    phi_3710_ = 0u;
+                                                    phi_3711_ = select(true, false, _e2395);
                                                 } else {
-                                                    phi_3486_ = u32();
-                                                    phi_3487_ = 2u;
-                                                    phi_3488_ = true;
+                                                    phi_3709_ = u32();
+                                                    phi_3710_ = 2u;
+                                                    phi_3711_ = true;
                                                 }
-                                                let _e2278 = phi_3486_;
-                                                let _e2280 = phi_3487_;
-                                                let _e2282 = phi_3488_;
-                                                let _e2283 = select(_e2278, _e2280, _e2282);
-                                                let _e2284 = (_e2283 == 0u);
-                                                phi_3498_ = _e2283;
-                                                phi_3499_ = _e2284;
-                                                phi_3500_ = select(true, false, _e2284);
+                                                let _e2402 = phi_3709_;
+                                                let _e2404 = phi_3710_;
+                                                let _e2406 = phi_3711_;
+                                                let _e2407 = select(_e2402, _e2404, _e2406);
+                                                let _e2408 = (_e2407 == 0u);
+                                                phi_3721_ = _e2407;
+                                                phi_3722_ = _e2408;
+                                                phi_3723_ = select(true, false, _e2408);
                                             }
-                                            let _e2287 = phi_3498_;
-                                            let _e2289 = phi_3499_;
-                                            let _e2291 = phi_3500_;
-                                            phi_3501_ = _e2287;
-                                            phi_3502_ = _e2289;
-                                            phi_3503_ = _e1703;
-                                            phi_3504_ = _e2291;
+                                            let _e2411 = phi_3721_;
+                                            let _e2413 = phi_3722_;
+                                            let _e2415 = phi_3723_;
+                                            phi_3724_ = _e2411;
+                                            phi_3725_ = _e2413;
+                                            phi_3726_ = _e1827;
+                                            phi_3727_ = _e2415;
                                         }
-                                        let _e2293 = phi_3501_;
-                                        let _e2295 = phi_3502_;
-                                        let _e2297 = phi_3503_;
-                                        let _e2299 = phi_3504_;
-                                        phi_3505_ = _e1698;
-                                        phi_3506_ = _e2293;
-                                        phi_3507_ = _e2295;
-                                        phi_3508_ = _e2297;
-                                        phi_3509_ = _e2299;
+                                        let _e2417 = phi_3724_;
+                                        let _e2419 = phi_3725_;
+                                        let _e2421 = phi_3726_;
+                                        let _e2423 = phi_3727_;
+                                        phi_3728_ = _e1822;
+                                        phi_3729_ = _e2417;
+                                        phi_3730_ = _e2419;
+                                        phi_3731_ = _e2421;
+                                        phi_3732_ = _e2423;
                                     }
-                                    let _e2301 = phi_3505_;
-                                    let _e2303 = phi_3506_;
-                                    let _e2305 = phi_3507_;
-                                    let _e2307 = phi_3508_;
-                                    let _e2309 = phi_3509_;
-                                    phi_3510_ = _e2301;
-                                    phi_3511_ = _e2303;
-                                    phi_3512_ = _e2305;
-                                    phi_3513_ = _e1363;
-                                    phi_3514_ = _e2307;
-                                    phi_3515_ = _e2309;
+                                    let _e2425 = phi_3728_;
+                                    let _e2427 = phi_3729_;
+                                    let _e2429 = phi_3730_;
+                                    let _e2431 = phi_3731_;
+                                    let _e2433 = phi_3732_;
+                                    phi_3733_ = _e2425;
+                                    phi_3734_ = _e2427;
+                                    phi_3735_ = _e2429;
+                                    phi_3736_ = _e1487;
+                                    phi_3737_ = _e2431;
+                                    phi_3738_ = _e2433;
                                 } else {
-                                    phi_3510_ = type_43();
-                                    phi_3511_ = u32();
-                                    phi_3512_ = true;
-                                    phi_3513_ = false;
-                                    phi_3514_ = false;
-                                    phi_3515_ = false;
+                                    phi_3733_ = type_43();
+                                    phi_3734_ = u32();
+                                    phi_3735_ = true;
+                                    phi_3736_ = false;
+                                    phi_3737_ = false;
+                                    phi_3738_ = false;
                                 }
-                                let _e2311 = phi_3510_;
-                                let _e2313 = phi_3511_;
-                                let _e2315 = phi_3512_;
-                                let _e2317 = phi_3513_;
-                                let _e2319 = phi_3514_;
-                                let _e2321 = phi_3515_;
-                                phi_3522_ = _e2311;
-                                phi_3523_ = _e2313;
-                                phi_3524_ = _e2315;
-                                phi_3525_ = select(_e2317, false, _e2315);
-                                phi_3526_ = select(_e2319, false, _e2315);
-                                phi_3527_ = select(_e2321, false, _e2315);
-                                phi_3528_ = false;
+                                let _e2435 = phi_3733_;
+                                let _e2437 = phi_3734_;
+                                let _e2439 = phi_3735_;
+                                let _e2441 = phi_3736_;
+                                let _e2443 = phi_3737_;
+                                let _e2445 = phi_3738_;
+                                phi_3745_ = _e2435;
+                                phi_3746_ = _e2437;
+                                phi_3747_ = _e2439;
+                                phi_3748_ = select(_e2441, false, _e2439);
+                                phi_3749_ = select(_e2443, false, _e2439);
+                                phi_3750_ = select(_e2445, false, _e2439);
+                                phi_3751_ = false;
                             } else {
-                                phi_3522_ = type_43();
-                                phi_3523_ = u32();
-                                phi_3524_ = false;
-                                phi_3525_ = false;
-                                phi_3526_ = false;
-                                phi_3527_ = false;
-                                phi_3528_ = true;
+                                phi_3745_ = type_43();
+                                phi_3746_ = u32();
+                                phi_3747_ = false;
+                                phi_3748_ = false;
+                                phi_3749_ = false;
+                                phi_3750_ = false;
+                                phi_3751_ = true;
                             }
-                            let _e2326 = phi_3522_;
-                            let _e2328 = phi_3523_;
-                            let _e2330 = phi_3524_;
-                            let _e2332 = phi_3525_;
-                            let _e2334 = phi_3526_;
-                            let _e2336 = phi_3527_;
-                            let _e2338 = phi_3528_;
-                            phi_3529_ = _e2326;
-                            phi_3530_ = _e2328;
-                            phi_3531_ = type_43(_e524, _e524, false);
-                            phi_3532_ = _e2330;
-                            phi_3533_ = false;
-                            phi_3534_ = _e2332;
-                            phi_3535_ = _e2334;
-                            phi_3536_ = _e2336;
-                            phi_3537_ = _e2338;
+                            let _e2450 = phi_3745_;
+                            let _e2452 = phi_3746_;
+                            let _e2454 = phi_3747_;
+                            let _e2456 = phi_3748_;
+                            let _e2458 = phi_3749_;
+                            let _e2460 = phi_3750_;
+                            let _e2462 = phi_3751_;
+                            phi_3752_ = _e2450;
+                            phi_3753_ = _e2452;
+                            phi_3754_ = type_43(_e524, _e524, false);
+                            phi_3755_ = _e2454;
+                            phi_3756_ = false;
+                            phi_3757_ = _e2456;
+                            phi_3758_ = _e2458;
+                            phi_3759_ = _e2460;
+                            phi_3760_ = _e2462;
                         } else {
-                            phi_3529_ = type_43();
-                            phi_3530_ = u32();
-                            phi_3531_ = type_43();
-                            phi_3532_ = false;
-                            phi_3533_ = true;
-                            phi_3534_ = false;
-                            phi_3535_ = false;
-                            phi_3536_ = false;
-                            phi_3537_ = false;
+                            phi_3752_ = type_43();
+                            phi_3753_ = u32();
+                            phi_3754_ = type_43();
+                            phi_3755_ = false;
+                            phi_3756_ = true;
+                            phi_3757_ = false;
+                            phi_3758_ = false;
+                            phi_3759_ = false;
+                            phi_3760_ = false;
                         }
-                        let _e2340 = phi_3529_;
-                        let _e2342 = phi_3530_;
-                        let _e2344 = phi_3531_;
-                        let _e2346 = phi_3532_;
-                        let _e2348 = phi_3533_;
-                        let _e2350 = phi_3534_;
-                        let _e2352 = phi_3535_;
-                        let _e2354 = phi_3536_;
-                        let _e2356 = phi_3537_;
-                        local_18 = _e2348;
-                        local_19 = _e2348;
-                        local_20 = _e2348;
-                        local_21 = _e2350;
-                        local_22 = _e2348;
-                        local_23 = _e2352;
-                        local_24 = _e2348;
-                        local_25 = _e2354;
-                        local_26 = _e2348;
-                        local_27 = _e2356;
-                        local_28 = _e2342;
-                        local_29 = _e2340;
-                        local_30 = _e2340;
-                        local_31 = _e2340;
-                        local_32 = _e2340;
-                        local_33 = _e2344;
-                        local_34 = _e2340;
+                        let _e2464 = phi_3752_;
+                        let _e2466 = phi_3753_;
+                        let _e2468 = phi_3754_;
+                        let _e2470 = phi_3755_;
+                        let _e2472 = phi_3756_;
+                        let _e2474 = phi_3757_;
+                        let _e2476 = phi_3758_;
+                        let _e2478 = phi_3759_;
+                        let _e2480 = phi_3760_;
+                        local_18 = _e2472;
+                        local_19 = _e2472;
+                        local_20 = _e2472;
+                        local_21 = _e2474;
+                        local_22 = _e2472;
+                        local_23 = _e2476;
+                        local_24 = _e2472;
+                        local_25 = _e2478;
+                        local_26 = _e2472;
+                        local_27 = _e2480;
+                        local_28 = _e2466;
+                        local_29 = _e2464;
+                        local_30 = _e2464;
+                        local_31 = _e2464;
+                        local_32 = _e2464;
+                        local_33 = _e2468;
+                        local_34 = _e2464;
                         continue;
                         continuing {
-                            phi_2185_ = type_9(select(_e1334.member, (_e1334.member + 1u), _e1337), select(_e1334.member_1, _e1334.member_1, _e1337));
-                            break if !(_e2346);
+                            phi_2408_ = type_9(select(_e1458.member, (_e1458.member + 1u), _e1461), select(_e1458.member_1, _e1458.member_1, _e1461));
+                            break if !(_e2470);
                         }
                     }
-                    let _e2360 = local_18;
-                    let _e2365 = local_19;
-                    let _e2369 = local_20;
-                    let _e2371 = local_21;
-                    let _e2372 = select(_e2371, false, _e2369);
-                    let _e2374 = local_22;
-                    let _e2376 = local_23;
-                    let _e2379 = local_24;
-                    let _e2381 = local_25;
-                    let _e2384 = local_26;
-                    let _e2386 = local_27;
-                    let _e2393 = select(select(_e2376, false, _e2374), false, _e2372);
-                    if select(select(select(_e2381, false, _e2379), false, _e2372), false, _e2393) {
-                        let _e2404 = local_28;
-                        let _e2407 = local_29;
-                        if select(false, _e2407.member_2, (_e2404 == 1u)) {
-                            let _e2411 = local_30;
-                            let _e2414 = local_31;
-                            let _e2417 = ((_e2411.member_1 - _e2414.member) <= (_e515 * f64(0.99f)));
-                            let _e2419 = local_32;
-                            phi_3586_ = type_42(select(type_42().member, 1u, _e2417), select(type_42().member_1, _e2419.member, _e2417));
-                            phi_3587_ = select(true, false, _e2417);
+                    let _e2484 = local_18;
+                    let _e2489 = local_19;
+                    let _e2493 = local_20;
+                    let _e2495 = local_21;
+                    let _e2496 = select(_e2495, false, _e2493);
+                    let _e2498 = local_22;
+                    let _e2500 = local_23;
+                    let _e2503 = local_24;
+                    let _e2505 = local_25;
+                    let _e2508 = local_26;
+                    let _e2510 = local_27;
+                    let _e2517 = select(select(_e2500, false, _e2498), false, _e2496);
+                    if select(select(select(_e2505, false, _e2503), false, _e2496), false, _e2517) {
+                        let _e2528 = local_28;
+                        let _e2531 = local_29;
+                        if select(false, _e2531.member_2, (_e2528 == 1u)) {
+                            let _e2535 = local_30;
+                            let _e2538 = local_31;
+                            let _e2541 = ((_e2535.member_1 - _e2538.member) <= (_e515 * f64(0.99f)));
+                            let _e2543 = local_32;
+                            phi_3809_ = type_42(select(type_42().member, 1u, _e2541), select(type_42().member_1, _e2543.member, _e2541));
+                            phi_3810_ = select(true, false, _e2541);
                         } else {
-                            phi_3586_ = type_42();
-                            phi_3587_ = true;
+                            phi_3809_ = type_42();
+                            phi_3810_ = true;
                         }
-                        let _e2428 = phi_3586_;
-                        let _e2430 = phi_3587_;
-                        phi_3592_ = _e2428;
-                        phi_3593_ = select(true, false, _e2430);
-                        phi_3594_ = false;
-                        phi_3595_ = _e2430;
+                        let _e2552 = phi_3809_;
+                        let _e2554 = phi_3810_;
+                        phi_3815_ = _e2552;
+                        phi_3816_ = select(true, false, _e2554);
+                        phi_3817_ = false;
+                        phi_3818_ = _e2554;
                     } else {
-                        phi_3592_ = type_42(select(select(type_42().member, 0u, _e2372), 0u, _e2393), select(select(type_42().member_1, type_42().member_1, _e2372), type_42().member_1, _e2393));
-                        phi_3593_ = select(_e2372, true, _e2393);
-                        phi_3594_ = select(select(select(_e2386, false, _e2384), false, _e2372), false, _e2393);
-                        phi_3595_ = false;
+                        phi_3815_ = type_42(select(select(type_42().member, 0u, _e2496), 0u, _e2517), select(select(type_42().member_1, type_42().member_1, _e2496), type_42().member_1, _e2517));
+                        phi_3816_ = select(_e2496, true, _e2517);
+                        phi_3817_ = select(select(select(_e2510, false, _e2508), false, _e2496), false, _e2517);
+                        phi_3818_ = false;
                     }
-                    let _e2433 = phi_3592_;
-                    let _e2435 = phi_3593_;
-                    let _e2437 = phi_3594_;
-                    let _e2439 = phi_3595_;
-                    let _e2440 = select(_e2437, false, _e2435);
-                    let _e2443 = local_33;
-                    let _e2446 = local_34;
-                    let _e2449 = select(select(_e2439, false, _e2435), true, _e2440);
-                    phi_3617_ = type_42(select(_e2433.member, 2u, _e2449), select(_e2433.member_1, select(_e2446.member, _e2443.member, _e2440), _e2449));
-                    phi_3618_ = type_42(select(type_42().member, 0u, _e2360), select(type_42().member_1, type_42().member_1, _e2365));
-                    phi_3619_ = select(select(_e2435, false, _e2440), true, _e2449);
+                    let _e2557 = phi_3815_;
+                    let _e2559 = phi_3816_;
+                    let _e2561 = phi_3817_;
+                    let _e2563 = phi_3818_;
+                    let _e2564 = select(_e2561, false, _e2559);
+                    let _e2567 = local_33;
+                    let _e2570 = local_34;
+                    let _e2573 = select(select(_e2563, false, _e2559), true, _e2564);
+                    phi_3840_ = type_42(select(_e2557.member, 2u, _e2573), select(_e2557.member_1, select(_e2570.member, _e2567.member, _e2564), _e2573));
+                    phi_3841_ = type_42(select(type_42().member, 0u, _e2484), select(type_42().member_1, type_42().member_1, _e2489));
+                    phi_3842_ = select(select(_e2559, false, _e2564), true, _e2573);
                 }
-                let _e2460 = phi_3617_;
-                let _e2462 = phi_3618_;
-                let _e2464 = phi_3619_;
-                let _e2467 = select(_e2462.member, _e2460.member, _e2464);
-                let _e2470 = select(_e2462.member_1, _e2460.member_1, _e2464);
-                let _e2476 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e2470 > _e524)), (_e2467 == 1u))));
-                switch bitcast<i32>(_e2467) {
+                let _e2584 = phi_3840_;
+                let _e2586 = phi_3841_;
+                let _e2588 = phi_3842_;
+                let _e2591 = select(_e2586.member, _e2584.member, _e2588);
+                let _e2594 = select(_e2586.member_1, _e2584.member_1, _e2588);
+                let _e2600 = select(0u, 1u, select(true, false, select(true, select(true, false, (_e2594 > _e524)), (_e2591 == 1u))));
+                switch bitcast<i32>(_e2591) {
                     case 0: {
-                        phi_3663_ = type_34(0u, _e2476, array<u32, 2>(0u, 0u), false);
+                        phi_3886_ = type_34(0u, _e2600, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e2480 = function_1(_e2470);
-                        phi_3663_ = type_34(0u, _e2476, _e2480, true);
+                        let _e2604 = function_1(_e2594);
+                        phi_3886_ = type_34(0u, _e2600, _e2604, true);
                         break;
                     }
                     case 2: {
-                        let _e2478 = function_1(_e2470);
-                        phi_3663_ = type_34(1u, _e2476, _e2478, true);
+                        let _e2602 = function_1(_e2594);
+                        phi_3886_ = type_34(1u, _e2600, _e2602, true);
                         break;
                     }
                     default: {
-                        phi_3663_ = type_34();
+                        phi_3886_ = type_34();
                         break;
                     }
                 }
-                let _e2484 = phi_3663_;
-                local_6 = type_34(_e2484.member, _e2484.member_1, array<u32, 2>(_e2484.member_2[0], _e2484.member_2[1]), _e2484.member_3);
-                phi_3672_ = type_9(_e179, _e182);
+                let _e2608 = phi_3886_;
+                local_6 = type_34(_e2608.member, _e2608.member_1, array<u32, 2>(_e2608.member_2[0], _e2608.member_2[1]), _e2608.member_3);
+                phi_3895_ = type_9(_e179, _e182);
             } else {
-                phi_3672_ = type_9(0u, 0u);
+                phi_3895_ = type_9(0u, 0u);
             }
-            let _e2494 = phi_3672_;
-            let _e2500 = params.member.member_2.member;
-            let _e2503 = local_6.member;
-            let _e2504 = (_e2503 == 0u);
-            let _e2507 = select(select((_e2500 > 0u), bool(), _e2504), false, _e2504);
-            if _e2507 {
+            let _e2618 = phi_3895_;
+            let _e2624 = params.member.member_2.member;
+            let _e2627 = local_6.member;
+            let _e2628 = (_e2627 == 0u);
+            let _e2631 = select(select((_e2624 > 0u), bool(), _e2628), false, _e2628);
+            if _e2631 {
                 local = type_34(0u, 0u, array<u32, 2>(0u, 0u), false);
             } else {
-                let _e2508 = local_6;
-                local = _e2508;
+                let _e2632 = local_6;
+                local = _e2632;
             }
-            let _e2510 = local.member;
-            let _e2512 = select(true, false, (_e2510 == 0u));
-            let _e2514 = local.member_3;
-            if _e2514 {
-                if _e2512 {
-                    phi_3729_ = true;
+            let _e2634 = local.member;
+            let _e2636 = select(true, false, (_e2634 == 0u));
+            let _e2638 = local.member_3;
+            if _e2638 {
+                if _e2636 {
+                    phi_3952_ = true;
                 } else {
-                    let _e2516 = params.member.member.member_1;
-                    phi_3729_ = ((_e2516 & 16u) != 0u);
+                    let _e2640 = params.member.member.member_1;
+                    phi_3952_ = ((_e2640 & 16u) != 0u);
                 }
-                let _e2520 = phi_3729_;
-                phi_3730_ = _e2520;
+                let _e2644 = phi_3952_;
+                phi_3953_ = _e2644;
             } else {
-                phi_3730_ = false;
+                phi_3953_ = false;
             }
-            let _e2522 = phi_3730_;
-            let _e2524 = local.member_3;
-            if _e2524 {
-                if _e2512 {
+            let _e2646 = phi_3953_;
+            let _e2648 = local.member_3;
+            if _e2648 {
+                if _e2636 {
                 } else {
-                    let _e2526 = local.member_2;
-                    let _e2530 = (_e2526[1] >> bitcast<u32>(20i));
-                    let _e2544 = atomicMin((&earliest.member[0u]), select(((((_e2530 - 896u) << bitcast<u32>(23i)) | ((_e2526[1] & 1048575u) << bitcast<u32>(3i))) | (_e2526[0] >> bitcast<u32>(29i))), 0u, (_e2530 <= 896u)));
+                    let _e2650 = local.member_2;
+                    let _e2654 = (_e2650[1] >> bitcast<u32>(20i));
+                    let _e2668 = atomicMin((&earliest.member[0u]), select(((((_e2654 - 896u) << bitcast<u32>(23i)) | ((_e2650[1] & 1048575u) << bitcast<u32>(3i))) | (_e2650[0] >> bitcast<u32>(29i))), 0u, (_e2654 <= 896u)));
                 }
             }
             if (_e96 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e2522 {
-                let _e2548 = atomicAdd((&counters[0u]), 1u);
-                phi_3773_ = _e2548;
+            if _e2646 {
+                let _e2672 = atomicAdd((&counters[0u]), 1u);
+                phi_3996_ = _e2672;
             } else {
-                phi_3773_ = 0u;
+                phi_3996_ = 0u;
             }
-            let _e2550 = phi_3773_;
+            let _e2674 = phi_3996_;
             workgroupBarrier();
             if (_e96 == 0u) {
-                let _e2553 = atomicLoad((&counters[0u]));
-                if (_e2553 > 0u) {
-                    let _e2556 = atomicAdd((&contacts.member[0u]), _e2553);
-                    atomicStore((&counters[1u]), _e2556);
+                let _e2677 = atomicLoad((&counters[0u]));
+                if (_e2677 > 0u) {
+                    let _e2680 = atomicAdd((&contacts.member[0u]), _e2677);
+                    atomicStore((&counters[1u]), _e2680);
                 }
             }
             workgroupBarrier();
-            let _e2559 = atomicLoad((&counters[1u]));
-            let _e2560 = (_e2559 + _e2550);
-            if _e2522 {
-                let _e2562 = params.member.member_1.member_3;
-                if (_e2560 < _e2562) {
-                    let _e2568 = (7u * _e2560);
-                    atomicStore((&contacts.member[(4u + _e2568)]), select(1u, 0u, ((_e2494.member_1 & 2147483648u) == 0u)));
-                    let _e2573 = local.member;
-                    atomicStore((&contacts.member[(_e2568 + 5u)]), _e2573);
-                    atomicStore((&contacts.member[(_e2568 + 6u)]), _e2494.member);
-                    atomicStore((&contacts.member[(_e2568 + 7u)]), (_e2494.member_1 & 2147483647u));
-                    let _e2582 = local.member_2[0u];
-                    atomicStore((&contacts.member[(_e2568 + 8u)]), _e2582);
-                    let _e2587 = local.member_2[1u];
-                    atomicStore((&contacts.member[(_e2568 + 9u)]), _e2587);
-                    let _e2591 = local.member_1;
-                    atomicStore((&contacts.member[(_e2568 + 10u)]), _e2591);
+            let _e2683 = atomicLoad((&counters[1u]));
+            let _e2684 = (_e2683 + _e2674);
+            if _e2646 {
+                let _e2686 = params.member.member_1.member_3;
+                if (_e2684 < _e2686) {
+                    let _e2692 = (7u * _e2684);
+                    atomicStore((&contacts.member[(4u + _e2692)]), select(1u, 0u, ((_e2618.member_1 & 2147483648u) == 0u)));
+                    let _e2697 = local.member;
+                    atomicStore((&contacts.member[(_e2692 + 5u)]), _e2697);
+                    atomicStore((&contacts.member[(_e2692 + 6u)]), _e2618.member);
+                    atomicStore((&contacts.member[(_e2692 + 7u)]), (_e2618.member_1 & 2147483647u));
+                    let _e2706 = local.member_2[0u];
+                    atomicStore((&contacts.member[(_e2692 + 8u)]), _e2706);
+                    let _e2711 = local.member_2[1u];
+                    atomicStore((&contacts.member[(_e2692 + 9u)]), _e2711);
+                    let _e2715 = local.member_1;
+                    atomicStore((&contacts.member[(_e2692 + 10u)]), _e2715);
                 }
             }
             workgroupBarrier();
@@ -1481,29 +1516,29 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e2507 {
-                let _e2596 = atomicAdd((&counters[0u]), 1u);
-                phi_3855_ = _e2596;
+            if _e2631 {
+                let _e2720 = atomicAdd((&counters[0u]), 1u);
+                phi_4078_ = _e2720;
             } else {
-                phi_3855_ = 0u;
+                phi_4078_ = 0u;
             }
-            let _e2598 = phi_3855_;
+            let _e2722 = phi_4078_;
             workgroupBarrier();
             if (_e96 == 0u) {
-                let _e2601 = atomicLoad((&counters[0u]));
-                if (_e2601 > 0u) {
-                    let _e2604 = atomicAdd((&left.member[0u]), _e2601);
-                    atomicStore((&counters[1u]), _e2604);
+                let _e2725 = atomicLoad((&counters[0u]));
+                if (_e2725 > 0u) {
+                    let _e2728 = atomicAdd((&left.member[0u]), _e2725);
+                    atomicStore((&counters[1u]), _e2728);
                 }
             }
             workgroupBarrier();
-            let _e2607 = atomicLoad((&counters[1u]));
-            let _e2608 = (_e2607 + _e2598);
-            if _e2507 {
-                if (_e2608 < _e2500) {
-                    let _e2610 = (2u * _e2608);
-                    atomicStore((&left.member[(4u + _e2610)]), _e2494.member);
-                    atomicStore((&left.member[(_e2610 + 5u)]), _e2494.member_1);
+            let _e2731 = atomicLoad((&counters[1u]));
+            let _e2732 = (_e2731 + _e2722);
+            if _e2631 {
+                if (_e2732 < _e2624) {
+                    let _e2734 = (2u * _e2732);
+                    atomicStore((&left.member[(4u + _e2734)]), _e2618.member);
+                    atomicStore((&left.member[(_e2734 + 5u)]), _e2618.member_1);
                 }
             }
         }

@@ -207,8 +207,9 @@ fn check_no_adapter(_: &Device) {
 
 /// After its device is lost a session says so, and goes on with another.
 fn check_lost(device: &Device) {
-    let (path, narrow) = (Some(device.info().path), !device.info().wide);
-    let options = DeviceOptions { path, narrow, ..DeviceOptions::default() };
+    let info = device.info();
+    let (path, narrow, integers) = (Some(info.path), !info.wide, Some(info.integers));
+    let options = DeviceOptions { path, narrow, integers, ..DeviceOptions::default() };
     let other = Device::open(&options).unwrap();
     let step = crumpled_sheet(10, 1);
     let mut session = Session::new(&other, step.mesh.clone(), Options::default()).unwrap();
@@ -311,7 +312,8 @@ fn check_time_of_open(device: &Device) {
 /// Corners that rest beside a face, nearer than filters see, on a device that has no memory for as
 /// many contacts as a first decision leaves open: the second one takes less, and leaves none.
 fn check_memory_of_open(device: &Device) {
-    if !device.info().wide {
+    if device.info().integers {
+        // They leave none of these open.
         return;
     }
     let beside = 0.5 + 1e-9;

@@ -13,8 +13,8 @@ use crate::math::expansion::{Expansion, is_safe};
 use crate::math::vec3::{cross, max_abs, sub};
 use crate::narrow_phase::approach::Approach;
 use crate::narrow_phase::conservative_advancement::{Advance, advance};
-use crate::narrow_phase::query::{Verdict, at_distance, in_unit};
-use crate::narrow_phase::relative_motion::{Motion, Patch};
+use crate::narrow_phase::query::{Verdict, at_distance};
+use crate::narrow_phase::relative_motion::{Motion, Patch, in_unit};
 use crate::narrow_phase::search::{Answer, Search};
 use core::cmp::Ordering::{Greater, Less};
 

@@ -5,8 +5,7 @@ use crate::math::vec3::{dot, scale, sum_abs};
 use crate::narrow_phase::closest_point::closest;
 use crate::narrow_phase::conservative_advancement::Field;
 use crate::narrow_phase::exact_distance;
-use crate::narrow_phase::query::in_unit;
-use crate::narrow_phase::relative_motion::{Motion, Patch};
+use crate::narrow_phase::relative_motion::{Motion, Patch, in_unit};
 
 /// The distance of two features, in the unit of the coordinates: between these, both included.
 ///

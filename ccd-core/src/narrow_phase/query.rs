@@ -12,7 +12,7 @@ use crate::narrow_phase::conservative_advancement::{Advance, SHORTLY, advance, w
 use crate::narrow_phase::containment::{Inside, inside};
 use crate::narrow_phase::coplanarity::Coplanarity;
 use crate::narrow_phase::cubic_roots::{Cubic, Interval};
-use crate::narrow_phase::relative_motion::{Motion, Patch};
+use crate::narrow_phase::relative_motion::{Motion, Patch, in_unit};
 use crate::narrow_phase::search::{Answer, Search};
 
 /// A vertex-face query: `v f0 f1 f2` at both ends of the step.
@@ -124,7 +124,7 @@ pub fn search<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answe
     if plane.is_nonzero().all() {
         return Answer::from(Verdict::Miss);
     }
-    if has_fine_unit(greatest(m)) {
+    if m.has_fine_unit() {
         return answer(touching::<true, R>(m, &plane, patch, search), search);
     }
     contact(m, patch, search)
@@ -162,43 +162,6 @@ fn answer<R: Real>(verdict: Verdict<R>, search: &Search<R>) -> Answer<R> {
 pub(super) fn near<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answer<R> {
     let (m, min_distance) = in_unit(m, search.min_distance);
     at_distance(&m, patch, &Search { min_distance, ..*search })
-}
-
-/// Vectors whose greatest component is within this factor of 1, 2^16, need no other unit: fourth
-/// powers and their inverses stay inside `f32`.
-const UNIT_RANGE: f32 = 65_536.0;
-
-/// Whether vectors with this greatest component need no other unit.
-#[inline(always)]
-fn has_fine_unit<R: Real>(size: R) -> bool {
-    size <= R::splat(UNIT_RANGE) && size >= R::splat(1.0 / UNIT_RANGE)
-}
-
-/// A bound of all components of the vectors of a query.
-#[inline(always)]
-fn greatest<R: Real>(m: &Motion<R>) -> R {
-    let [a, b, c] = m.magnitudes();
-    a.max(b).max(c)
-}
-
-/// The query in a unit of length in which its vectors are neither huge nor tiny: times do not
-/// depend on the unit, products do.
-///
-/// Scaling by a power of two is exact, but for components so much smaller than the greatest that
-/// they vanish, which is what every bound allows for where results are flushed to zero. What was
-/// flushed before, in the unit of the input, becomes an error of the input ([`Motion::scaled`]). A
-/// distance that vanishes becomes the smallest normal number; that is more, and too little for a
-/// certain contact.
-#[inline(always)]
-pub(super) fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
-    let size = greatest(m);
-    if has_fine_unit(size) || !(size >= R::MIN_NORMAL) || !size.is_finite_number() {
-        return (*m, min_distance);
-    }
-    let unit = size.to_unit();
-    let scaled = min_distance * unit;
-    let distance = if min_distance > R::splat(0.0) { scaled.max(R::MIN_NORMAL) } else { scaled };
-    (m.scaled(unit), distance)
 }
 
 /// Contact as coplanarity and containment: `min_distance = 0`. `ADVANCES`: see [`by_zeros`].

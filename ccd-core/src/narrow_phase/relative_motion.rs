@@ -10,7 +10,7 @@
 //! [Provot 1997]. Taking differences first recentres the query: each difference has relative error
 //! of one unit roundoff, however far from the origin the query is.
 
-use crate::math::real::Num;
+use crate::math::real::{Num, Real};
 use crate::math::vec3::{lerp, max_abs, scale, sub};
 
 /// The region of `(s, r)` in which the patch exists.
@@ -165,4 +165,43 @@ impl<N: Num> Motion<N> {
             + self.error * N::splat(3.0)
             + (N::MIN_NORMAL * N::splat(256.0))
     }
+}
+
+/// Vectors whose greatest component is within this factor of 1, 2^16, need no other unit: fourth
+/// powers and their inverses stay inside `f32`.
+const UNIT_RANGE: f32 = 65_536.0;
+
+impl<R: Real> Motion<R> {
+    /// Whether the vectors need no other unit of length: see [`in_unit`].
+    #[inline(always)]
+    pub fn has_fine_unit(&self) -> bool {
+        let size = self.greatest();
+        size <= R::splat(UNIT_RANGE) && size >= R::splat(1.0 / UNIT_RANGE)
+    }
+
+    #[inline(always)]
+    fn greatest(&self) -> R {
+        let [a, b, c] = self.magnitudes();
+        a.max(b).max(c)
+    }
+}
+
+/// A query in a unit of length in which its vectors are neither huge nor tiny: times do not depend
+/// on the unit, products do.
+///
+/// Scaling by a power of two is exact, but for components so much smaller than the greatest that
+/// they vanish, which is what every bound allows for where results are flushed to zero. What was
+/// flushed before, in the unit of the input, becomes an error of the input ([`Motion::scaled`]). A
+/// distance that vanishes becomes the smallest normal number; that is more, and too little for a
+/// certain contact.
+#[inline(always)]
+pub fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
+    let size = m.greatest();
+    if m.has_fine_unit() || !(size >= R::MIN_NORMAL) || !size.is_finite_number() {
+        return (*m, min_distance);
+    }
+    let unit = size.to_unit();
+    let scaled = min_distance * unit;
+    let distance = if min_distance > R::splat(0.0) { scaled.max(R::MIN_NORMAL) } else { scaled };
+    (m.scaled(unit), distance)
 }

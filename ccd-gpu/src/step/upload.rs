@@ -210,7 +210,7 @@ impl Positions {
             (true, false) => Boxes::Sent,
         };
         let mut replaced = are_new;
-        // Integers read positions as they were given, and so do boxes that the device makes of them.
+        // Integers read positions as they were given, and so does what makes boxes on the device.
         let for_integers = self.boxes == Boxes::Sent && !self.exact && min_distance == 0.0;
         self.given = for_integers || self.boxes == Boxes::OfPositions;
         if self.given {
