@@ -41,7 +41,7 @@ pub struct AdapterOptions {
 impl AdapterOptions {
     fn of_device(&self) -> DeviceOptions {
         let (adapter, path, kernel_folder) = (self.adapter.clone(), self.shaders, kernel_folder());
-        DeviceOptions { adapter, path, narrow: false, kernel_folder }
+        DeviceOptions { adapter, path, kernel_folder, ..DeviceOptions::default() }
     }
 
     /// Whether one GPU and no other is wanted.
