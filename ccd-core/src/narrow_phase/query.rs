@@ -118,8 +118,8 @@ pub fn search<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> Answe
     if search.min_distance > R::splat(0.0) {
         return near(m, patch, search);
     }
-    // In its own unit a query is looked at where it is, and most callers of single queries have
-    // mostly those that the plane rejects.
+    // The plane rejects most single queries, in whatever unit they are, and nearly all others are
+    // in a unit that will do, so that nothing is copied.
     let plane = Coplanarity::new(m);
     if plane.is_nonzero().all() {
         return Answer::from(Verdict::Miss);
@@ -149,6 +149,7 @@ pub(super) fn by_zeros<const ADVANCES: bool, R: Real>(
     answer(touching::<ADVANCES, R>(&m, &Coplanarity::new(&m), patch, search), search)
 }
 
+/// A verdict of [`touching`], and what it says of the approach.
 #[inline(always)]
 fn answer<R: Real>(verdict: Verdict<R>, search: &Search<R>) -> Answer<R> {
     // It certainly is apart until the time of impact, and certainly touches after it.
@@ -164,7 +165,8 @@ pub(super) fn near<R: Real>(m: &Motion<R>, patch: Patch, search: &Search<R>) -> 
     at_distance(&m, patch, &Search { min_distance, ..*search })
 }
 
-/// Contact as coplanarity and containment: `min_distance = 0`. `ADVANCES`: see [`by_zeros`].
+/// Contact as coplanarity and containment: `min_distance = 0`. `plane`: of the motion. `ADVANCES`:
+/// see [`by_zeros`].
 fn touching<const ADVANCES: bool, R: Real>(
     m: &Motion<R>,
     plane: &Coplanarity<R>,

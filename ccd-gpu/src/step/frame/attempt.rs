@@ -82,8 +82,8 @@ impl Frames {
         let wide = device.info().wide;
         buffers.keeps_order = kept;
         // By a minimum distance there is one decision. Zeros in `f64` leave few to a second one.
-        let is_second = device.info().integers || left[goal as usize] > FEW_LEFT;
-        buffers.decides_twice = options.min_distance == 0.0 && is_second;
+        let leaves_more = device.info().integers || left[goal as usize] > FEW_LEFT;
+        buffers.decides_twice = options.min_distance == 0.0 && leaves_more;
         let frame = buffers.describe(options, window);
         let mut plan = Plan::default();
         let asked = |is: bool, bytes: u64| if is { bytes } else { 0 };
