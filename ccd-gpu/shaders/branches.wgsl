@@ -30,7 +30,7 @@ struct type_10 {
     member: array<u32>,
 }
 
-struct type_14 {
+struct type_15 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -38,14 +38,14 @@ struct type_14 {
     member_4: u32,
 }
 
-struct type_15 {
+struct type_16 {
     member: type_7,
     member_1: type_8,
-    member_2: type_14,
+    member_2: type_15,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_17 {
+    member: type_16,
 }
 
 struct type_19 {
@@ -55,7 +55,7 @@ struct type_19 {
 @group(0) @binding(1) 
 var<storage> keys: type_10;
 @group(0) @binding(0) 
-var<storage> params: type_16;
+var<storage> params: type_17;
 @group(0) @binding(2) 
 var<storage, read_write> branches_1: type_19;
 

@@ -35,22 +35,22 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_14 {
+struct type_15 {
     member: i32,
     member_1: i32,
 }
 
-struct type_15 {
+struct type_16 {
     member: u32,
     member_1: i32,
 }
 
-struct type_16 {
+struct type_17 {
     member: f32,
     member_1: f32,
 }
 
-struct type_18 {
+struct type_19 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -58,14 +58,14 @@ struct type_18 {
     member_4: u32,
 }
 
-struct type_19 {
+struct type_20 {
     member: type_7,
     member_1: type_8,
-    member_2: type_18,
+    member_2: type_19,
 }
 
-struct type_20 {
-    member: type_19,
+struct type_21 {
+    member: type_20,
 }
 
 struct type_24 {
@@ -101,7 +101,7 @@ struct type_37 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_20;
+var<storage> params: type_21;
 @group(0) @binding(1) 
 var<storage> boxes: type_28;
 @group(0) @binding(2) 
@@ -120,12 +120,12 @@ fn function_(param: f32, param_1: f32) -> f32 {
     return select(param, param_1, select((param_1 >= param), true, (param != param)));
 }
 
-fn function_1(param_2: f32) -> type_16 {
-    return type_16(param_2, param_2);
+fn function_1(param_2: f32) -> type_17 {
+    return type_17(param_2, param_2);
 }
 
-fn function_2(param_3: f32) -> type_16 {
-    return type_16(param_3, param_3);
+fn function_2(param_3: f32) -> type_17 {
+    return type_17(param_3, param_3);
 }
 
 fn function_3(param_4: f32, param_5: f32) -> f32 {
@@ -173,11 +173,11 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_896_: type_30;
     var phi_897_: type_30;
     var phi_898_: type_30;
-    var phi_913_: type_14;
+    var phi_913_: type_15;
     var phi_916_: type_30;
     var phi_918_: u32;
-    var phi_914_: type_14;
-    var phi_959_: type_15;
+    var phi_914_: type_15;
+    var phi_959_: type_16;
     var phi_1111_: type_30;
     var phi_1112_: type_30;
     var phi_1158_: type_30;
@@ -379,7 +379,7 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     }
     let _e526 = phi_898_;
     shared_[_e47] = type_30(array<f32, 3>(_e526.member[0], _e526.member[1], _e526.member[2]), array<f32, 3>(_e526.member_1[0], _e526.member_1[1], _e526.member_1[2]));
-    phi_913_ = type_14(0i, 5i);
+    phi_913_ = type_15(0i, 5i);
     phi_916_ = _e526;
     phi_918_ = 16u;
     loop {
@@ -394,11 +394,11 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_8 = _e542;
         if (_e540.member < _e540.member_1) {
             let _e551 = (_e540.member + 1i);
-            phi_914_ = type_14(select(_e551, type_15().member_1, select(false, true, ((false == (_e551 > _e540.member)) != false))), _e540.member_1);
-            phi_959_ = type_15(1u, _e540.member);
+            phi_914_ = type_15(select(_e551, type_16().member_1, select(false, true, ((false == (_e551 > _e540.member)) != false))), _e540.member_1);
+            phi_959_ = type_16(1u, _e540.member);
         } else {
             phi_914_ = _e540;
-            phi_959_ = type_15(0u, type_15().member_1);
+            phi_959_ = type_16(0u, type_16().member_1);
         }
         let _e562 = phi_914_;
         let _e564 = phi_959_;

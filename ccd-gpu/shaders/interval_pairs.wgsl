@@ -84,8 +84,6 @@ struct type_31 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(2) 
-var<storage> keys: type_11;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> counters: array<atomic<u32>, 8>;
 @group(0) @binding(6) 
@@ -94,6 +92,8 @@ var<storage, read_write> pairs: type_31;
 var<storage> params: type_26;
 @group(0) @binding(1) 
 var<storage> sorted: type_20;
+@group(0) @binding(2) 
+var<storage> keys: type_11;
 @group(0) @binding(3) 
 var<storage> order: type_11;
 @group(0) @binding(4) 

@@ -84,12 +84,12 @@ struct type_27 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(2) 
-var<storage> keys: type_11;
 @group(0) @binding(0) 
 var<storage> params: type_23;
 @group(0) @binding(1) 
 var<storage> sorted: type_19;
+@group(0) @binding(2) 
+var<storage> keys: type_11;
 @group(0) @binding(3) 
 var<storage> survey: type_11;
 @group(0) @binding(4) 

@@ -35,7 +35,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_15 {
+struct type_17 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -43,31 +43,31 @@ struct type_15 {
     member_4: u32,
 }
 
-struct type_16 {
+struct type_18 {
     member: type_7,
     member_1: type_8,
-    member_2: type_15,
+    member_2: type_17,
 }
 
-struct type_17 {
-    member: type_16,
+struct type_19 {
+    member: type_18,
 }
 
-struct type_20 {
+struct type_21 {
     member: array<vec4<u32>>,
 }
 
-struct type_22 {
+struct type_23 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_24 {
-    member: array<type_22>,
+struct type_25 {
+    member: array<type_23>,
 }
 
-struct type_26 {
+struct type_27 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
@@ -81,11 +81,11 @@ struct type_37 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_17;
+var<storage> params: type_19;
 @group(0) @binding(1) 
-var<storage> nodes: type_24;
+var<storage> nodes: type_25;
 var<workgroup> rows: array<u32, 4>;
-var<workgroup> columns: array<type_26, 128>;
+var<workgroup> columns: array<type_27, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> n_hits: array<u32, 1>;
@@ -95,7 +95,7 @@ var<storage, read_write> output: type_37;
 @group(0) @binding(4) 
 var<storage> input: type_11;
 @group(0) @binding(2) 
-var<storage> leaves: type_20;
+var<storage> leaves: type_21;
 @group(0) @binding(3) 
 var<storage> ends: type_33;
 
@@ -224,7 +224,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if _e236 {
                     let _e238 = atomicAdd((&counters[_e171]), 1u);
                     let _e241 = ((_e171 * 32u) + select(_e238, _e172, _e170));
-                    columns[_e241] = type_26(array<f32, 3>(_e209.member.x, _e209.member.y, _e209.member_1.x), array<f32, 3>(_e209.member_1.y, _e209.member_2.x, _e209.member_2.y));
+                    columns[_e241] = type_27(array<f32, 3>(_e209.member.x, _e209.member.y, _e209.member_1.x), array<f32, 3>(_e209.member_1.y, _e209.member_2.x, _e209.member_2.y));
                     names[_e241] = _e178;
                 }
             }

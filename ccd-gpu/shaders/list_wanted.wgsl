@@ -35,17 +35,17 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_14 {
+struct type_16 {
     member: i32,
     member_1: i32,
 }
 
-struct type_15 {
+struct type_17 {
     member: u32,
     member_1: i32,
 }
 
-struct type_17 {
+struct type_19 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -53,31 +53,31 @@ struct type_17 {
     member_4: u32,
 }
 
-struct type_18 {
+struct type_20 {
     member: type_7,
     member_1: type_8,
-    member_2: type_17,
+    member_2: type_19,
 }
 
-struct type_19 {
-    member: type_18,
+struct type_21 {
+    member: type_20,
 }
 
-struct type_22 {
+struct type_23 {
     member: array<vec4<u32>>,
 }
 
-struct type_24 {
+struct type_25 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_27 {
+    member: array<type_25>,
 }
 
-struct type_28 {
+struct type_29 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
@@ -91,17 +91,17 @@ struct type_40 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_19;
+var<storage> params: type_21;
 @group(0) @binding(1) 
-var<storage> nodes: type_26;
+var<storage> nodes: type_27;
 var<workgroup> rows: array<u32, 4>;
-var<workgroup> columns: array<type_28, 128>;
+var<workgroup> columns: array<type_29, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> n_hits: array<u32, 1>;
 var<workgroup> hits: array<u32, 384>;
 @group(0) @binding(2) 
-var<storage> leaves: type_22;
+var<storage> leaves: type_23;
 @group(0) @binding(3) 
 var<storage> ends: type_35;
 @group(0) @binding(4) 
@@ -147,14 +147,14 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1340_: bool;
     var phi_1341_: bool;
     var phi_1346_: bool;
-    var phi_1432_: array<type_28, 2>;
+    var phi_1432_: array<type_29, 2>;
     var phi_1476_: bool;
     var phi_1477_: bool;
     var phi_1641_: bool;
-    var phi_1682_: type_14;
+    var phi_1682_: type_16;
     var phi_1685_: u32;
-    var phi_1683_: type_14;
-    var phi_1726_: type_15;
+    var phi_1683_: type_16;
+    var phi_1726_: type_17;
     var phi_1805_: u32;
     var phi_1686_: u32;
     var local_2: u32;
@@ -286,7 +286,7 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if _e245 {
                     let _e247 = atomicAdd((&counters[_e180]), 1u);
                     let _e250 = ((_e180 * 32u) + select(_e247, _e181, _e179));
-                    columns[_e250] = type_28(array<f32, 3>(_e218.member.x, _e218.member.y, _e218.member_1.x), array<f32, 3>(_e218.member_1.y, _e218.member_2.x, _e218.member_2.y));
+                    columns[_e250] = type_29(array<f32, 3>(_e218.member.x, _e218.member.y, _e218.member_1.x), array<f32, 3>(_e218.member_1.y, _e218.member_2.x, _e218.member_2.y));
                     names[_e250] = _e187;
                 }
             }
@@ -474,9 +474,9 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     if ((_e131.member_1 & 32u) != 0u) {
                                         let _e744 = nodes.member[_e563];
                                         let _e761 = nodes.member[_e566];
-                                        phi_1432_ = array<type_28, 2>(type_28(array<f32, 3>(_e744.member.x, _e744.member.y, _e744.member_1.x), array<f32, 3>(_e744.member_1.y, _e744.member_2.x, _e744.member_2.y)), type_28(array<f32, 3>(_e761.member.x, _e761.member.y, _e761.member_1.x), array<f32, 3>(_e761.member_1.y, _e761.member_2.x, _e761.member_2.y)));
+                                        phi_1432_ = array<type_29, 2>(type_29(array<f32, 3>(_e744.member.x, _e744.member.y, _e744.member_1.x), array<f32, 3>(_e744.member_1.y, _e744.member_2.x, _e744.member_2.y)), type_29(array<f32, 3>(_e761.member.x, _e761.member.y, _e761.member_1.x), array<f32, 3>(_e761.member_1.y, _e761.member_2.x, _e761.member_2.y)));
                                     } else {
-                                        phi_1432_ = array<type_28, 2>(type_28(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)), type_28(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)));
+                                        phi_1432_ = array<type_29, 2>(type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)), type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)));
                                     }
                                     let _e779 = phi_1432_;
                                     if ((_e131.member_1 & 1u) != 0u) {
@@ -523,7 +523,7 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         let _e886 = (_e735.w < _e729.w);
                                                         let _e889 = select(_e735.w, select(_e735.w, _e729.w, _e886), _e885);
                                                         let _e890 = select(_e729.w, select(_e729.w, _e735.w, _e886), _e885);
-                                                        phi_1682_ = type_14(0i, 32i);
+                                                        phi_1682_ = type_16(0i, 32i);
                                                         phi_1685_ = 0u;
                                                         loop {
                                                             let _e892 = phi_1682_;
@@ -532,11 +532,11 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             local_3 = _e894;
                                                             if (_e892.member < _e892.member_1) {
                                                                 let _e901 = (_e892.member + 1i);
-                                                                phi_1683_ = type_14(select(_e901, type_15().member_1, select(false, true, ((false == (_e901 > _e892.member)) != false))), _e892.member_1);
-                                                                phi_1726_ = type_15(1u, _e892.member);
+                                                                phi_1683_ = type_16(select(_e901, type_17().member_1, select(false, true, ((false == (_e901 > _e892.member)) != false))), _e892.member_1);
+                                                                phi_1726_ = type_17(1u, _e892.member);
                                                             } else {
                                                                 phi_1683_ = _e892;
-                                                                phi_1726_ = type_15(0u, type_15().member_1);
+                                                                phi_1726_ = type_17(0u, type_17().member_1);
                                                             }
                                                             let _e912 = phi_1683_;
                                                             let _e914 = phi_1726_;

@@ -31,7 +31,7 @@ struct type_9 {
     member_1: u32,
 }
 
-struct type_13 {
+struct type_14 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -39,14 +39,14 @@ struct type_13 {
     member_4: u32,
 }
 
-struct type_14 {
+struct type_15 {
     member: type_7,
     member_1: type_8,
-    member_2: type_13,
+    member_2: type_14,
 }
 
-struct type_15 {
-    member: type_14,
+struct type_16 {
+    member: type_15,
 }
 
 struct type_18 {
@@ -84,7 +84,7 @@ struct type_31 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_15;
+var<storage> params: type_16;
 @group(0) @binding(1) 
 var<storage> branches: type_18;
 @group(0) @binding(2) 

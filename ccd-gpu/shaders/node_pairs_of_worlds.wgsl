@@ -35,7 +35,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_15 {
+struct type_16 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -43,27 +43,27 @@ struct type_15 {
     member_4: u32,
 }
 
-struct type_16 {
+struct type_17 {
     member: type_7,
     member_1: type_8,
-    member_2: type_15,
+    member_2: type_16,
 }
 
-struct type_17 {
-    member: type_16,
+struct type_18 {
+    member: type_17,
 }
 
-struct type_19 {
+struct type_20 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
 }
 
-struct type_21 {
-    member: array<type_19>,
+struct type_22 {
+    member: array<type_20>,
 }
 
-struct type_23 {
+struct type_24 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
@@ -73,11 +73,11 @@ struct type_31 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_17;
+var<storage> params: type_18;
 @group(0) @binding(1) 
-var<storage> nodes: type_21;
+var<storage> nodes: type_22;
 var<workgroup> rows: array<u32, 4>;
-var<workgroup> columns: array<type_23, 128>;
+var<workgroup> columns: array<type_24, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> n_hits: array<u32, 1>;
@@ -301,7 +301,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if _e359 {
                     let _e361 = atomicAdd((&counters[_e294]), 1u);
                     let _e364 = ((_e294 * 32u) + select(_e361, _e295, _e293));
-                    columns[_e364] = type_23(array<f32, 3>(_e332.member.x, _e332.member.y, _e332.member_1.x), array<f32, 3>(_e332.member_1.y, _e332.member_2.x, _e332.member_2.y));
+                    columns[_e364] = type_24(array<f32, 3>(_e332.member.x, _e332.member.y, _e332.member_1.x), array<f32, 3>(_e332.member_1.y, _e332.member_2.x, _e332.member_2.y));
                     names[_e364] = _e301;
                 }
             }

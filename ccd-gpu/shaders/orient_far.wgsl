@@ -35,22 +35,22 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_14 {
+struct type_15 {
     member: i32,
     member_1: i32,
 }
 
-struct type_15 {
+struct type_16 {
     member: u32,
     member_1: i32,
 }
 
-struct type_16 {
+struct type_17 {
     member: f32,
     member_1: f32,
 }
 
-struct type_18 {
+struct type_19 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -58,14 +58,14 @@ struct type_18 {
     member_4: u32,
 }
 
-struct type_19 {
+struct type_20 {
     member: type_7,
     member_1: type_8,
-    member_2: type_18,
+    member_2: type_19,
 }
 
-struct type_20 {
-    member: type_19,
+struct type_21 {
+    member: type_20,
 }
 
 struct type_23 {
@@ -115,7 +115,7 @@ struct type_40 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_20;
+var<storage> params: type_21;
 @group(0) @binding(1) 
 var<storage> branches: type_23;
 @group(0) @binding(2) 
@@ -135,74 +135,74 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_698_: type_34;
     var phi_836_: f32;
     var phi_837_: bool;
-    var phi_1234_: type_14;
+    var phi_1234_: type_15;
     var phi_1237_: f32;
-    var phi_1235_: type_14;
-    var phi_1278_: type_15;
+    var phi_1235_: type_15;
+    var phi_1278_: type_16;
     var phi_1238_: f32;
     var local: f32;
     var phi_1291_: f32;
-    var phi_1303_: type_16;
+    var phi_1303_: type_17;
     var phi_1342_: type_9;
     var phi_1345_: type_36;
-    var phi_1428_: type_14;
+    var phi_1428_: type_15;
     var phi_1431_: f32;
-    var phi_1429_: type_14;
-    var phi_1472_: type_15;
+    var phi_1429_: type_15;
+    var phi_1472_: type_16;
     var phi_1432_: f32;
     var local_1: f32;
     var phi_1485_: f32;
-    var phi_1526_: type_14;
+    var phi_1526_: type_15;
     var phi_1529_: f32;
-    var phi_1527_: type_14;
-    var phi_1570_: type_15;
+    var phi_1527_: type_15;
+    var phi_1570_: type_16;
     var phi_1530_: f32;
     var local_2: f32;
     var phi_1583_: f32;
-    var phi_1595_: type_16;
-    var phi_1691_: type_14;
+    var phi_1595_: type_17;
+    var phi_1691_: type_15;
     var phi_1694_: f32;
-    var phi_1692_: type_14;
-    var phi_1735_: type_15;
+    var phi_1692_: type_15;
+    var phi_1735_: type_16;
     var phi_1695_: f32;
     var local_3: f32;
     var phi_1748_: f32;
-    var phi_1760_: type_16;
+    var phi_1760_: type_17;
     var phi_1827_: type_36;
     var phi_1828_: bool;
     var phi_1829_: type_36;
     var phi_1830_: bool;
-    var phi_2119_: type_14;
+    var phi_2119_: type_15;
     var phi_2122_: f32;
-    var phi_2120_: type_14;
-    var phi_2163_: type_15;
+    var phi_2120_: type_15;
+    var phi_2163_: type_16;
     var phi_2123_: f32;
     var local_4: f32;
     var phi_2176_: f32;
-    var phi_2217_: type_14;
+    var phi_2217_: type_15;
     var phi_2220_: f32;
-    var phi_2218_: type_14;
-    var phi_2261_: type_15;
+    var phi_2218_: type_15;
+    var phi_2261_: type_16;
     var phi_2221_: f32;
     var local_5: f32;
     var phi_2274_: f32;
-    var phi_2286_: type_16;
+    var phi_2286_: type_17;
     var phi_2348_: type_36;
-    var phi_1862_: type_14;
+    var phi_1862_: type_15;
     var phi_1865_: f32;
-    var phi_1863_: type_14;
-    var phi_1906_: type_15;
+    var phi_1863_: type_15;
+    var phi_1906_: type_16;
     var phi_1866_: f32;
     var local_6: f32;
     var phi_1919_: f32;
-    var phi_1960_: type_14;
+    var phi_1960_: type_15;
     var phi_1963_: f32;
-    var phi_1961_: type_14;
-    var phi_2004_: type_15;
+    var phi_1961_: type_15;
+    var phi_2004_: type_16;
     var phi_1964_: f32;
     var local_7: f32;
     var phi_2017_: f32;
-    var phi_2029_: type_16;
+    var phi_2029_: type_17;
     var phi_2349_: type_36;
     var phi_2350_: type_36;
     var phi_1346_: type_36;
@@ -452,7 +452,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         if (_e728 <= 0.000000000000000000000000000000000000011754944f) {
                                             phi_1291_ = select(0f, (0.000000000000000000106433627f * 2f), (_e728 > 0f));
                                         } else {
-                                            phi_1234_ = type_14(0i, 5i);
+                                            phi_1234_ = type_15(0i, 5i);
                                             phi_1237_ = bitcast<f32>(((bitcast<u32>(_e728) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
                                                 let _e740 = phi_1234_;
@@ -460,11 +460,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 local = _e742;
                                                 if (_e740.member < _e740.member_1) {
                                                     let _e749 = (_e740.member + 1i);
-                                                    phi_1235_ = type_14(select(_e749, type_15().member_1, select(false, true, ((false == (_e749 > _e740.member)) != false))), _e740.member_1);
-                                                    phi_1278_ = type_15(1u, _e740.member);
+                                                    phi_1235_ = type_15(select(_e749, type_16().member_1, select(false, true, ((false == (_e749 > _e740.member)) != false))), _e740.member_1);
+                                                    phi_1278_ = type_16(1u, _e740.member);
                                                 } else {
                                                     phi_1235_ = _e740;
-                                                    phi_1278_ = type_15(0u, type_15().member_1);
+                                                    phi_1278_ = type_16(0u, type_16().member_1);
                                                 }
                                                 let _e760 = phi_1235_;
                                                 let _e762 = phi_1278_;
@@ -489,9 +489,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e782 = (_e721 / _e781);
                                         let _e783 = (_e722 / _e781);
                                         let _e788 = (1.5f - (((_e782 * _e782) + (_e783 * _e783)) * 0.5f));
-                                        phi_1303_ = type_16((_e782 * _e788), (_e783 * _e788));
+                                        phi_1303_ = type_17((_e782 * _e788), (_e783 * _e788));
                                     } else {
-                                        phi_1303_ = type_16(1f, 0f);
+                                        phi_1303_ = type_17(1f, 0f);
                                     }
                                     let _e793 = phi_1303_;
                                     let _e798 = (((_e793.member * _e793.member_1) * _e724) * 2f);
@@ -513,7 +513,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     if (_e867 <= 0.000000000000000000000000000000000000011754944f) {
                                                         phi_1485_ = select(0f, (0.000000000000000000106433627f * 2f), (_e867 > 0f));
                                                     } else {
-                                                        phi_1428_ = type_14(0i, 5i);
+                                                        phi_1428_ = type_15(0i, 5i);
                                                         phi_1431_ = bitcast<f32>(((bitcast<u32>(_e867) >> bitcast<u32>(1i)) + 532369198u));
                                                         loop {
                                                             let _e875 = phi_1428_;
@@ -521,11 +521,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             local_1 = _e877;
                                                             if (_e875.member < _e875.member_1) {
                                                                 let _e884 = (_e875.member + 1i);
-                                                                phi_1429_ = type_14(select(_e884, type_15().member_1, select(false, true, ((false == (_e884 > _e875.member)) != false))), _e875.member_1);
-                                                                phi_1472_ = type_15(1u, _e875.member);
+                                                                phi_1429_ = type_15(select(_e884, type_16().member_1, select(false, true, ((false == (_e884 > _e875.member)) != false))), _e875.member_1);
+                                                                phi_1472_ = type_16(1u, _e875.member);
                                                             } else {
                                                                 phi_1429_ = _e875;
-                                                                phi_1472_ = type_15(0u, type_15().member_1);
+                                                                phi_1472_ = type_16(0u, type_16().member_1);
                                                             }
                                                             let _e895 = phi_1429_;
                                                             let _e897 = phi_1472_;
@@ -553,7 +553,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         if (_e926 <= 0.000000000000000000000000000000000000011754944f) {
                                                             phi_1583_ = select(0f, (0.000000000000000000106433627f * 2f), (_e926 > 0f));
                                                         } else {
-                                                            phi_1526_ = type_14(0i, 5i);
+                                                            phi_1526_ = type_15(0i, 5i);
                                                             phi_1529_ = bitcast<f32>(((bitcast<u32>(_e926) >> bitcast<u32>(1i)) + 532369198u));
                                                             loop {
                                                                 let _e938 = phi_1526_;
@@ -561,11 +561,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                 local_2 = _e940;
                                                                 if (_e938.member < _e938.member_1) {
                                                                     let _e947 = (_e938.member + 1i);
-                                                                    phi_1527_ = type_14(select(_e947, type_15().member_1, select(false, true, ((false == (_e947 > _e938.member)) != false))), _e938.member_1);
-                                                                    phi_1570_ = type_15(1u, _e938.member);
+                                                                    phi_1527_ = type_15(select(_e947, type_16().member_1, select(false, true, ((false == (_e947 > _e938.member)) != false))), _e938.member_1);
+                                                                    phi_1570_ = type_16(1u, _e938.member);
                                                                 } else {
                                                                     phi_1527_ = _e938;
-                                                                    phi_1570_ = type_15(0u, type_15().member_1);
+                                                                    phi_1570_ = type_16(0u, type_16().member_1);
                                                                 }
                                                                 let _e958 = phi_1527_;
                                                                 let _e960 = phi_1570_;
@@ -590,9 +590,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         let _e980 = (_e923 / _e979);
                                                         let _e981 = (_e832.member[1] / _e979);
                                                         let _e986 = (1.5f - (((_e980 * _e980) + (_e981 * _e981)) * 0.5f));
-                                                        phi_1595_ = type_16((_e980 * _e986), (_e981 * _e986));
+                                                        phi_1595_ = type_17((_e980 * _e986), (_e981 * _e986));
                                                     } else {
-                                                        phi_1595_ = type_16(1f, 0f);
+                                                        phi_1595_ = type_17(1f, 0f);
                                                     }
                                                     let _e991 = phi_1595_;
                                                     let _e1008 = (((_e832.member_1[1] - _e832.member_1[2]) * _e991.member_1) + ((_e991.member * _e832.member[1]) * 2f));
@@ -608,7 +608,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         if (_e1050 <= 0.000000000000000000000000000000000000011754944f) {
                                                             phi_1748_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1050 > 0f));
                                                         } else {
-                                                            phi_1691_ = type_14(0i, 5i);
+                                                            phi_1691_ = type_15(0i, 5i);
                                                             phi_1694_ = bitcast<f32>(((bitcast<u32>(_e1050) >> bitcast<u32>(1i)) + 532369198u));
                                                             loop {
                                                                 let _e1062 = phi_1691_;
@@ -616,11 +616,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                 local_3 = _e1064;
                                                                 if (_e1062.member < _e1062.member_1) {
                                                                     let _e1071 = (_e1062.member + 1i);
-                                                                    phi_1692_ = type_14(select(_e1071, type_15().member_1, select(false, true, ((false == (_e1071 > _e1062.member)) != false))), _e1062.member_1);
-                                                                    phi_1735_ = type_15(1u, _e1062.member);
+                                                                    phi_1692_ = type_15(select(_e1071, type_16().member_1, select(false, true, ((false == (_e1071 > _e1062.member)) != false))), _e1062.member_1);
+                                                                    phi_1735_ = type_16(1u, _e1062.member);
                                                                 } else {
                                                                     phi_1692_ = _e1062;
-                                                                    phi_1735_ = type_15(0u, type_15().member_1);
+                                                                    phi_1735_ = type_16(0u, type_16().member_1);
                                                                 }
                                                                 let _e1082 = phi_1692_;
                                                                 let _e1084 = phi_1735_;
@@ -645,9 +645,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         let _e1104 = (_e1014 / _e1103);
                                                         let _e1105 = (_e1047 / _e1103);
                                                         let _e1110 = (1.5f - (((_e1104 * _e1104) + (_e1105 * _e1105)) * 0.5f));
-                                                        phi_1760_ = type_16((_e1104 * _e1110), (_e1105 * _e1110));
+                                                        phi_1760_ = type_17((_e1104 * _e1110), (_e1105 * _e1110));
                                                     } else {
-                                                        phi_1760_ = type_16(1f, 0f);
+                                                        phi_1760_ = type_17(1f, 0f);
                                                     }
                                                     let _e1115 = phi_1760_;
                                                     let _e1125 = (((_e832.member_1[0] - _e1010) * _e1115.member_1) + ((_e1115.member * _e1046) * 2f));
@@ -674,7 +674,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     if (_e1374 <= 0.000000000000000000000000000000000000011754944f) {
                                                         phi_1919_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1374 > 0f));
                                                     } else {
-                                                        phi_1862_ = type_14(0i, 5i);
+                                                        phi_1862_ = type_15(0i, 5i);
                                                         phi_1865_ = bitcast<f32>(((bitcast<u32>(_e1374) >> bitcast<u32>(1i)) + 532369198u));
                                                         loop {
                                                             let _e1382 = phi_1862_;
@@ -682,11 +682,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             local_6 = _e1384;
                                                             if (_e1382.member < _e1382.member_1) {
                                                                 let _e1391 = (_e1382.member + 1i);
-                                                                phi_1863_ = type_14(select(_e1391, type_15().member_1, select(false, true, ((false == (_e1391 > _e1382.member)) != false))), _e1382.member_1);
-                                                                phi_1906_ = type_15(1u, _e1382.member);
+                                                                phi_1863_ = type_15(select(_e1391, type_16().member_1, select(false, true, ((false == (_e1391 > _e1382.member)) != false))), _e1382.member_1);
+                                                                phi_1906_ = type_16(1u, _e1382.member);
                                                             } else {
                                                                 phi_1863_ = _e1382;
-                                                                phi_1906_ = type_15(0u, type_15().member_1);
+                                                                phi_1906_ = type_16(0u, type_16().member_1);
                                                             }
                                                             let _e1402 = phi_1863_;
                                                             let _e1404 = phi_1906_;
@@ -714,7 +714,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         if (_e1433 <= 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2017_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1433 > 0f));
                                                         } else {
-                                                            phi_1960_ = type_14(0i, 5i);
+                                                            phi_1960_ = type_15(0i, 5i);
                                                             phi_1963_ = bitcast<f32>(((bitcast<u32>(_e1433) >> bitcast<u32>(1i)) + 532369198u));
                                                             loop {
                                                                 let _e1445 = phi_1960_;
@@ -722,11 +722,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                 local_7 = _e1447;
                                                                 if (_e1445.member < _e1445.member_1) {
                                                                     let _e1454 = (_e1445.member + 1i);
-                                                                    phi_1961_ = type_14(select(_e1454, type_15().member_1, select(false, true, ((false == (_e1454 > _e1445.member)) != false))), _e1445.member_1);
-                                                                    phi_2004_ = type_15(1u, _e1445.member);
+                                                                    phi_1961_ = type_15(select(_e1454, type_16().member_1, select(false, true, ((false == (_e1454 > _e1445.member)) != false))), _e1445.member_1);
+                                                                    phi_2004_ = type_16(1u, _e1445.member);
                                                                 } else {
                                                                     phi_1961_ = _e1445;
-                                                                    phi_2004_ = type_15(0u, type_15().member_1);
+                                                                    phi_2004_ = type_16(0u, type_16().member_1);
                                                                 }
                                                                 let _e1465 = phi_1961_;
                                                                 let _e1467 = phi_2004_;
@@ -751,9 +751,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         let _e1487 = (_e1430 / _e1486);
                                                         let _e1488 = (_e832.member[0] / _e1486);
                                                         let _e1493 = (1.5f - (((_e1487 * _e1487) + (_e1488 * _e1488)) * 0.5f));
-                                                        phi_2029_ = type_16((_e1487 * _e1493), (_e1488 * _e1493));
+                                                        phi_2029_ = type_17((_e1487 * _e1493), (_e1488 * _e1493));
                                                     } else {
-                                                        phi_2029_ = type_16(1f, 0f);
+                                                        phi_2029_ = type_17(1f, 0f);
                                                     }
                                                     let _e1498 = phi_2029_;
                                                     let _e1515 = (((_e832.member_1[0] - _e832.member_1[1]) * _e1498.member_1) + ((_e1498.member * _e832.member[0]) * 2f));
@@ -767,7 +767,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         if (_e1174 <= 0.000000000000000000000000000000000000011754944f) {
                                                             phi_2176_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1174 > 0f));
                                                         } else {
-                                                            phi_2119_ = type_14(0i, 5i);
+                                                            phi_2119_ = type_15(0i, 5i);
                                                             phi_2122_ = bitcast<f32>(((bitcast<u32>(_e1174) >> bitcast<u32>(1i)) + 532369198u));
                                                             loop {
                                                                 let _e1182 = phi_2119_;
@@ -775,11 +775,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                 local_4 = _e1184;
                                                                 if (_e1182.member < _e1182.member_1) {
                                                                     let _e1191 = (_e1182.member + 1i);
-                                                                    phi_2120_ = type_14(select(_e1191, type_15().member_1, select(false, true, ((false == (_e1191 > _e1182.member)) != false))), _e1182.member_1);
-                                                                    phi_2163_ = type_15(1u, _e1182.member);
+                                                                    phi_2120_ = type_15(select(_e1191, type_16().member_1, select(false, true, ((false == (_e1191 > _e1182.member)) != false))), _e1182.member_1);
+                                                                    phi_2163_ = type_16(1u, _e1182.member);
                                                                 } else {
                                                                     phi_2120_ = _e1182;
-                                                                    phi_2163_ = type_15(0u, type_15().member_1);
+                                                                    phi_2163_ = type_16(0u, type_16().member_1);
                                                                 }
                                                                 let _e1202 = phi_2120_;
                                                                 let _e1204 = phi_2163_;
@@ -807,7 +807,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             if (_e1233 <= 0.000000000000000000000000000000000000011754944f) {
                                                                 phi_2274_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1233 > 0f));
                                                             } else {
-                                                                phi_2217_ = type_14(0i, 5i);
+                                                                phi_2217_ = type_15(0i, 5i);
                                                                 phi_2220_ = bitcast<f32>(((bitcast<u32>(_e1233) >> bitcast<u32>(1i)) + 532369198u));
                                                                 loop {
                                                                     let _e1245 = phi_2217_;
@@ -815,11 +815,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                                     local_5 = _e1247;
                                                                     if (_e1245.member < _e1245.member_1) {
                                                                         let _e1254 = (_e1245.member + 1i);
-                                                                        phi_2218_ = type_14(select(_e1254, type_15().member_1, select(false, true, ((false == (_e1254 > _e1245.member)) != false))), _e1245.member_1);
-                                                                        phi_2261_ = type_15(1u, _e1245.member);
+                                                                        phi_2218_ = type_15(select(_e1254, type_16().member_1, select(false, true, ((false == (_e1254 > _e1245.member)) != false))), _e1245.member_1);
+                                                                        phi_2261_ = type_16(1u, _e1245.member);
                                                                     } else {
                                                                         phi_2218_ = _e1245;
-                                                                        phi_2261_ = type_15(0u, type_15().member_1);
+                                                                        phi_2261_ = type_16(0u, type_16().member_1);
                                                                     }
                                                                     let _e1265 = phi_2218_;
                                                                     let _e1267 = phi_2261_;
@@ -844,9 +844,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                             let _e1287 = (_e1230 / _e1286);
                                                             let _e1288 = (_e832.member[1] / _e1286);
                                                             let _e1293 = (1.5f - (((_e1287 * _e1287) + (_e1288 * _e1288)) * 0.5f));
-                                                            phi_2286_ = type_16((_e1287 * _e1293), (_e1288 * _e1293));
+                                                            phi_2286_ = type_17((_e1287 * _e1293), (_e1288 * _e1293));
                                                         } else {
-                                                            phi_2286_ = type_16(1f, 0f);
+                                                            phi_2286_ = type_17(1f, 0f);
                                                         }
                                                         let _e1298 = phi_2286_;
                                                         let _e1315 = (((_e832.member_1[1] - _e832.member_1[2]) * _e1298.member_1) + ((_e1298.member * _e832.member[1]) * 2f));

@@ -35,22 +35,22 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_14 {
+struct type_15 {
     member: i32,
     member_1: i32,
 }
 
-struct type_15 {
+struct type_16 {
     member: u32,
     member_1: i32,
 }
 
-struct type_16 {
+struct type_17 {
     member: f32,
     member_1: f32,
 }
 
-struct type_18 {
+struct type_19 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -58,14 +58,14 @@ struct type_18 {
     member_4: u32,
 }
 
-struct type_19 {
+struct type_20 {
     member: type_7,
     member_1: type_8,
-    member_2: type_18,
+    member_2: type_19,
 }
 
-struct type_20 {
-    member: type_19,
+struct type_21 {
+    member: type_20,
 }
 
 struct type_23 {
@@ -115,7 +115,7 @@ struct type_42 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_20;
+var<storage> params: type_21;
 @group(0) @binding(1) 
 var<storage> branches: type_23;
 @group(0) @binding(2) 
@@ -142,74 +142,74 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_608_: type_34;
     var phi_746_: f32;
     var phi_747_: bool;
-    var phi_1144_: type_14;
+    var phi_1144_: type_15;
     var phi_1147_: f32;
-    var phi_1145_: type_14;
-    var phi_1188_: type_15;
+    var phi_1145_: type_15;
+    var phi_1188_: type_16;
     var phi_1148_: f32;
     var local: f32;
     var phi_1201_: f32;
-    var phi_1213_: type_16;
+    var phi_1213_: type_17;
     var phi_1252_: type_9;
     var phi_1255_: type_36;
-    var phi_1338_: type_14;
+    var phi_1338_: type_15;
     var phi_1341_: f32;
-    var phi_1339_: type_14;
-    var phi_1382_: type_15;
+    var phi_1339_: type_15;
+    var phi_1382_: type_16;
     var phi_1342_: f32;
     var local_1: f32;
     var phi_1395_: f32;
-    var phi_1436_: type_14;
+    var phi_1436_: type_15;
     var phi_1439_: f32;
-    var phi_1437_: type_14;
-    var phi_1480_: type_15;
+    var phi_1437_: type_15;
+    var phi_1480_: type_16;
     var phi_1440_: f32;
     var local_2: f32;
     var phi_1493_: f32;
-    var phi_1505_: type_16;
-    var phi_1601_: type_14;
+    var phi_1505_: type_17;
+    var phi_1601_: type_15;
     var phi_1604_: f32;
-    var phi_1602_: type_14;
-    var phi_1645_: type_15;
+    var phi_1602_: type_15;
+    var phi_1645_: type_16;
     var phi_1605_: f32;
     var local_3: f32;
     var phi_1658_: f32;
-    var phi_1670_: type_16;
+    var phi_1670_: type_17;
     var phi_1737_: type_36;
     var phi_1738_: bool;
     var phi_1739_: type_36;
     var phi_1740_: bool;
-    var phi_2029_: type_14;
+    var phi_2029_: type_15;
     var phi_2032_: f32;
-    var phi_2030_: type_14;
-    var phi_2073_: type_15;
+    var phi_2030_: type_15;
+    var phi_2073_: type_16;
     var phi_2033_: f32;
     var local_4: f32;
     var phi_2086_: f32;
-    var phi_2127_: type_14;
+    var phi_2127_: type_15;
     var phi_2130_: f32;
-    var phi_2128_: type_14;
-    var phi_2171_: type_15;
+    var phi_2128_: type_15;
+    var phi_2171_: type_16;
     var phi_2131_: f32;
     var local_5: f32;
     var phi_2184_: f32;
-    var phi_2196_: type_16;
+    var phi_2196_: type_17;
     var phi_2258_: type_36;
-    var phi_1772_: type_14;
+    var phi_1772_: type_15;
     var phi_1775_: f32;
-    var phi_1773_: type_14;
-    var phi_1816_: type_15;
+    var phi_1773_: type_15;
+    var phi_1816_: type_16;
     var phi_1776_: f32;
     var local_6: f32;
     var phi_1829_: f32;
-    var phi_1870_: type_14;
+    var phi_1870_: type_15;
     var phi_1873_: f32;
-    var phi_1871_: type_14;
-    var phi_1914_: type_15;
+    var phi_1871_: type_15;
+    var phi_1914_: type_16;
     var phi_1874_: f32;
     var local_7: f32;
     var phi_1927_: f32;
-    var phi_1939_: type_16;
+    var phi_1939_: type_17;
     var phi_2259_: type_36;
     var phi_2260_: type_36;
     var phi_1256_: type_36;
@@ -471,7 +471,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             if (_e691 <= 0.000000000000000000000000000000000000011754944f) {
                                 phi_1201_ = select(0f, (0.000000000000000000106433627f * 2f), (_e691 > 0f));
                             } else {
-                                phi_1144_ = type_14(0i, 5i);
+                                phi_1144_ = type_15(0i, 5i);
                                 phi_1147_ = bitcast<f32>(((bitcast<u32>(_e691) >> bitcast<u32>(1i)) + 532369198u));
                                 loop {
                                     let _e703 = phi_1144_;
@@ -479,11 +479,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     local = _e705;
                                     if (_e703.member < _e703.member_1) {
                                         let _e712 = (_e703.member + 1i);
-                                        phi_1145_ = type_14(select(_e712, type_15().member_1, select(false, true, ((false == (_e712 > _e703.member)) != false))), _e703.member_1);
-                                        phi_1188_ = type_15(1u, _e703.member);
+                                        phi_1145_ = type_15(select(_e712, type_16().member_1, select(false, true, ((false == (_e712 > _e703.member)) != false))), _e703.member_1);
+                                        phi_1188_ = type_16(1u, _e703.member);
                                     } else {
                                         phi_1145_ = _e703;
-                                        phi_1188_ = type_15(0u, type_15().member_1);
+                                        phi_1188_ = type_16(0u, type_16().member_1);
                                     }
                                     let _e723 = phi_1145_;
                                     let _e725 = phi_1188_;
@@ -508,9 +508,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                             let _e745 = (_e684 / _e744);
                             let _e746 = (_e685 / _e744);
                             let _e751 = (1.5f - (((_e745 * _e745) + (_e746 * _e746)) * 0.5f));
-                            phi_1213_ = type_16((_e745 * _e751), (_e746 * _e751));
+                            phi_1213_ = type_17((_e745 * _e751), (_e746 * _e751));
                         } else {
-                            phi_1213_ = type_16(1f, 0f);
+                            phi_1213_ = type_17(1f, 0f);
                         }
                         let _e756 = phi_1213_;
                         let _e761 = (((_e756.member * _e756.member_1) * _e687) * 2f);
@@ -532,7 +532,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         if (_e830 <= 0.000000000000000000000000000000000000011754944f) {
                                             phi_1395_ = select(0f, (0.000000000000000000106433627f * 2f), (_e830 > 0f));
                                         } else {
-                                            phi_1338_ = type_14(0i, 5i);
+                                            phi_1338_ = type_15(0i, 5i);
                                             phi_1341_ = bitcast<f32>(((bitcast<u32>(_e830) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
                                                 let _e838 = phi_1338_;
@@ -540,11 +540,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 local_1 = _e840;
                                                 if (_e838.member < _e838.member_1) {
                                                     let _e847 = (_e838.member + 1i);
-                                                    phi_1339_ = type_14(select(_e847, type_15().member_1, select(false, true, ((false == (_e847 > _e838.member)) != false))), _e838.member_1);
-                                                    phi_1382_ = type_15(1u, _e838.member);
+                                                    phi_1339_ = type_15(select(_e847, type_16().member_1, select(false, true, ((false == (_e847 > _e838.member)) != false))), _e838.member_1);
+                                                    phi_1382_ = type_16(1u, _e838.member);
                                                 } else {
                                                     phi_1339_ = _e838;
-                                                    phi_1382_ = type_15(0u, type_15().member_1);
+                                                    phi_1382_ = type_16(0u, type_16().member_1);
                                                 }
                                                 let _e858 = phi_1339_;
                                                 let _e860 = phi_1382_;
@@ -572,7 +572,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             if (_e889 <= 0.000000000000000000000000000000000000011754944f) {
                                                 phi_1493_ = select(0f, (0.000000000000000000106433627f * 2f), (_e889 > 0f));
                                             } else {
-                                                phi_1436_ = type_14(0i, 5i);
+                                                phi_1436_ = type_15(0i, 5i);
                                                 phi_1439_ = bitcast<f32>(((bitcast<u32>(_e889) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
                                                     let _e901 = phi_1436_;
@@ -580,11 +580,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     local_2 = _e903;
                                                     if (_e901.member < _e901.member_1) {
                                                         let _e910 = (_e901.member + 1i);
-                                                        phi_1437_ = type_14(select(_e910, type_15().member_1, select(false, true, ((false == (_e910 > _e901.member)) != false))), _e901.member_1);
-                                                        phi_1480_ = type_15(1u, _e901.member);
+                                                        phi_1437_ = type_15(select(_e910, type_16().member_1, select(false, true, ((false == (_e910 > _e901.member)) != false))), _e901.member_1);
+                                                        phi_1480_ = type_16(1u, _e901.member);
                                                     } else {
                                                         phi_1437_ = _e901;
-                                                        phi_1480_ = type_15(0u, type_15().member_1);
+                                                        phi_1480_ = type_16(0u, type_16().member_1);
                                                     }
                                                     let _e921 = phi_1437_;
                                                     let _e923 = phi_1480_;
@@ -609,9 +609,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e943 = (_e886 / _e942);
                                             let _e944 = (_e795.member[1] / _e942);
                                             let _e949 = (1.5f - (((_e943 * _e943) + (_e944 * _e944)) * 0.5f));
-                                            phi_1505_ = type_16((_e943 * _e949), (_e944 * _e949));
+                                            phi_1505_ = type_17((_e943 * _e949), (_e944 * _e949));
                                         } else {
-                                            phi_1505_ = type_16(1f, 0f);
+                                            phi_1505_ = type_17(1f, 0f);
                                         }
                                         let _e954 = phi_1505_;
                                         let _e971 = (((_e795.member_1[1] - _e795.member_1[2]) * _e954.member_1) + ((_e954.member * _e795.member[1]) * 2f));
@@ -627,7 +627,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             if (_e1013 <= 0.000000000000000000000000000000000000011754944f) {
                                                 phi_1658_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1013 > 0f));
                                             } else {
-                                                phi_1601_ = type_14(0i, 5i);
+                                                phi_1601_ = type_15(0i, 5i);
                                                 phi_1604_ = bitcast<f32>(((bitcast<u32>(_e1013) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
                                                     let _e1025 = phi_1601_;
@@ -635,11 +635,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     local_3 = _e1027;
                                                     if (_e1025.member < _e1025.member_1) {
                                                         let _e1034 = (_e1025.member + 1i);
-                                                        phi_1602_ = type_14(select(_e1034, type_15().member_1, select(false, true, ((false == (_e1034 > _e1025.member)) != false))), _e1025.member_1);
-                                                        phi_1645_ = type_15(1u, _e1025.member);
+                                                        phi_1602_ = type_15(select(_e1034, type_16().member_1, select(false, true, ((false == (_e1034 > _e1025.member)) != false))), _e1025.member_1);
+                                                        phi_1645_ = type_16(1u, _e1025.member);
                                                     } else {
                                                         phi_1602_ = _e1025;
-                                                        phi_1645_ = type_15(0u, type_15().member_1);
+                                                        phi_1645_ = type_16(0u, type_16().member_1);
                                                     }
                                                     let _e1045 = phi_1602_;
                                                     let _e1047 = phi_1645_;
@@ -664,9 +664,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1067 = (_e977 / _e1066);
                                             let _e1068 = (_e1010 / _e1066);
                                             let _e1073 = (1.5f - (((_e1067 * _e1067) + (_e1068 * _e1068)) * 0.5f));
-                                            phi_1670_ = type_16((_e1067 * _e1073), (_e1068 * _e1073));
+                                            phi_1670_ = type_17((_e1067 * _e1073), (_e1068 * _e1073));
                                         } else {
-                                            phi_1670_ = type_16(1f, 0f);
+                                            phi_1670_ = type_17(1f, 0f);
                                         }
                                         let _e1078 = phi_1670_;
                                         let _e1088 = (((_e795.member_1[0] - _e973) * _e1078.member_1) + ((_e1078.member * _e1009) * 2f));
@@ -693,7 +693,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         if (_e1337 <= 0.000000000000000000000000000000000000011754944f) {
                                             phi_1829_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1337 > 0f));
                                         } else {
-                                            phi_1772_ = type_14(0i, 5i);
+                                            phi_1772_ = type_15(0i, 5i);
                                             phi_1775_ = bitcast<f32>(((bitcast<u32>(_e1337) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
                                                 let _e1345 = phi_1772_;
@@ -701,11 +701,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 local_6 = _e1347;
                                                 if (_e1345.member < _e1345.member_1) {
                                                     let _e1354 = (_e1345.member + 1i);
-                                                    phi_1773_ = type_14(select(_e1354, type_15().member_1, select(false, true, ((false == (_e1354 > _e1345.member)) != false))), _e1345.member_1);
-                                                    phi_1816_ = type_15(1u, _e1345.member);
+                                                    phi_1773_ = type_15(select(_e1354, type_16().member_1, select(false, true, ((false == (_e1354 > _e1345.member)) != false))), _e1345.member_1);
+                                                    phi_1816_ = type_16(1u, _e1345.member);
                                                 } else {
                                                     phi_1773_ = _e1345;
-                                                    phi_1816_ = type_15(0u, type_15().member_1);
+                                                    phi_1816_ = type_16(0u, type_16().member_1);
                                                 }
                                                 let _e1365 = phi_1773_;
                                                 let _e1367 = phi_1816_;
@@ -733,7 +733,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             if (_e1396 <= 0.000000000000000000000000000000000000011754944f) {
                                                 phi_1927_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1396 > 0f));
                                             } else {
-                                                phi_1870_ = type_14(0i, 5i);
+                                                phi_1870_ = type_15(0i, 5i);
                                                 phi_1873_ = bitcast<f32>(((bitcast<u32>(_e1396) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
                                                     let _e1408 = phi_1870_;
@@ -741,11 +741,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     local_7 = _e1410;
                                                     if (_e1408.member < _e1408.member_1) {
                                                         let _e1417 = (_e1408.member + 1i);
-                                                        phi_1871_ = type_14(select(_e1417, type_15().member_1, select(false, true, ((false == (_e1417 > _e1408.member)) != false))), _e1408.member_1);
-                                                        phi_1914_ = type_15(1u, _e1408.member);
+                                                        phi_1871_ = type_15(select(_e1417, type_16().member_1, select(false, true, ((false == (_e1417 > _e1408.member)) != false))), _e1408.member_1);
+                                                        phi_1914_ = type_16(1u, _e1408.member);
                                                     } else {
                                                         phi_1871_ = _e1408;
-                                                        phi_1914_ = type_15(0u, type_15().member_1);
+                                                        phi_1914_ = type_16(0u, type_16().member_1);
                                                     }
                                                     let _e1428 = phi_1871_;
                                                     let _e1430 = phi_1914_;
@@ -770,9 +770,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e1450 = (_e1393 / _e1449);
                                             let _e1451 = (_e795.member[0] / _e1449);
                                             let _e1456 = (1.5f - (((_e1450 * _e1450) + (_e1451 * _e1451)) * 0.5f));
-                                            phi_1939_ = type_16((_e1450 * _e1456), (_e1451 * _e1456));
+                                            phi_1939_ = type_17((_e1450 * _e1456), (_e1451 * _e1456));
                                         } else {
-                                            phi_1939_ = type_16(1f, 0f);
+                                            phi_1939_ = type_17(1f, 0f);
                                         }
                                         let _e1461 = phi_1939_;
                                         let _e1478 = (((_e795.member_1[0] - _e795.member_1[1]) * _e1461.member_1) + ((_e1461.member * _e795.member[0]) * 2f));
@@ -786,7 +786,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             if (_e1137 <= 0.000000000000000000000000000000000000011754944f) {
                                                 phi_2086_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1137 > 0f));
                                             } else {
-                                                phi_2029_ = type_14(0i, 5i);
+                                                phi_2029_ = type_15(0i, 5i);
                                                 phi_2032_ = bitcast<f32>(((bitcast<u32>(_e1137) >> bitcast<u32>(1i)) + 532369198u));
                                                 loop {
                                                     let _e1145 = phi_2029_;
@@ -794,11 +794,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                     local_4 = _e1147;
                                                     if (_e1145.member < _e1145.member_1) {
                                                         let _e1154 = (_e1145.member + 1i);
-                                                        phi_2030_ = type_14(select(_e1154, type_15().member_1, select(false, true, ((false == (_e1154 > _e1145.member)) != false))), _e1145.member_1);
-                                                        phi_2073_ = type_15(1u, _e1145.member);
+                                                        phi_2030_ = type_15(select(_e1154, type_16().member_1, select(false, true, ((false == (_e1154 > _e1145.member)) != false))), _e1145.member_1);
+                                                        phi_2073_ = type_16(1u, _e1145.member);
                                                     } else {
                                                         phi_2030_ = _e1145;
-                                                        phi_2073_ = type_15(0u, type_15().member_1);
+                                                        phi_2073_ = type_16(0u, type_16().member_1);
                                                     }
                                                     let _e1165 = phi_2030_;
                                                     let _e1167 = phi_2073_;
@@ -826,7 +826,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 if (_e1196 <= 0.000000000000000000000000000000000000011754944f) {
                                                     phi_2184_ = select(0f, (0.000000000000000000106433627f * 2f), (_e1196 > 0f));
                                                 } else {
-                                                    phi_2127_ = type_14(0i, 5i);
+                                                    phi_2127_ = type_15(0i, 5i);
                                                     phi_2130_ = bitcast<f32>(((bitcast<u32>(_e1196) >> bitcast<u32>(1i)) + 532369198u));
                                                     loop {
                                                         let _e1208 = phi_2127_;
@@ -834,11 +834,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                         local_5 = _e1210;
                                                         if (_e1208.member < _e1208.member_1) {
                                                             let _e1217 = (_e1208.member + 1i);
-                                                            phi_2128_ = type_14(select(_e1217, type_15().member_1, select(false, true, ((false == (_e1217 > _e1208.member)) != false))), _e1208.member_1);
-                                                            phi_2171_ = type_15(1u, _e1208.member);
+                                                            phi_2128_ = type_15(select(_e1217, type_16().member_1, select(false, true, ((false == (_e1217 > _e1208.member)) != false))), _e1208.member_1);
+                                                            phi_2171_ = type_16(1u, _e1208.member);
                                                         } else {
                                                             phi_2128_ = _e1208;
-                                                            phi_2171_ = type_15(0u, type_15().member_1);
+                                                            phi_2171_ = type_16(0u, type_16().member_1);
                                                         }
                                                         let _e1228 = phi_2128_;
                                                         let _e1230 = phi_2171_;
@@ -863,9 +863,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                                 let _e1250 = (_e1193 / _e1249);
                                                 let _e1251 = (_e795.member[1] / _e1249);
                                                 let _e1256 = (1.5f - (((_e1250 * _e1250) + (_e1251 * _e1251)) * 0.5f));
-                                                phi_2196_ = type_16((_e1250 * _e1256), (_e1251 * _e1256));
+                                                phi_2196_ = type_17((_e1250 * _e1256), (_e1251 * _e1256));
                                             } else {
-                                                phi_2196_ = type_16(1f, 0f);
+                                                phi_2196_ = type_17(1f, 0f);
                                             }
                                             let _e1261 = phi_2196_;
                                             let _e1278 = (((_e795.member_1[1] - _e795.member_1[2]) * _e1261.member_1) + ((_e1261.member * _e795.member[1]) * 2f));

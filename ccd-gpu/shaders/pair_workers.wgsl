@@ -35,15 +35,15 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_17 {
+struct type_18 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
     member_3: u32,
 }
 
-struct type_19 {
-    member: array<type_17>,
+struct type_20 {
+    member: array<type_18>,
 }
 
 struct type_21 {
@@ -106,9 +106,9 @@ var<storage, read_write> front: type_11;
 @group(0) @binding(5) 
 var<storage, read_write> pairs: type_30;
 @group(0) @binding(1) 
-var<storage> a: type_19;
+var<storage> a: type_20;
 @group(0) @binding(2) 
-var<storage> b: type_19;
+var<storage> b: type_20;
 @group(0) @binding(3) 
 var<storage, read_write> control: type_30;
 @group(0) @binding(4) 

@@ -53,7 +53,6 @@ struct type_20 {
     member: type_19,
 }
 
-var<workgroup> starts: array<u32, 256>;
 var<workgroup> sums: array<u32, 512>;
 @group(0) @binding(0) 
 var<storage> params: type_20;
@@ -65,6 +64,7 @@ var<storage> table: type_11;
 var<storage> ranks: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> slots: type_17;
+var<workgroup> starts: array<u32, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_131_: type_9;

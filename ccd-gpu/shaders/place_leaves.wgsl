@@ -30,7 +30,7 @@ struct type_10 {
     member: array<u32>,
 }
 
-struct type_12 {
+struct type_13 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -38,17 +38,17 @@ struct type_12 {
     member_4: u32,
 }
 
-struct type_13 {
+struct type_14 {
     member: type_7,
     member_1: type_8,
-    member_2: type_12,
-}
-
-struct type_14 {
-    member: type_13,
+    member_2: type_13,
 }
 
 struct type_15 {
+    member: type_14,
+}
+
+struct type_16 {
     member: array<u32, 3>,
     member_1: u32,
 }
@@ -58,7 +58,7 @@ struct type_18 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_14;
+var<storage> params: type_15;
 @group(0) @binding(2) 
 var<storage> elements: type_10;
 @group(0) @binding(1) 
@@ -69,9 +69,9 @@ var<storage, read_write> leaves: type_18;
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_93_: u32;
     var phi_229_: array<u32, 3>;
-    var phi_231_: type_15;
-    var phi_232_: type_15;
-    var phi_233_: type_15;
+    var phi_231_: type_16;
+    var phi_232_: type_16;
+    var phi_233_: type_16;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -101,7 +101,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e63 = order.member[(_e60 + _e51)];
             let _e67 = params.member.member.member_2[_e45];
             let _e68 = (_e63 - _e67);
-            let _e72 = type_15(array<u32, 3>(_e68, _e68, _e68), type_15(array<u32, 3>(0u, 0u, 0u), _e68).member_1);
+            let _e72 = type_16(array<u32, 3>(_e68, _e68, _e68), type_16(array<u32, 3>(0u, 0u, 0u), _e68).member_1);
             let _e75 = params.member.member.member_1;
             if ((_e75 & 1u) != 0u) {
                 if (_e45 > 0u) {
@@ -121,7 +121,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         phi_229_ = array<u32, 3>(_e94, _e97, _e100);
                     }
                     let _e110 = phi_229_;
-                    phi_231_ = type_15(_e110, _e72.member_1);
+                    phi_231_ = type_16(_e110, _e72.member_1);
                 } else {
                     phi_231_ = _e72;
                 }
@@ -133,7 +133,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e116 = phi_232_;
             phi_233_ = _e116;
         } else {
-            phi_233_ = type_15(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+            phi_233_ = type_16(array<u32, 3>(0u, 0u, 0u), 4294967295u);
         }
         let _e118 = phi_233_;
         leaves.member[_e27] = vec4<u32>(_e118.member[0], _e118.member[1], _e118.member[2], _e118.member_1);

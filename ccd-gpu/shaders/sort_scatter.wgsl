@@ -45,86 +45,112 @@ struct type_13 {
     member: array<u32>,
 }
 
+struct type_21 {
+    member: array<atomic<u32>>,
+}
+
 @group(0) @binding(0) 
 var<storage> params: type_11;
 @group(0) @binding(1) 
-var<storage> table: type_13;
-@group(0) @binding(2) 
 var<storage> keys: type_13;
-@group(0) @binding(3) 
+var<workgroup> counts: array<atomic<u32>, 1024>;
+@group(0) @binding(2) 
 var<storage> values: type_13;
+@group(0) @binding(3) 
+var<storage, read_write> table: type_21;
 @group(0) @binding(4) 
 var<storage, read_write> keys_out: type_13;
 @group(0) @binding(5) 
 var<storage, read_write> values_out: type_13;
 var<workgroup> words: array<atomic<u32>, 2048>;
-var<workgroup> counts: array<atomic<u32>, 1024>;
-var<workgroup> starts: array<u32, 256>;
+var<workgroup> lowest: array<atomic<u32>, 1>;
+var<workgroup> digits: array<atomic<u32>, 256>;
+var<workgroup> missing: array<u32, 1>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_129_: u32;
-    var phi_152_: u32;
-    var phi_175_: u32;
-    var phi_198_: u32;
-    var phi_221_: u32;
-    var phi_244_: u32;
-    var phi_267_: u32;
-    var phi_290_: u32;
-    var phi_313_: u32;
-    var phi_336_: u32;
-    var phi_359_: u32;
-    var phi_382_: u32;
-    var phi_405_: u32;
-    var phi_428_: u32;
-    var phi_451_: u32;
-    var phi_475_: u32;
-    var phi_478_: type_9;
-    var phi_515_: type_9;
-    var phi_992_: type_9;
-    var phi_995_: u32;
-    var phi_996_: u32;
+    var phi_143_: u32;
+    var phi_165_: u32;
+    var phi_187_: u32;
+    var phi_209_: u32;
+    var phi_231_: u32;
+    var phi_253_: u32;
+    var phi_275_: u32;
+    var phi_297_: u32;
+    var phi_301_: type_9;
+    var phi_338_: type_9;
+    var phi_833_: type_9;
+    var phi_836_: u32;
+    var phi_837_: u32;
+    var phi_875_: type_9;
     var local: u32;
+    var phi_969_: u32;
+    var phi_970_: u32;
+    var phi_974_: type_9;
+    var phi_977_: u32;
+    var phi_979_: u32;
+    var phi_981_: u32;
+    var phi_978_: u32;
+    var phi_1020_: u32;
+    var phi_980_: u32;
+    var phi_982_: u32;
+    var phi_1027_: type_9;
+    var phi_1030_: u32;
+    var phi_1032_: u32;
+    var phi_1034_: u32;
+    var phi_1031_: u32;
+    var phi_1073_: u32;
+    var phi_1033_: u32;
+    var phi_1035_: u32;
     var local_1: u32;
-    var phi_1060_: array<u32, 2>;
-    var phi_1061_: array<u32, 2>;
-    var phi_1071_: type_9;
-    var phi_1074_: u32;
-    var phi_1076_: u32;
-    var phi_1078_: u32;
-    var phi_1075_: u32;
-    var phi_1117_: u32;
-    var phi_1077_: u32;
-    var phi_1079_: u32;
+    var phi_1113_: array<u32, 8>;
+    var phi_1145_: array<u32, 8>;
+    var phi_1177_: array<u32, 8>;
+    var phi_1209_: array<u32, 8>;
+    var phi_1241_: array<u32, 8>;
+    var phi_1273_: array<u32, 8>;
+    var phi_1305_: array<u32, 8>;
+    var phi_1337_: array<u32, 8>;
+    var phi_1447_: u32;
+    var phi_1450_: u32;
+    var phi_1455_: u32;
+    var phi_1458_: u32;
+    var phi_1460_: u32;
+    var phi_1653_: u32;
+    var phi_1654_: u32;
+    var phi_1655_: u32;
+    var phi_1456_: u32;
+    var phi_1459_: u32;
+    var phi_1461_: u32;
+    var phi_1656_: bool;
     var local_2: u32;
-    var phi_1125_: type_9;
-    var phi_1128_: u32;
-    var phi_1130_: u32;
-    var phi_1132_: u32;
-    var phi_1129_: u32;
-    var phi_1171_: u32;
-    var phi_1131_: u32;
-    var phi_1133_: u32;
     var local_3: u32;
-    var phi_1211_: array<u32, 2>;
-    var phi_1229_: type_9;
-    var phi_1232_: u32;
-    var phi_1233_: u32;
-    var phi_1298_: array<u32, 8>;
-    var phi_1327_: array<u32, 8>;
-    var phi_1356_: array<u32, 8>;
-    var phi_1385_: array<u32, 8>;
-    var phi_1414_: array<u32, 8>;
-    var phi_1443_: array<u32, 8>;
-    var phi_1472_: array<u32, 8>;
-    var phi_1501_: array<u32, 8>;
-    var phi_1520_: array<u32, 8>;
-    var phi_1539_: array<u32, 8>;
-    var phi_1558_: array<u32, 8>;
-    var phi_1577_: array<u32, 8>;
-    var phi_1596_: array<u32, 8>;
-    var phi_1615_: array<u32, 8>;
-    var phi_1634_: array<u32, 8>;
-    var phi_1653_: array<u32, 8>;
+    var local_4: u32;
+    var local_5: u32;
+    var phi_1844_: u32;
+    var phi_1845_: u32;
+    var phi_1448_: u32;
+    var phi_1451_: u32;
+    var phi_1846_: bool;
+    var local_6: u32;
+    var local_7: u32;
+    var local_8: u32;
+    var phi_1894_: u32;
+    var phi_1916_: u32;
+    var phi_1938_: u32;
+    var phi_1960_: u32;
+    var phi_1982_: u32;
+    var phi_2004_: u32;
+    var phi_2026_: u32;
+    var phi_2048_: u32;
+    var phi_2066_: array<u32, 8>;
+    var phi_2084_: array<u32, 8>;
+    var phi_2102_: array<u32, 8>;
+    var phi_2120_: array<u32, 8>;
+    var phi_2138_: array<u32, 8>;
+    var phi_2156_: array<u32, 8>;
+    var phi_2174_: array<u32, 8>;
+    var phi_2192_: array<u32, 8>;
+    var local_9: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -132,715 +158,887 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e41 = id_2;
-    let _e42 = n_2;
-    let _e43 = lane_2;
-    let _e54 = ((_e41.y * _e42.x) + _e41.x);
-    let _e56 = ((_e43 / 32u) * 256u);
-    let _e59 = params.member.member_2.member;
-    let _e62 = params.member.member_1.member;
-    let _e65 = params.member.member_2.member_1;
-    let _e71 = ((_e54 * 2048u) + (((_e43 / 32u) * 256u) + (_e43 % 32u)));
-    if (_e71 < _e62) {
-        let _e74 = keys.member[_e71];
-        phi_129_ = _e74;
+    let _e51 = id_2;
+    let _e52 = n_2;
+    let _e53 = lane_2;
+    let _e67 = params.member.member_2.member;
+    let _e70 = params.member.member_1.member;
+    let _e73 = params.member.member_2.member_1;
+    let _e76 = params.member.member_1.member_1;
+    let _e77 = (_e76 + ((_e51.y * _e52.x) + _e51.x));
+    let _e78 = (_e77 * 2048u);
+    let _e83 = (_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u)));
+    if (_e83 < _e70) {
+        let _e86 = keys.member[_e83];
+        phi_143_ = _e86;
     } else {
-        phi_129_ = 0u;
+        phi_143_ = 0u;
     }
-    let _e76 = phi_129_;
-    let _e82 = ((_e54 * 2048u) + (((_e43 / 32u) * 256u) + (_e43 % 32u)));
-    if (_e82 < _e62) {
-        let _e85 = values.member[_e82];
-        phi_152_ = _e85;
-    } else {
-        phi_152_ = 0u;
-    }
-    let _e87 = phi_152_;
-    let _e94 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 32u) + (_e43 % 32u)));
-    if (_e94 < _e62) {
+    let _e88 = phi_143_;
+    let _e94 = (_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u)));
+    if (_e94 < _e70) {
         let _e97 = keys.member[_e94];
-        phi_175_ = _e97;
+        phi_165_ = _e97;
     } else {
-        phi_175_ = 0u;
+        phi_165_ = 0u;
     }
-    let _e99 = phi_175_;
-    let _e106 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 32u) + (_e43 % 32u)));
-    if (_e106 < _e62) {
-        let _e109 = values.member[_e106];
-        phi_198_ = _e109;
+    let _e99 = phi_165_;
+    let _e105 = (_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u)));
+    if (_e105 < _e70) {
+        let _e108 = keys.member[_e105];
+        phi_187_ = _e108;
     } else {
-        phi_198_ = 0u;
+        phi_187_ = 0u;
     }
-    let _e111 = phi_198_;
-    let _e118 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 64u) + (_e43 % 32u)));
-    if (_e118 < _e62) {
-        let _e121 = keys.member[_e118];
-        phi_221_ = _e121;
+    let _e110 = phi_187_;
+    let _e116 = (_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u)));
+    if (_e116 < _e70) {
+        let _e119 = keys.member[_e116];
+        phi_209_ = _e119;
     } else {
-        phi_221_ = 0u;
+        phi_209_ = 0u;
     }
-    let _e123 = phi_221_;
-    let _e130 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 64u) + (_e43 % 32u)));
-    if (_e130 < _e62) {
-        let _e133 = values.member[_e130];
-        phi_244_ = _e133;
+    let _e121 = phi_209_;
+    let _e127 = (_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u)));
+    if (_e127 < _e70) {
+        let _e130 = keys.member[_e127];
+        phi_231_ = _e130;
     } else {
-        phi_244_ = 0u;
+        phi_231_ = 0u;
     }
-    let _e135 = phi_244_;
-    let _e142 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 96u) + (_e43 % 32u)));
-    if (_e142 < _e62) {
-        let _e145 = keys.member[_e142];
-        phi_267_ = _e145;
+    let _e132 = phi_231_;
+    let _e138 = (_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u)));
+    if (_e138 < _e70) {
+        let _e141 = keys.member[_e138];
+        phi_253_ = _e141;
     } else {
-        phi_267_ = 0u;
+        phi_253_ = 0u;
     }
-    let _e147 = phi_267_;
-    let _e154 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 96u) + (_e43 % 32u)));
-    if (_e154 < _e62) {
-        let _e157 = values.member[_e154];
-        phi_290_ = _e157;
+    let _e143 = phi_253_;
+    let _e149 = (_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u)));
+    if (_e149 < _e70) {
+        let _e152 = keys.member[_e149];
+        phi_275_ = _e152;
     } else {
-        phi_290_ = 0u;
+        phi_275_ = 0u;
     }
-    let _e159 = phi_290_;
-    let _e166 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 128u) + (_e43 % 32u)));
-    if (_e166 < _e62) {
-        let _e169 = keys.member[_e166];
-        phi_313_ = _e169;
+    let _e154 = phi_275_;
+    let _e160 = (_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u)));
+    if (_e160 < _e70) {
+        let _e163 = keys.member[_e160];
+        phi_297_ = _e163;
     } else {
-        phi_313_ = 0u;
+        phi_297_ = 0u;
     }
-    let _e171 = phi_313_;
-    let _e178 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 128u) + (_e43 % 32u)));
-    if (_e178 < _e62) {
-        let _e181 = values.member[_e178];
-        phi_336_ = _e181;
-    } else {
-        phi_336_ = 0u;
-    }
-    let _e183 = phi_336_;
-    let _e190 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 160u) + (_e43 % 32u)));
-    if (_e190 < _e62) {
-        let _e193 = keys.member[_e190];
-        phi_359_ = _e193;
-    } else {
-        phi_359_ = 0u;
-    }
-    let _e195 = phi_359_;
-    let _e202 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 160u) + (_e43 % 32u)));
-    if (_e202 < _e62) {
-        let _e205 = values.member[_e202];
-        phi_382_ = _e205;
-    } else {
-        phi_382_ = 0u;
-    }
-    let _e207 = phi_382_;
-    let _e214 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 192u) + (_e43 % 32u)));
-    if (_e214 < _e62) {
-        let _e217 = keys.member[_e214];
-        phi_405_ = _e217;
-    } else {
-        phi_405_ = 0u;
-    }
-    let _e219 = phi_405_;
-    let _e226 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 192u) + (_e43 % 32u)));
-    if (_e226 < _e62) {
-        let _e229 = values.member[_e226];
-        phi_428_ = _e229;
-    } else {
-        phi_428_ = 0u;
-    }
-    let _e231 = phi_428_;
-    let _e238 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 224u) + (_e43 % 32u)));
-    if (_e238 < _e62) {
-        let _e241 = keys.member[_e238];
-        phi_451_ = _e241;
-    } else {
-        phi_451_ = 0u;
-    }
-    let _e243 = phi_451_;
-    let _e251 = ((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 224u) + (_e43 % 32u)));
-    if (_e251 < _e62) {
-        let _e254 = values.member[_e251];
-        phi_475_ = _e254;
-    } else {
-        phi_475_ = 0u;
-    }
-    let _e256 = phi_475_;
-    phi_478_ = type_9(0u, 8u);
+    let _e165 = phi_297_;
+    phi_301_ = type_9(0u, 8u);
     loop {
-        let _e258 = phi_478_;
-        let _e261 = (_e258.member < _e258.member_1);
-        let _e274 = (bitcast<i32>(select(0u, 1u, _e261)) != 0i);
-        if _e274 {
-            atomicStore((&words[((select(type_9().member_1, _e258.member, _e261) * 256u) + _e43)]), 0u);
+        let _e168 = phi_301_;
+        let _e171 = (_e168.member < _e168.member_1);
+        let _e184 = (bitcast<i32>(select(0u, 1u, _e171)) != 0i);
+        if _e184 {
+            atomicStore((&words[((select(type_9().member_1, _e168.member, _e171) * 256u) + _e53)]), 0u);
         }
         continue;
         continuing {
-            phi_478_ = type_9(select(_e258.member, (_e258.member + 1u), _e261), select(_e258.member_1, _e258.member_1, _e261));
-            break if !(_e274);
+            phi_301_ = type_9(select(_e168.member, (_e168.member + 1u), _e171), select(_e168.member_1, _e168.member_1, _e171));
+            break if !(_e184);
         }
     }
-    phi_515_ = type_9(0u, 4u);
+    phi_338_ = type_9(0u, 4u);
     loop {
-        let _e280 = phi_515_;
-        let _e283 = (_e280.member < _e280.member_1);
-        let _e296 = (bitcast<i32>(select(0u, 1u, _e283)) != 0i);
-        if _e296 {
-            atomicStore((&counts[((select(type_9().member_1, _e280.member, _e283) * 256u) + _e43)]), 0u);
+        let _e190 = phi_338_;
+        let _e193 = (_e190.member < _e190.member_1);
+        let _e206 = (bitcast<i32>(select(0u, 1u, _e193)) != 0i);
+        if _e206 {
+            atomicStore((&counts[((select(type_9().member_1, _e190.member, _e193) * 256u) + _e53)]), 0u);
         }
         continue;
         continuing {
-            phi_515_ = type_9(select(_e280.member, (_e280.member + 1u), _e283), select(_e280.member_1, _e280.member_1, _e283));
-            break if !(_e296);
+            phi_338_ = type_9(select(_e190.member, (_e190.member + 1u), _e193), select(_e190.member_1, _e190.member_1, _e193));
+            break if !(_e206);
+        }
+    }
+    if (_e53 == 0u) {
+        atomicStore((&lowest[0u]), 4294967295u);
+    }
+    workgroupBarrier();
+    let _e218 = ((_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u))) < _e70);
+    let _e222 = ((_e88 >> bitcast<u32>((_e67 & 31u))) & 255u);
+    let _e225 = (((_e53 / 32u) * 256u) + _e222);
+    if _e218 {
+        let _e231 = atomicOr((&words[_e225]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e233 = atomicLoad((&words[_e225]));
+    let _e240 = countOneBits((_e233 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
+    let _e243 = atomicLoad((&counts[(_e225 / 2u)]));
+    let _e250 = (((_e243 >> bitcast<u32>(((16u * (_e222 % 2u)) & 31u))) & 65535u) + _e240);
+    workgroupBarrier();
+    if _e218 {
+        if (_e240 == 0u) {
+            let _e260 = atomicAdd((&counts[(_e225 / 2u)]), (countOneBits(_e233) << bitcast<u32>(((16u * (_e222 % 2u)) & 31u))));
+            atomicStore((&words[_e225]), 0u);
         }
     }
     workgroupBarrier();
-    let _e307 = (((_e54 * 2048u) + (((_e43 / 32u) * 256u) + (_e43 % 32u))) < _e62);
-    let _e312 = (_e56 + ((_e76 >> bitcast<u32>((_e59 & 31u))) & 255u));
-    if _e307 {
-        let _e318 = atomicOr((&words[_e312]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    let _e268 = ((_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u))) < _e70);
+    let _e272 = ((_e99 >> bitcast<u32>((_e67 & 31u))) & 255u);
+    let _e275 = (((_e53 / 32u) * 256u) + _e272);
+    if _e268 {
+        let _e281 = atomicOr((&words[_e275]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e320 = atomicLoad((&words[_e312]));
-    let _e327 = countOneBits((_e320 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e330 = atomicLoad((&counts[(_e312 / 2u)]));
-    let _e337 = (((_e330 >> bitcast<u32>(((16u * (_e312 % 2u)) & 31u))) & 65535u) + _e327);
+    let _e283 = atomicLoad((&words[_e275]));
+    let _e290 = countOneBits((_e283 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
+    let _e293 = atomicLoad((&counts[(_e275 / 2u)]));
+    let _e300 = (((_e293 >> bitcast<u32>(((16u * (_e272 % 2u)) & 31u))) & 65535u) + _e290);
     workgroupBarrier();
-    if _e307 {
-        if (_e327 == 0u) {
-            let _e347 = atomicAdd((&counts[(_e312 / 2u)]), (countOneBits(_e320) << bitcast<u32>(((16u * (_e312 % 2u)) & 31u))));
-            atomicStore((&words[_e312]), 0u);
+    if _e268 {
+        if (_e290 == 0u) {
+            let _e310 = atomicAdd((&counts[(_e275 / 2u)]), (countOneBits(_e283) << bitcast<u32>(((16u * (_e272 % 2u)) & 31u))));
+            atomicStore((&words[_e275]), 0u);
         }
     }
     workgroupBarrier();
-    let _e356 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 32u) + (_e43 % 32u))) < _e62);
-    let _e361 = (_e56 + ((_e99 >> bitcast<u32>((_e59 & 31u))) & 255u));
-    if _e356 {
-        let _e367 = atomicOr((&words[_e361]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    let _e318 = ((_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u))) < _e70);
+    let _e322 = ((_e110 >> bitcast<u32>((_e67 & 31u))) & 255u);
+    let _e325 = (((_e53 / 32u) * 256u) + _e322);
+    if _e318 {
+        let _e331 = atomicOr((&words[_e325]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e369 = atomicLoad((&words[_e361]));
-    let _e376 = countOneBits((_e369 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e379 = atomicLoad((&counts[(_e361 / 2u)]));
-    let _e386 = (((_e379 >> bitcast<u32>(((16u * (_e361 % 2u)) & 31u))) & 65535u) + _e376);
+    let _e333 = atomicLoad((&words[_e325]));
+    let _e340 = countOneBits((_e333 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
+    let _e343 = atomicLoad((&counts[(_e325 / 2u)]));
+    let _e350 = (((_e343 >> bitcast<u32>(((16u * (_e322 % 2u)) & 31u))) & 65535u) + _e340);
     workgroupBarrier();
-    if _e356 {
-        if (_e376 == 0u) {
-            let _e396 = atomicAdd((&counts[(_e361 / 2u)]), (countOneBits(_e369) << bitcast<u32>(((16u * (_e361 % 2u)) & 31u))));
-            atomicStore((&words[_e361]), 0u);
+    if _e318 {
+        if (_e340 == 0u) {
+            let _e360 = atomicAdd((&counts[(_e325 / 2u)]), (countOneBits(_e333) << bitcast<u32>(((16u * (_e322 % 2u)) & 31u))));
+            atomicStore((&words[_e325]), 0u);
         }
     }
     workgroupBarrier();
-    let _e405 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 64u) + (_e43 % 32u))) < _e62);
-    let _e410 = (_e56 + ((_e123 >> bitcast<u32>((_e59 & 31u))) & 255u));
-    if _e405 {
-        let _e416 = atomicOr((&words[_e410]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    let _e368 = ((_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u))) < _e70);
+    let _e372 = ((_e121 >> bitcast<u32>((_e67 & 31u))) & 255u);
+    let _e375 = (((_e53 / 32u) * 256u) + _e372);
+    if _e368 {
+        let _e381 = atomicOr((&words[_e375]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e418 = atomicLoad((&words[_e410]));
-    let _e425 = countOneBits((_e418 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e428 = atomicLoad((&counts[(_e410 / 2u)]));
-    let _e435 = (((_e428 >> bitcast<u32>(((16u * (_e410 % 2u)) & 31u))) & 65535u) + _e425);
+    let _e383 = atomicLoad((&words[_e375]));
+    let _e390 = countOneBits((_e383 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
+    let _e393 = atomicLoad((&counts[(_e375 / 2u)]));
+    let _e400 = (((_e393 >> bitcast<u32>(((16u * (_e372 % 2u)) & 31u))) & 65535u) + _e390);
     workgroupBarrier();
-    if _e405 {
-        if (_e425 == 0u) {
-            let _e445 = atomicAdd((&counts[(_e410 / 2u)]), (countOneBits(_e418) << bitcast<u32>(((16u * (_e410 % 2u)) & 31u))));
-            atomicStore((&words[_e410]), 0u);
+    if _e368 {
+        if (_e390 == 0u) {
+            let _e410 = atomicAdd((&counts[(_e375 / 2u)]), (countOneBits(_e383) << bitcast<u32>(((16u * (_e372 % 2u)) & 31u))));
+            atomicStore((&words[_e375]), 0u);
         }
     }
     workgroupBarrier();
-    let _e454 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 96u) + (_e43 % 32u))) < _e62);
-    let _e459 = (_e56 + ((_e147 >> bitcast<u32>((_e59 & 31u))) & 255u));
-    if _e454 {
-        let _e465 = atomicOr((&words[_e459]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    let _e418 = ((_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u))) < _e70);
+    let _e422 = ((_e132 >> bitcast<u32>((_e67 & 31u))) & 255u);
+    let _e425 = (((_e53 / 32u) * 256u) + _e422);
+    if _e418 {
+        let _e431 = atomicOr((&words[_e425]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e467 = atomicLoad((&words[_e459]));
-    let _e474 = countOneBits((_e467 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e477 = atomicLoad((&counts[(_e459 / 2u)]));
-    let _e484 = (((_e477 >> bitcast<u32>(((16u * (_e459 % 2u)) & 31u))) & 65535u) + _e474);
+    let _e433 = atomicLoad((&words[_e425]));
+    let _e440 = countOneBits((_e433 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
+    let _e443 = atomicLoad((&counts[(_e425 / 2u)]));
+    let _e450 = (((_e443 >> bitcast<u32>(((16u * (_e422 % 2u)) & 31u))) & 65535u) + _e440);
     workgroupBarrier();
-    if _e454 {
-        if (_e474 == 0u) {
-            let _e494 = atomicAdd((&counts[(_e459 / 2u)]), (countOneBits(_e467) << bitcast<u32>(((16u * (_e459 % 2u)) & 31u))));
-            atomicStore((&words[_e459]), 0u);
+    if _e418 {
+        if (_e440 == 0u) {
+            let _e460 = atomicAdd((&counts[(_e425 / 2u)]), (countOneBits(_e433) << bitcast<u32>(((16u * (_e422 % 2u)) & 31u))));
+            atomicStore((&words[_e425]), 0u);
         }
     }
     workgroupBarrier();
-    let _e503 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 128u) + (_e43 % 32u))) < _e62);
-    let _e508 = (_e56 + ((_e171 >> bitcast<u32>((_e59 & 31u))) & 255u));
-    if _e503 {
-        let _e514 = atomicOr((&words[_e508]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    let _e468 = ((_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u))) < _e70);
+    let _e472 = ((_e143 >> bitcast<u32>((_e67 & 31u))) & 255u);
+    let _e475 = (((_e53 / 32u) * 256u) + _e472);
+    if _e468 {
+        let _e481 = atomicOr((&words[_e475]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e516 = atomicLoad((&words[_e508]));
-    let _e523 = countOneBits((_e516 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e526 = atomicLoad((&counts[(_e508 / 2u)]));
-    let _e533 = (((_e526 >> bitcast<u32>(((16u * (_e508 % 2u)) & 31u))) & 65535u) + _e523);
+    let _e483 = atomicLoad((&words[_e475]));
+    let _e490 = countOneBits((_e483 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
+    let _e493 = atomicLoad((&counts[(_e475 / 2u)]));
+    let _e500 = (((_e493 >> bitcast<u32>(((16u * (_e472 % 2u)) & 31u))) & 65535u) + _e490);
     workgroupBarrier();
-    if _e503 {
-        if (_e523 == 0u) {
-            let _e543 = atomicAdd((&counts[(_e508 / 2u)]), (countOneBits(_e516) << bitcast<u32>(((16u * (_e508 % 2u)) & 31u))));
-            atomicStore((&words[_e508]), 0u);
+    if _e468 {
+        if (_e490 == 0u) {
+            let _e510 = atomicAdd((&counts[(_e475 / 2u)]), (countOneBits(_e483) << bitcast<u32>(((16u * (_e472 % 2u)) & 31u))));
+            atomicStore((&words[_e475]), 0u);
         }
     }
     workgroupBarrier();
-    let _e552 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 160u) + (_e43 % 32u))) < _e62);
-    let _e557 = (_e56 + ((_e195 >> bitcast<u32>((_e59 & 31u))) & 255u));
-    if _e552 {
-        let _e563 = atomicOr((&words[_e557]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    let _e518 = ((_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u))) < _e70);
+    let _e522 = ((_e154 >> bitcast<u32>((_e67 & 31u))) & 255u);
+    let _e525 = (((_e53 / 32u) * 256u) + _e522);
+    if _e518 {
+        let _e531 = atomicOr((&words[_e525]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e565 = atomicLoad((&words[_e557]));
-    let _e572 = countOneBits((_e565 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e575 = atomicLoad((&counts[(_e557 / 2u)]));
-    let _e582 = (((_e575 >> bitcast<u32>(((16u * (_e557 % 2u)) & 31u))) & 65535u) + _e572);
+    let _e533 = atomicLoad((&words[_e525]));
+    let _e540 = countOneBits((_e533 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
+    let _e543 = atomicLoad((&counts[(_e525 / 2u)]));
+    let _e550 = (((_e543 >> bitcast<u32>(((16u * (_e522 % 2u)) & 31u))) & 65535u) + _e540);
     workgroupBarrier();
-    if _e552 {
-        if (_e572 == 0u) {
-            let _e592 = atomicAdd((&counts[(_e557 / 2u)]), (countOneBits(_e565) << bitcast<u32>(((16u * (_e557 % 2u)) & 31u))));
-            atomicStore((&words[_e557]), 0u);
+    if _e518 {
+        if (_e540 == 0u) {
+            let _e560 = atomicAdd((&counts[(_e525 / 2u)]), (countOneBits(_e533) << bitcast<u32>(((16u * (_e522 % 2u)) & 31u))));
+            atomicStore((&words[_e525]), 0u);
         }
     }
     workgroupBarrier();
-    let _e601 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 192u) + (_e43 % 32u))) < _e62);
-    let _e606 = (_e56 + ((_e219 >> bitcast<u32>((_e59 & 31u))) & 255u));
-    if _e601 {
-        let _e612 = atomicOr((&words[_e606]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    let _e568 = ((_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u))) < _e70);
+    let _e572 = ((_e165 >> bitcast<u32>((_e67 & 31u))) & 255u);
+    let _e575 = (((_e53 / 32u) * 256u) + _e572);
+    if _e568 {
+        let _e581 = atomicOr((&words[_e575]), (1u << bitcast<u32>(((_e53 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e614 = atomicLoad((&words[_e606]));
-    let _e621 = countOneBits((_e614 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e624 = atomicLoad((&counts[(_e606 / 2u)]));
-    let _e631 = (((_e624 >> bitcast<u32>(((16u * (_e606 % 2u)) & 31u))) & 65535u) + _e621);
+    let _e583 = atomicLoad((&words[_e575]));
+    let _e590 = countOneBits((_e583 & ((1u << bitcast<u32>(((_e53 % 32u) & 31u))) - 1u)));
+    let _e593 = atomicLoad((&counts[(_e575 / 2u)]));
+    let _e600 = (((_e593 >> bitcast<u32>(((16u * (_e572 % 2u)) & 31u))) & 65535u) + _e590);
     workgroupBarrier();
-    if _e601 {
-        if (_e621 == 0u) {
-            let _e641 = atomicAdd((&counts[(_e606 / 2u)]), (countOneBits(_e614) << bitcast<u32>(((16u * (_e606 % 2u)) & 31u))));
-            atomicStore((&words[_e606]), 0u);
+    if _e568 {
+        if (_e590 == 0u) {
+            let _e610 = atomicAdd((&counts[(_e575 / 2u)]), (countOneBits(_e583) << bitcast<u32>(((16u * (_e572 % 2u)) & 31u))));
+            atomicStore((&words[_e575]), 0u);
         }
     }
     workgroupBarrier();
-    let _e650 = (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 224u) + (_e43 % 32u))) < _e62);
-    let _e655 = (_e56 + ((_e243 >> bitcast<u32>((_e59 & 31u))) & 255u));
-    if _e650 {
-        let _e661 = atomicOr((&words[_e655]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
-    }
     workgroupBarrier();
-    let _e663 = atomicLoad((&words[_e655]));
-    let _e670 = countOneBits((_e663 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e673 = atomicLoad((&counts[(_e655 / 2u)]));
-    let _e680 = (((_e673 >> bitcast<u32>(((16u * (_e655 % 2u)) & 31u))) & 65535u) + _e670);
-    workgroupBarrier();
-    if _e650 {
-        if (_e670 == 0u) {
-            let _e691 = atomicAdd((&counts[(_e655 / 2u)]), (countOneBits(_e663) << bitcast<u32>(((16u * (_e655 % 2u)) & 31u))));
-            atomicStore((&words[_e655]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e693 = (2u * _e43);
-    if (_e43 < 128u) {
-        phi_992_ = type_9(0u, 8u);
-        phi_995_ = 0u;
+    if (_e53 < 128u) {
+        phi_833_ = type_9(0u, 8u);
+        phi_836_ = 0u;
         loop {
-            let _e696 = phi_992_;
-            let _e698 = phi_995_;
-            local = _e698;
-            local_1 = _e698;
-            let _e701 = (_e696.member < _e696.member_1);
-            let _e714 = (bitcast<i32>(select(0u, 1u, _e701)) != 0i);
-            if _e714 {
-                let _e718 = atomicLoad((&counts[((select(type_9().member_1, _e696.member, _e701) * 128u) + _e43)]));
-                phi_996_ = (_e698 + _e718);
+            let _e615 = phi_833_;
+            let _e617 = phi_836_;
+            local = _e617;
+            let _e620 = (_e615.member < _e615.member_1);
+            let _e633 = (bitcast<i32>(select(0u, 1u, _e620)) != 0i);
+            if _e633 {
+                let _e635 = ((select(type_9().member_1, _e615.member, _e620) * 128u) + _e53);
+                let _e637 = atomicLoad((&counts[_e635]));
+                atomicStore((&counts[_e635]), _e617);
+                phi_837_ = (_e617 + _e637);
             } else {
-                phi_996_ = u32();
+                phi_837_ = u32();
             }
-            let _e721 = phi_996_;
+            let _e641 = phi_837_;
             continue;
             continuing {
-                phi_992_ = type_9(select(_e696.member, (_e696.member + 1u), _e701), select(_e696.member_1, _e696.member_1, _e701));
-                phi_995_ = _e721;
-                break if !(_e714);
+                phi_833_ = type_9(select(_e615.member, (_e615.member + 1u), _e620), select(_e615.member_1, _e615.member_1, _e620));
+                phi_836_ = _e641;
+                break if !(_e633);
             }
         }
-        let _e724 = local;
-        let _e727 = local_1;
-        let _e734 = table.member[((256u * _e65) + _e693)];
-        let _e739 = table.member[(((256u * _e65) + _e693) + 1u)];
-        phi_1060_ = array<u32, 2>(_e734, _e739);
-        phi_1061_ = array<u32, 2>((_e724 & 65535u), (_e727 >> bitcast<u32>(16i)));
-    } else {
-        phi_1060_ = array<u32, 2>(0u, 0u);
-        phi_1061_ = array<u32, 2>(0u, 0u);
-    }
-    let _e742 = phi_1060_;
-    let _e744 = phi_1061_;
-    let _e747 = (_e744[0] + _e744[1]);
-    let _e750 = (_e742[0] + _e742[1]);
-    atomicStore((&words[_e43]), _e747);
-    phi_1071_ = type_9(0u, 8u);
-    phi_1074_ = 0u;
-    phi_1076_ = 1u;
-    phi_1078_ = _e747;
-    phi_1075_ = 256u;
-    loop {
-        let _e753 = phi_1071_;
-        let _e755 = phi_1074_;
-        let _e757 = phi_1076_;
-        let _e759 = phi_1078_;
-        let _e761 = phi_1075_;
-        local_2 = _e759;
-        let _e764 = (_e753.member < _e753.member_1);
-        let _e775 = (bitcast<i32>(select(0u, 1u, _e764)) != 0i);
-        if _e775 {
-            workgroupBarrier();
-            if (_e43 >= _e757) {
-                let _e780 = atomicLoad((&words[((_e755 + _e43) - _e757)]));
-                phi_1117_ = (_e759 + _e780);
-            } else {
-                phi_1117_ = _e759;
-            }
-            let _e783 = phi_1117_;
-            atomicStore((&words[(_e761 + _e43)]), _e783);
-            phi_1077_ = (_e757 * 2u);
-            phi_1079_ = _e783;
-        } else {
-            phi_1077_ = u32();
-            phi_1079_ = u32();
-        }
-        let _e788 = phi_1077_;
-        let _e790 = phi_1079_;
-        continue;
-        continuing {
-            phi_1071_ = type_9(select(_e753.member, (_e753.member + 1u), _e764), select(_e753.member_1, _e753.member_1, _e764));
-            phi_1074_ = _e761;
-            phi_1076_ = _e788;
-            phi_1078_ = _e790;
-            phi_1075_ = _e755;
-            break if !(_e775);
-        }
-    }
-    workgroupBarrier();
-    let _e793 = local_2;
-    let _e794 = (_e793 - _e747);
-    atomicStore((&words[_e43]), _e750);
-    phi_1125_ = type_9(0u, 8u);
-    phi_1128_ = 0u;
-    phi_1130_ = 1u;
-    phi_1132_ = _e750;
-    phi_1129_ = 256u;
-    loop {
-        let _e797 = phi_1125_;
-        let _e799 = phi_1128_;
-        let _e801 = phi_1130_;
-        let _e803 = phi_1132_;
-        let _e805 = phi_1129_;
-        local_3 = _e803;
-        let _e808 = (_e797.member < _e797.member_1);
-        let _e819 = (bitcast<i32>(select(0u, 1u, _e808)) != 0i);
-        if _e819 {
-            workgroupBarrier();
-            if (_e43 >= _e801) {
-                let _e824 = atomicLoad((&words[((_e799 + _e43) - _e801)]));
-                phi_1171_ = (_e803 + _e824);
-            } else {
-                phi_1171_ = _e803;
-            }
-            let _e827 = phi_1171_;
-            atomicStore((&words[(_e805 + _e43)]), _e827);
-            phi_1131_ = (_e801 * 2u);
-            phi_1133_ = _e827;
-        } else {
-            phi_1131_ = u32();
-            phi_1133_ = u32();
-        }
-        let _e832 = phi_1131_;
-        let _e834 = phi_1133_;
-        continue;
-        continuing {
-            phi_1125_ = type_9(select(_e797.member, (_e797.member + 1u), _e808), select(_e797.member_1, _e797.member_1, _e808));
-            phi_1128_ = _e805;
-            phi_1130_ = _e832;
-            phi_1132_ = _e834;
-            phi_1129_ = _e799;
-            break if !(_e819);
-        }
-    }
-    workgroupBarrier();
-    let _e837 = local_3;
-    let _e838 = (_e837 - _e750);
-    if (_e43 < 128u) {
-        if (_e54 < _e65) {
-            let _e844 = table.member[((_e693 * _e65) + _e54)];
-            let _e849 = table.member[(((_e693 + 1u) * _e65) + _e54)];
-            phi_1211_ = array<u32, 2>(_e844, _e849);
-        } else {
-            phi_1211_ = array<u32, 2>(0u, 0u);
-        }
-        let _e852 = phi_1211_;
-        let _e854 = (_e794 + _e744[0]);
-        starts[_e693] = ((_e838 + _e852[0]) - _e794);
-        starts[(_e693 + 1u)] = (((_e838 + _e742[0]) + _e852[1]) - _e854);
-        phi_1229_ = type_9(0u, 8u);
-        phi_1232_ = (_e794 | (_e854 << bitcast<u32>(16i)));
+        phi_875_ = type_9(0u, 2u);
         loop {
-            let _e870 = phi_1229_;
-            let _e872 = phi_1232_;
-            let _e875 = (_e870.member < _e870.member_1);
-            let _e886 = select(type_9().member_1, _e870.member, _e875);
-            let _e888 = (bitcast<i32>(select(0u, 1u, _e875)) != 0i);
-            if _e888 {
-                let _e892 = atomicLoad((&counts[((_e886 * 128u) + _e43)]));
-                atomicStore((&counts[((_e886 * 128u) + _e43)]), _e872);
-                phi_1233_ = (_e872 + _e892);
-            } else {
-                phi_1233_ = u32();
+            let _e644 = phi_875_;
+            let _e647 = (_e644.member < _e644.member_1);
+            let _e658 = select(type_9().member_1, _e644.member, _e647);
+            let _e660 = (bitcast<i32>(select(0u, 1u, _e647)) != 0i);
+            if _e660 {
+                let _e667 = local;
+                atomicStore((&digits[((2u * _e53) + _e658)]), ((_e667 >> bitcast<u32>(((16u * (_e658 % 2u)) & 31u))) & 65535u));
             }
-            let _e898 = phi_1233_;
             continue;
             continuing {
-                phi_1229_ = type_9(select(_e870.member, (_e870.member + 1u), _e875), select(_e870.member_1, _e870.member_1, _e875));
-                phi_1232_ = _e898;
-                break if !(_e888);
+                phi_875_ = type_9(select(_e644.member, (_e644.member + 1u), _e647), select(_e644.member_1, _e644.member_1, _e647));
+                break if !(_e660);
             }
         }
     }
     workgroupBarrier();
-    if (((_e54 * 2048u) + (((_e43 / 32u) * 256u) + (_e43 % 32u))) < _e62) {
-        let _e911 = (_e56 + ((_e76 >> bitcast<u32>((_e59 & 31u))) & 255u));
-        let _e914 = atomicLoad((&counts[(_e911 / 2u)]));
-        let _e921 = (_e337 + ((_e914 >> bitcast<u32>(((16u * (_e911 % 2u)) & 31u))) & 65535u));
-        atomicStore((&words[_e921]), _e76);
-        phi_1298_ = array<u32, 8>(_e921, _e386, _e435, _e484, _e533, _e582, _e631, _e680);
+    let _e675 = select(false, (_e77 < _e73), (_e53 < 256u));
+    let _e677 = ((_e67 / 8u) % 2u);
+    let _e681 = (((4u + (_e677 * _e73)) * 256u) + _e53);
+    if _e675 {
+        let _e683 = atomicLoad((&digits[_e53]));
+        let _e688 = atomicLoad((&table.member[(((_e67 / 8u) * 256u) + _e53)]));
+        atomicStore((&table.member[(_e681 + (_e77 * 256u))]), (select(1073741824u, 2147483648u, (_e77 == 0u)) | _e683));
+        atomicStore((&table.member[((256u * ((4u + ((1u - _e677) * _e73)) + _e77)) + _e53)]), 0u);
+        phi_969_ = _e688;
+        phi_970_ = _e683;
     } else {
-        phi_1298_ = array<u32, 8>(_e337, _e386, _e435, _e484, _e533, _e582, _e631, _e680);
+        phi_969_ = 0u;
+        phi_970_ = 0u;
     }
-    let _e925 = phi_1298_;
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 32u) + (_e43 % 32u))) < _e62) {
-        let _e938 = (_e56 + ((_e99 >> bitcast<u32>((_e59 & 31u))) & 255u));
-        let _e941 = atomicLoad((&counts[(_e938 / 2u)]));
-        let _e949 = (_e925[1] + ((_e941 >> bitcast<u32>(((16u * (_e938 % 2u)) & 31u))) & 65535u));
-        atomicStore((&words[_e949]), _e99);
-        phi_1327_ = array<u32, 8>(_e925[0], _e949, _e925[2], _e925[3], _e925[4], _e925[5], _e925[6], _e925[7]);
-    } else {
-        phi_1327_ = _e925;
-    }
-    let _e960 = phi_1327_;
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 64u) + (_e43 % 32u))) < _e62) {
-        let _e973 = (_e56 + ((_e123 >> bitcast<u32>((_e59 & 31u))) & 255u));
-        let _e976 = atomicLoad((&counts[(_e973 / 2u)]));
-        let _e984 = (_e960[2] + ((_e976 >> bitcast<u32>(((16u * (_e973 % 2u)) & 31u))) & 65535u));
-        atomicStore((&words[_e984]), _e123);
-        phi_1356_ = array<u32, 8>(_e960[0], _e960[1], _e984, _e960[3], _e960[4], _e960[5], _e960[6], _e960[7]);
-    } else {
-        phi_1356_ = _e960;
-    }
-    let _e995 = phi_1356_;
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 96u) + (_e43 % 32u))) < _e62) {
-        let _e1008 = (_e56 + ((_e147 >> bitcast<u32>((_e59 & 31u))) & 255u));
-        let _e1011 = atomicLoad((&counts[(_e1008 / 2u)]));
-        let _e1019 = (_e995[3] + ((_e1011 >> bitcast<u32>(((16u * (_e1008 % 2u)) & 31u))) & 65535u));
-        atomicStore((&words[_e1019]), _e147);
-        phi_1385_ = array<u32, 8>(_e995[0], _e995[1], _e995[2], _e1019, _e995[4], _e995[5], _e995[6], _e995[7]);
-    } else {
-        phi_1385_ = _e995;
-    }
-    let _e1030 = phi_1385_;
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 128u) + (_e43 % 32u))) < _e62) {
-        let _e1043 = (_e56 + ((_e171 >> bitcast<u32>((_e59 & 31u))) & 255u));
-        let _e1046 = atomicLoad((&counts[(_e1043 / 2u)]));
-        let _e1054 = (_e1030[4] + ((_e1046 >> bitcast<u32>(((16u * (_e1043 % 2u)) & 31u))) & 65535u));
-        atomicStore((&words[_e1054]), _e171);
-        phi_1414_ = array<u32, 8>(_e1030[0], _e1030[1], _e1030[2], _e1030[3], _e1054, _e1030[5], _e1030[6], _e1030[7]);
-    } else {
-        phi_1414_ = _e1030;
-    }
-    let _e1065 = phi_1414_;
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 160u) + (_e43 % 32u))) < _e62) {
-        let _e1078 = (_e56 + ((_e195 >> bitcast<u32>((_e59 & 31u))) & 255u));
-        let _e1081 = atomicLoad((&counts[(_e1078 / 2u)]));
-        let _e1089 = (_e1065[5] + ((_e1081 >> bitcast<u32>(((16u * (_e1078 % 2u)) & 31u))) & 65535u));
-        atomicStore((&words[_e1089]), _e195);
-        phi_1443_ = array<u32, 8>(_e1065[0], _e1065[1], _e1065[2], _e1065[3], _e1065[4], _e1089, _e1065[6], _e1065[7]);
-    } else {
-        phi_1443_ = _e1065;
-    }
-    let _e1100 = phi_1443_;
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 192u) + (_e43 % 32u))) < _e62) {
-        let _e1113 = (_e56 + ((_e219 >> bitcast<u32>((_e59 & 31u))) & 255u));
-        let _e1116 = atomicLoad((&counts[(_e1113 / 2u)]));
-        let _e1124 = (_e1100[6] + ((_e1116 >> bitcast<u32>(((16u * (_e1113 % 2u)) & 31u))) & 65535u));
-        atomicStore((&words[_e1124]), _e219);
-        phi_1472_ = array<u32, 8>(_e1100[0], _e1100[1], _e1100[2], _e1100[3], _e1100[4], _e1100[5], _e1124, _e1100[7]);
-    } else {
-        phi_1472_ = _e1100;
-    }
-    let _e1135 = phi_1472_;
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 224u) + (_e43 % 32u))) < _e62) {
-        let _e1148 = (_e56 + ((_e243 >> bitcast<u32>((_e59 & 31u))) & 255u));
-        let _e1151 = atomicLoad((&counts[(_e1148 / 2u)]));
-        let _e1159 = (_e1135[7] + ((_e1151 >> bitcast<u32>(((16u * (_e1148 % 2u)) & 31u))) & 65535u));
-        atomicStore((&words[_e1159]), _e243);
-        phi_1501_ = array<u32, 8>(_e1135[0], _e1135[1], _e1135[2], _e1135[3], _e1135[4], _e1135[5], _e1135[6], _e1159);
-    } else {
-        phi_1501_ = _e1135;
-    }
-    let _e1170 = phi_1501_;
-    workgroupBarrier();
-    if (((_e54 * 2048u) + _e43) < _e62) {
-        let _e1175 = atomicLoad((&words[_e43]));
-        let _e1181 = starts[((_e1175 >> bitcast<u32>((_e59 & 31u))) & 255u)];
-        let _e1182 = (_e1181 + _e43);
-        keys_out.member[_e1182] = _e1175;
-        phi_1520_ = array<u32, 8>(_e1182, _e99, _e123, _e147, _e171, _e195, _e219, _e243);
-    } else {
-        phi_1520_ = array<u32, 8>(_e76, _e99, _e123, _e147, _e171, _e195, _e219, _e243);
-    }
-    let _e1186 = phi_1520_;
-    let _e1187 = (256u + _e43);
-    if (((_e54 * 2048u) + _e1187) < _e62) {
-        let _e1192 = atomicLoad((&words[_e1187]));
-        let _e1198 = starts[((_e1192 >> bitcast<u32>((_e59 & 31u))) & 255u)];
-        let _e1199 = (_e1198 + _e1187);
-        keys_out.member[_e1199] = _e1192;
-        phi_1539_ = array<u32, 8>(_e1186[0], _e1199, _e1186[2], _e1186[3], _e1186[4], _e1186[5], _e1186[6], _e1186[7]);
-    } else {
-        phi_1539_ = _e1186;
-    }
-    let _e1210 = phi_1539_;
-    let _e1211 = (512u + _e43);
-    if (((_e54 * 2048u) + _e1211) < _e62) {
-        let _e1216 = atomicLoad((&words[_e1211]));
-        let _e1222 = starts[((_e1216 >> bitcast<u32>((_e59 & 31u))) & 255u)];
-        let _e1223 = (_e1222 + _e1211);
-        keys_out.member[_e1223] = _e1216;
-        phi_1558_ = array<u32, 8>(_e1210[0], _e1210[1], _e1223, _e1210[3], _e1210[4], _e1210[5], _e1210[6], _e1210[7]);
-    } else {
-        phi_1558_ = _e1210;
-    }
-    let _e1234 = phi_1558_;
-    let _e1235 = (768u + _e43);
-    if (((_e54 * 2048u) + _e1235) < _e62) {
-        let _e1240 = atomicLoad((&words[_e1235]));
-        let _e1246 = starts[((_e1240 >> bitcast<u32>((_e59 & 31u))) & 255u)];
-        let _e1247 = (_e1246 + _e1235);
-        keys_out.member[_e1247] = _e1240;
-        phi_1577_ = array<u32, 8>(_e1234[0], _e1234[1], _e1234[2], _e1247, _e1234[4], _e1234[5], _e1234[6], _e1234[7]);
-    } else {
-        phi_1577_ = _e1234;
-    }
-    let _e1258 = phi_1577_;
-    let _e1259 = (1024u + _e43);
-    if (((_e54 * 2048u) + _e1259) < _e62) {
-        let _e1264 = atomicLoad((&words[_e1259]));
-        let _e1270 = starts[((_e1264 >> bitcast<u32>((_e59 & 31u))) & 255u)];
-        let _e1271 = (_e1270 + _e1259);
-        keys_out.member[_e1271] = _e1264;
-        phi_1596_ = array<u32, 8>(_e1258[0], _e1258[1], _e1258[2], _e1258[3], _e1271, _e1258[5], _e1258[6], _e1258[7]);
-    } else {
-        phi_1596_ = _e1258;
-    }
-    let _e1282 = phi_1596_;
-    let _e1283 = (1280u + _e43);
-    if (((_e54 * 2048u) + _e1283) < _e62) {
-        let _e1288 = atomicLoad((&words[_e1283]));
-        let _e1294 = starts[((_e1288 >> bitcast<u32>((_e59 & 31u))) & 255u)];
-        let _e1295 = (_e1294 + _e1283);
-        keys_out.member[_e1295] = _e1288;
-        phi_1615_ = array<u32, 8>(_e1282[0], _e1282[1], _e1282[2], _e1282[3], _e1282[4], _e1295, _e1282[6], _e1282[7]);
-    } else {
-        phi_1615_ = _e1282;
-    }
-    let _e1306 = phi_1615_;
-    let _e1307 = (1536u + _e43);
-    if (((_e54 * 2048u) + _e1307) < _e62) {
-        let _e1312 = atomicLoad((&words[_e1307]));
-        let _e1318 = starts[((_e1312 >> bitcast<u32>((_e59 & 31u))) & 255u)];
-        let _e1319 = (_e1318 + _e1307);
-        keys_out.member[_e1319] = _e1312;
-        phi_1634_ = array<u32, 8>(_e1306[0], _e1306[1], _e1306[2], _e1306[3], _e1306[4], _e1306[5], _e1319, _e1306[7]);
-    } else {
-        phi_1634_ = _e1306;
-    }
-    let _e1330 = phi_1634_;
-    let _e1331 = (1792u + _e43);
-    if (((_e54 * 2048u) + _e1331) < _e62) {
-        let _e1336 = atomicLoad((&words[_e1331]));
-        let _e1342 = starts[((_e1336 >> bitcast<u32>((_e59 & 31u))) & 255u)];
-        let _e1343 = (_e1342 + _e1331);
-        keys_out.member[_e1343] = _e1336;
-        phi_1653_ = array<u32, 8>(_e1330[0], _e1330[1], _e1330[2], _e1330[3], _e1330[4], _e1330[5], _e1330[6], _e1343);
-    } else {
-        phi_1653_ = _e1330;
-    }
-    let _e1354 = phi_1653_;
-    workgroupBarrier();
-    if (((_e54 * 2048u) + (((_e43 / 32u) * 256u) + (_e43 % 32u))) < _e62) {
-        atomicStore((&words[_e1170[0]]), _e87);
-    }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 32u) + (_e43 % 32u))) < _e62) {
-        atomicStore((&words[_e1170[1]]), _e111);
-    }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 64u) + (_e43 % 32u))) < _e62) {
-        atomicStore((&words[_e1170[2]]), _e135);
-    }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 96u) + (_e43 % 32u))) < _e62) {
-        atomicStore((&words[_e1170[3]]), _e159);
-    }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 128u) + (_e43 % 32u))) < _e62) {
-        atomicStore((&words[_e1170[4]]), _e183);
-    }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 160u) + (_e43 % 32u))) < _e62) {
-        atomicStore((&words[_e1170[5]]), _e207);
-    }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 192u) + (_e43 % 32u))) < _e62) {
-        atomicStore((&words[_e1170[6]]), _e231);
-    }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 256u) + 224u) + (_e43 % 32u))) < _e62) {
-        atomicStore((&words[_e1170[7]]), _e256);
+    let _e703 = phi_969_;
+    let _e705 = phi_970_;
+    atomicStore((&words[_e53]), _e705);
+    phi_974_ = type_9(0u, 8u);
+    phi_977_ = 0u;
+    phi_979_ = 1u;
+    phi_981_ = _e705;
+    phi_978_ = 256u;
+    loop {
+        let _e708 = phi_974_;
+        let _e710 = phi_977_;
+        let _e712 = phi_979_;
+        let _e714 = phi_981_;
+        let _e716 = phi_978_;
+        local_1 = _e714;
+        let _e719 = (_e708.member < _e708.member_1);
+        let _e730 = (bitcast<i32>(select(0u, 1u, _e719)) != 0i);
+        if _e730 {
+            workgroupBarrier();
+            if (_e53 >= _e712) {
+                let _e735 = atomicLoad((&words[((_e710 + _e53) - _e712)]));
+                phi_1020_ = (_e714 + _e735);
+            } else {
+                phi_1020_ = _e714;
+            }
+            let _e738 = phi_1020_;
+            atomicStore((&words[(_e716 + _e53)]), _e738);
+            phi_980_ = (_e712 * 2u);
+            phi_982_ = _e738;
+        } else {
+            phi_980_ = u32();
+            phi_982_ = u32();
+        }
+        let _e743 = phi_980_;
+        let _e745 = phi_982_;
+        continue;
+        continuing {
+            phi_974_ = type_9(select(_e708.member, (_e708.member + 1u), _e719), select(_e708.member_1, _e708.member_1, _e719));
+            phi_977_ = _e716;
+            phi_979_ = _e743;
+            phi_981_ = _e745;
+            phi_978_ = _e710;
+            break if !(_e730);
+        }
     }
     workgroupBarrier();
-    if (((_e54 * 2048u) + _e43) < _e62) {
-        let _e1439 = atomicLoad((&words[_e43]));
-        values_out.member[_e1354[0]] = _e1439;
+    atomicStore((&words[_e53]), _e703);
+    phi_1027_ = type_9(0u, 8u);
+    phi_1030_ = 0u;
+    phi_1032_ = 1u;
+    phi_1034_ = _e703;
+    phi_1031_ = 256u;
+    loop {
+        let _e749 = phi_1027_;
+        let _e751 = phi_1030_;
+        let _e753 = phi_1032_;
+        let _e755 = phi_1034_;
+        let _e757 = phi_1031_;
+        local_7 = _e755;
+        let _e760 = (_e749.member < _e749.member_1);
+        let _e771 = (bitcast<i32>(select(0u, 1u, _e760)) != 0i);
+        if _e771 {
+            workgroupBarrier();
+            if (_e53 >= _e753) {
+                let _e776 = atomicLoad((&words[((_e751 + _e53) - _e753)]));
+                phi_1073_ = (_e755 + _e776);
+            } else {
+                phi_1073_ = _e755;
+            }
+            let _e779 = phi_1073_;
+            atomicStore((&words[(_e757 + _e53)]), _e779);
+            phi_1033_ = (_e753 * 2u);
+            phi_1035_ = _e779;
+        } else {
+            phi_1033_ = u32();
+            phi_1035_ = u32();
+        }
+        let _e784 = phi_1033_;
+        let _e786 = phi_1035_;
+        continue;
+        continuing {
+            phi_1027_ = type_9(select(_e749.member, (_e749.member + 1u), _e760), select(_e749.member_1, _e749.member_1, _e760));
+            phi_1030_ = _e757;
+            phi_1032_ = _e784;
+            phi_1034_ = _e786;
+            phi_1031_ = _e751;
+            break if !(_e771);
+        }
     }
-    let _e1441 = (256u + _e43);
-    if (((_e54 * 2048u) + _e1441) < _e62) {
-        let _e1447 = atomicLoad((&words[_e1441]));
-        values_out.member[_e1354[1]] = _e1447;
+    workgroupBarrier();
+    let _e789 = local_1;
+    let _e790 = (_e789 - _e705);
+    if (_e53 < 256u) {
+        atomicStore((&digits[_e53]), _e790);
     }
-    let _e1449 = (512u + _e43);
-    if (((_e54 * 2048u) + _e1449) < _e62) {
-        let _e1455 = atomicLoad((&words[_e1449]));
-        values_out.member[_e1354[2]] = _e1455;
+    workgroupBarrier();
+    if ((_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u))) < _e70) {
+        let _e802 = ((_e88 >> bitcast<u32>((_e67 & 31u))) & 255u);
+        let _e808 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e802) / 2u)]));
+        let _e816 = atomicLoad((&digits[_e802]));
+        phi_1113_ = array<u32, 8>((_e250 + (((_e808 >> bitcast<u32>(((16u * (_e802 % 2u)) & 31u))) & 65535u) + _e816)), _e300, _e350, _e400, _e450, _e500, _e550, _e600);
+    } else {
+        phi_1113_ = array<u32, 8>(_e250, _e300, _e350, _e400, _e450, _e500, _e550, _e600);
     }
-    let _e1457 = (768u + _e43);
-    if (((_e54 * 2048u) + _e1457) < _e62) {
-        let _e1463 = atomicLoad((&words[_e1457]));
-        values_out.member[_e1354[3]] = _e1463;
+    let _e821 = phi_1113_;
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u))) < _e70) {
+        let _e832 = ((_e99 >> bitcast<u32>((_e67 & 31u))) & 255u);
+        let _e838 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e832) / 2u)]));
+        let _e846 = atomicLoad((&digits[_e832]));
+        phi_1145_ = array<u32, 8>(_e821[0], (_e821[1] + (((_e838 >> bitcast<u32>(((16u * (_e832 % 2u)) & 31u))) & 65535u) + _e846)), _e821[2], _e821[3], _e821[4], _e821[5], _e821[6], _e821[7]);
+    } else {
+        phi_1145_ = _e821;
     }
-    let _e1465 = (1024u + _e43);
-    if (((_e54 * 2048u) + _e1465) < _e62) {
-        let _e1471 = atomicLoad((&words[_e1465]));
-        values_out.member[_e1354[4]] = _e1471;
+    let _e859 = phi_1145_;
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u))) < _e70) {
+        let _e870 = ((_e110 >> bitcast<u32>((_e67 & 31u))) & 255u);
+        let _e876 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e870) / 2u)]));
+        let _e884 = atomicLoad((&digits[_e870]));
+        phi_1177_ = array<u32, 8>(_e859[0], _e859[1], (_e859[2] + (((_e876 >> bitcast<u32>(((16u * (_e870 % 2u)) & 31u))) & 65535u) + _e884)), _e859[3], _e859[4], _e859[5], _e859[6], _e859[7]);
+    } else {
+        phi_1177_ = _e859;
     }
-    let _e1473 = (1280u + _e43);
-    if (((_e54 * 2048u) + _e1473) < _e62) {
-        let _e1479 = atomicLoad((&words[_e1473]));
-        values_out.member[_e1354[5]] = _e1479;
+    let _e897 = phi_1177_;
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u))) < _e70) {
+        let _e908 = ((_e121 >> bitcast<u32>((_e67 & 31u))) & 255u);
+        let _e914 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e908) / 2u)]));
+        let _e922 = atomicLoad((&digits[_e908]));
+        phi_1209_ = array<u32, 8>(_e897[0], _e897[1], _e897[2], (_e897[3] + (((_e914 >> bitcast<u32>(((16u * (_e908 % 2u)) & 31u))) & 65535u) + _e922)), _e897[4], _e897[5], _e897[6], _e897[7]);
+    } else {
+        phi_1209_ = _e897;
     }
-    let _e1481 = (1536u + _e43);
-    if (((_e54 * 2048u) + _e1481) < _e62) {
-        let _e1487 = atomicLoad((&words[_e1481]));
-        values_out.member[_e1354[6]] = _e1487;
+    let _e935 = phi_1209_;
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u))) < _e70) {
+        let _e946 = ((_e132 >> bitcast<u32>((_e67 & 31u))) & 255u);
+        let _e952 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e946) / 2u)]));
+        let _e960 = atomicLoad((&digits[_e946]));
+        phi_1241_ = array<u32, 8>(_e935[0], _e935[1], _e935[2], _e935[3], (_e935[4] + (((_e952 >> bitcast<u32>(((16u * (_e946 % 2u)) & 31u))) & 65535u) + _e960)), _e935[5], _e935[6], _e935[7]);
+    } else {
+        phi_1241_ = _e935;
     }
-    let _e1489 = (1792u + _e43);
-    if (((_e54 * 2048u) + _e1489) < _e62) {
-        let _e1495 = atomicLoad((&words[_e1489]));
-        values_out.member[_e1354[7]] = _e1495;
+    let _e973 = phi_1241_;
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u))) < _e70) {
+        let _e984 = ((_e143 >> bitcast<u32>((_e67 & 31u))) & 255u);
+        let _e990 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e984) / 2u)]));
+        let _e998 = atomicLoad((&digits[_e984]));
+        phi_1273_ = array<u32, 8>(_e973[0], _e973[1], _e973[2], _e973[3], _e973[4], (_e973[5] + (((_e990 >> bitcast<u32>(((16u * (_e984 % 2u)) & 31u))) & 65535u) + _e998)), _e973[6], _e973[7]);
+    } else {
+        phi_1273_ = _e973;
+    }
+    let _e1011 = phi_1273_;
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u))) < _e70) {
+        let _e1022 = ((_e154 >> bitcast<u32>((_e67 & 31u))) & 255u);
+        let _e1028 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e1022) / 2u)]));
+        let _e1036 = atomicLoad((&digits[_e1022]));
+        phi_1305_ = array<u32, 8>(_e1011[0], _e1011[1], _e1011[2], _e1011[3], _e1011[4], _e1011[5], (_e1011[6] + (((_e1028 >> bitcast<u32>(((16u * (_e1022 % 2u)) & 31u))) & 65535u) + _e1036)), _e1011[7]);
+    } else {
+        phi_1305_ = _e1011;
+    }
+    let _e1049 = phi_1305_;
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u))) < _e70) {
+        let _e1060 = ((_e165 >> bitcast<u32>((_e67 & 31u))) & 255u);
+        let _e1066 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e1060) / 2u)]));
+        let _e1074 = atomicLoad((&digits[_e1060]));
+        phi_1337_ = array<u32, 8>(_e1049[0], _e1049[1], _e1049[2], _e1049[3], _e1049[4], _e1049[5], _e1049[6], (_e1049[7] + (((_e1066 >> bitcast<u32>(((16u * (_e1060 % 2u)) & 31u))) & 65535u) + _e1074)));
+    } else {
+        phi_1337_ = _e1049;
+    }
+    let _e1087 = phi_1337_;
+    workgroupBarrier();
+    if ((_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[0]]), _e88);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[1]]), _e99);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[2]]), _e110);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[3]]), _e121);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[4]]), _e132);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[5]]), _e143);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[6]]), _e154);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[7]]), _e165);
+    }
+    phi_1447_ = select(0u, _e77, _e675);
+    phi_1450_ = 0u;
+    loop {
+        let _e1161 = phi_1447_;
+        let _e1163 = phi_1450_;
+        phi_1455_ = 0u;
+        phi_1458_ = 0u;
+        phi_1460_ = _e1161;
+        loop {
+            let _e1165 = phi_1455_;
+            let _e1167 = phi_1458_;
+            let _e1169 = phi_1460_;
+            local_2 = _e1167;
+            local_3 = _e1169;
+            local_4 = _e1169;
+            local_5 = _e1169;
+            local_9 = _e1169;
+            if (_e1169 > 0u) {
+                let _e1171 = (_e1165 < 256u);
+                if _e1171 {
+                    let _e1172 = (_e1165 + 1u);
+                    let _e1179 = atomicLoad((&table.member[(_e681 + select(0u, ((_e1169 - 1u) * 256u), (_e1169 > 0u)))]));
+                    let _e1186 = atomicLoad((&table.member[(_e681 + select(0u, ((_e1169 - 2u) * 256u), (_e1169 > 1u)))]));
+                    let _e1193 = atomicLoad((&table.member[(_e681 + select(0u, ((_e1169 - 3u) * 256u), (_e1169 > 2u)))]));
+                    let _e1200 = atomicLoad((&table.member[(_e681 + select(0u, ((_e1169 - 4u) * 256u), (_e1169 > 3u)))]));
+                    let _e1201 = (_e1179 != 0u);
+                    let _e1202 = (_e1169 > 0u);
+                    let _e1211 = select(_e1172, select(_e1172, 0u, _e1201), _e1202);
+                    let _e1212 = select(_e1167, select(_e1167, (_e1167 + (_e1179 & 1073741823u)), _e1201), _e1202);
+                    let _e1213 = select(_e1169, select(_e1169, select((_e1169 - 1u), 0u, (_e1179 >= 2147483648u)), _e1201), _e1202);
+                    let _e1215 = select(false, (_e1186 != 0u), _e1201);
+                    let _e1216 = (_e1213 > 0u);
+                    let _e1225 = select(_e1211, select(_e1211, 0u, _e1215), _e1216);
+                    let _e1226 = select(_e1212, select(_e1212, (_e1212 + (_e1186 & 1073741823u)), _e1215), _e1216);
+                    let _e1227 = select(_e1213, select(_e1213, select((_e1213 - 1u), 0u, (_e1186 >= 2147483648u)), _e1215), _e1216);
+                    let _e1229 = select(false, (_e1193 != 0u), _e1215);
+                    let _e1230 = (_e1227 > 0u);
+                    let _e1239 = select(_e1225, select(_e1225, 0u, _e1229), _e1230);
+                    let _e1240 = select(_e1226, select(_e1226, (_e1226 + (_e1193 & 1073741823u)), _e1229), _e1230);
+                    let _e1241 = select(_e1227, select(_e1227, select((_e1227 - 1u), 0u, (_e1193 >= 2147483648u)), _e1229), _e1230);
+                    let _e1243 = select(false, (_e1200 != 0u), _e1229);
+                    let _e1244 = (_e1241 > 0u);
+                    phi_1653_ = select(_e1239, select(_e1239, 0u, _e1243), _e1244);
+                    phi_1654_ = select(_e1240, select(_e1240, (_e1240 + (_e1200 & 1073741823u)), _e1243), _e1244);
+                    phi_1655_ = select(_e1241, select(_e1241, select((_e1241 - 1u), 0u, (_e1200 >= 2147483648u)), _e1243), _e1244);
+                } else {
+                    phi_1653_ = u32();
+                    phi_1654_ = u32();
+                    phi_1655_ = u32();
+                }
+                let _e1257 = phi_1653_;
+                let _e1259 = phi_1654_;
+                let _e1261 = phi_1655_;
+                phi_1456_ = _e1257;
+                phi_1459_ = _e1259;
+                phi_1461_ = _e1261;
+                phi_1656_ = _e1171;
+            } else {
+                phi_1456_ = u32();
+                phi_1459_ = u32();
+                phi_1461_ = u32();
+                phi_1656_ = false;
+            }
+            let _e1263 = phi_1456_;
+            let _e1265 = phi_1459_;
+            let _e1267 = phi_1461_;
+            let _e1269 = phi_1656_;
+            continue;
+            continuing {
+                phi_1455_ = _e1263;
+                phi_1458_ = _e1265;
+                phi_1460_ = _e1267;
+                break if !(_e1269);
+            }
+        }
+        let _e1272 = local_2;
+        let _e1273 = (_e1163 + _e1272);
+        let _e1275 = local_3;
+        local_6 = _e1273;
+        local_8 = _e1273;
+        if (_e1275 > 0u) {
+            let _e1278 = local_4;
+            let _e1281 = atomicMin((&lowest[0u]), (_e1278 - 1u));
+        }
+        workgroupBarrier();
+        if (_e53 == 0u) {
+            let _e1284 = atomicLoad((&lowest[0u]));
+            missing[0u] = _e1284;
+        }
+        let _e1287 = workgroupUniformLoad((&missing[0u]));
+        if (_e1287 == 4294967295u) {
+            phi_1448_ = u32();
+            phi_1451_ = u32();
+            phi_1846_ = false;
+        } else {
+            if (_e53 < 256u) {
+                atomicStore((&digits[_e53]), 0u);
+            }
+            workgroupBarrier();
+            if (_e53 == 0u) {
+                atomicStore((&lowest[0u]), 4294967295u);
+            }
+            let _e1296 = keys.member[((_e1287 * 2048u) + _e53)];
+            let _e1302 = atomicAdd((&digits[((_e1296 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
+            let _e1307 = keys.member[(((_e1287 * 2048u) + 256u) + _e53)];
+            let _e1313 = atomicAdd((&digits[((_e1307 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
+            let _e1318 = keys.member[(((_e1287 * 2048u) + 512u) + _e53)];
+            let _e1324 = atomicAdd((&digits[((_e1318 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
+            let _e1329 = keys.member[(((_e1287 * 2048u) + 768u) + _e53)];
+            let _e1335 = atomicAdd((&digits[((_e1329 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
+            let _e1340 = keys.member[(((_e1287 * 2048u) + 1024u) + _e53)];
+            let _e1346 = atomicAdd((&digits[((_e1340 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
+            let _e1351 = keys.member[(((_e1287 * 2048u) + 1280u) + _e53)];
+            let _e1357 = atomicAdd((&digits[((_e1351 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
+            let _e1362 = keys.member[(((_e1287 * 2048u) + 1536u) + _e53)];
+            let _e1368 = atomicAdd((&digits[((_e1362 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
+            let _e1373 = keys.member[(((_e1287 * 2048u) + 1792u) + _e53)];
+            let _e1379 = atomicAdd((&digits[((_e1373 >> bitcast<u32>((_e67 & 31u))) & 255u)]), 1u);
+            workgroupBarrier();
+            let _e1382 = local_5;
+            if (_e1382 == (_e1287 + 1u)) {
+                let _e1385 = atomicLoad((&digits[_e53]));
+                phi_1844_ = _e1287;
+                phi_1845_ = (_e1273 + _e1385);
+            } else {
+                let _e1864 = local_9;
+                phi_1844_ = _e1864;
+                phi_1845_ = _e1273;
+            }
+            let _e1388 = phi_1844_;
+            let _e1390 = phi_1845_;
+            workgroupBarrier();
+            phi_1448_ = _e1388;
+            phi_1451_ = _e1390;
+            phi_1846_ = true;
+        }
+        let _e1392 = phi_1448_;
+        let _e1394 = phi_1451_;
+        let _e1396 = phi_1846_;
+        continue;
+        continuing {
+            phi_1447_ = _e1392;
+            phi_1450_ = _e1394;
+            break if !(_e1396);
+        }
+    }
+    if _e675 {
+        if (_e77 > 0u) {
+            let _e1402 = local_6;
+            atomicStore((&table.member[(_e681 + (_e77 * 256u))]), (2147483648u | (_e1402 + _e705)));
+        }
+    }
+    if (_e53 < 256u) {
+        let _e1408 = local_7;
+        let _e1411 = local_8;
+        atomicStore((&digits[_e53]), (((_e1408 - _e703) + _e1411) - _e790));
+    }
+    workgroupBarrier();
+    let _e1419 = (_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u)));
+    if (_e1419 < _e70) {
+        let _e1422 = values.member[_e1419];
+        phi_1894_ = _e1422;
+    } else {
+        phi_1894_ = 0u;
+    }
+    let _e1424 = phi_1894_;
+    let _e1430 = (_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u)));
+    if (_e1430 < _e70) {
+        let _e1433 = values.member[_e1430];
+        phi_1916_ = _e1433;
+    } else {
+        phi_1916_ = 0u;
+    }
+    let _e1435 = phi_1916_;
+    let _e1441 = (_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u)));
+    if (_e1441 < _e70) {
+        let _e1444 = values.member[_e1441];
+        phi_1938_ = _e1444;
+    } else {
+        phi_1938_ = 0u;
+    }
+    let _e1446 = phi_1938_;
+    let _e1452 = (_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u)));
+    if (_e1452 < _e70) {
+        let _e1455 = values.member[_e1452];
+        phi_1960_ = _e1455;
+    } else {
+        phi_1960_ = 0u;
+    }
+    let _e1457 = phi_1960_;
+    let _e1463 = (_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u)));
+    if (_e1463 < _e70) {
+        let _e1466 = values.member[_e1463];
+        phi_1982_ = _e1466;
+    } else {
+        phi_1982_ = 0u;
+    }
+    let _e1468 = phi_1982_;
+    let _e1474 = (_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u)));
+    if (_e1474 < _e70) {
+        let _e1477 = values.member[_e1474];
+        phi_2004_ = _e1477;
+    } else {
+        phi_2004_ = 0u;
+    }
+    let _e1479 = phi_2004_;
+    let _e1485 = (_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u)));
+    if (_e1485 < _e70) {
+        let _e1488 = values.member[_e1485];
+        phi_2026_ = _e1488;
+    } else {
+        phi_2026_ = 0u;
+    }
+    let _e1490 = phi_2026_;
+    let _e1496 = (_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u)));
+    if (_e1496 < _e70) {
+        let _e1499 = values.member[_e1496];
+        phi_2048_ = _e1499;
+    } else {
+        phi_2048_ = 0u;
+    }
+    let _e1501 = phi_2048_;
+    if ((_e78 + _e53) < _e70) {
+        let _e1505 = atomicLoad((&words[_e53]));
+        let _e1511 = atomicLoad((&digits[((_e1505 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
+        let _e1512 = (_e1511 + _e53);
+        keys_out.member[_e1512] = _e1505;
+        phi_2066_ = array<u32, 8>(_e1512, _e99, _e110, _e121, _e132, _e143, _e154, _e165);
+    } else {
+        phi_2066_ = array<u32, 8>(_e88, _e99, _e110, _e121, _e132, _e143, _e154, _e165);
+    }
+    let _e1516 = phi_2066_;
+    let _e1517 = (256u + _e53);
+    if ((_e78 + _e1517) < _e70) {
+        let _e1521 = atomicLoad((&words[_e1517]));
+        let _e1527 = atomicLoad((&digits[((_e1521 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
+        let _e1528 = (_e1527 + _e1517);
+        keys_out.member[_e1528] = _e1521;
+        phi_2084_ = array<u32, 8>(_e1516[0], _e1528, _e1516[2], _e1516[3], _e1516[4], _e1516[5], _e1516[6], _e1516[7]);
+    } else {
+        phi_2084_ = _e1516;
+    }
+    let _e1539 = phi_2084_;
+    let _e1540 = (512u + _e53);
+    if ((_e78 + _e1540) < _e70) {
+        let _e1544 = atomicLoad((&words[_e1540]));
+        let _e1550 = atomicLoad((&digits[((_e1544 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
+        let _e1551 = (_e1550 + _e1540);
+        keys_out.member[_e1551] = _e1544;
+        phi_2102_ = array<u32, 8>(_e1539[0], _e1539[1], _e1551, _e1539[3], _e1539[4], _e1539[5], _e1539[6], _e1539[7]);
+    } else {
+        phi_2102_ = _e1539;
+    }
+    let _e1562 = phi_2102_;
+    let _e1563 = (768u + _e53);
+    if ((_e78 + _e1563) < _e70) {
+        let _e1567 = atomicLoad((&words[_e1563]));
+        let _e1573 = atomicLoad((&digits[((_e1567 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
+        let _e1574 = (_e1573 + _e1563);
+        keys_out.member[_e1574] = _e1567;
+        phi_2120_ = array<u32, 8>(_e1562[0], _e1562[1], _e1562[2], _e1574, _e1562[4], _e1562[5], _e1562[6], _e1562[7]);
+    } else {
+        phi_2120_ = _e1562;
+    }
+    let _e1585 = phi_2120_;
+    let _e1586 = (1024u + _e53);
+    if ((_e78 + _e1586) < _e70) {
+        let _e1590 = atomicLoad((&words[_e1586]));
+        let _e1596 = atomicLoad((&digits[((_e1590 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
+        let _e1597 = (_e1596 + _e1586);
+        keys_out.member[_e1597] = _e1590;
+        phi_2138_ = array<u32, 8>(_e1585[0], _e1585[1], _e1585[2], _e1585[3], _e1597, _e1585[5], _e1585[6], _e1585[7]);
+    } else {
+        phi_2138_ = _e1585;
+    }
+    let _e1608 = phi_2138_;
+    let _e1609 = (1280u + _e53);
+    if ((_e78 + _e1609) < _e70) {
+        let _e1613 = atomicLoad((&words[_e1609]));
+        let _e1619 = atomicLoad((&digits[((_e1613 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
+        let _e1620 = (_e1619 + _e1609);
+        keys_out.member[_e1620] = _e1613;
+        phi_2156_ = array<u32, 8>(_e1608[0], _e1608[1], _e1608[2], _e1608[3], _e1608[4], _e1620, _e1608[6], _e1608[7]);
+    } else {
+        phi_2156_ = _e1608;
+    }
+    let _e1631 = phi_2156_;
+    let _e1632 = (1536u + _e53);
+    if ((_e78 + _e1632) < _e70) {
+        let _e1636 = atomicLoad((&words[_e1632]));
+        let _e1642 = atomicLoad((&digits[((_e1636 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
+        let _e1643 = (_e1642 + _e1632);
+        keys_out.member[_e1643] = _e1636;
+        phi_2174_ = array<u32, 8>(_e1631[0], _e1631[1], _e1631[2], _e1631[3], _e1631[4], _e1631[5], _e1643, _e1631[7]);
+    } else {
+        phi_2174_ = _e1631;
+    }
+    let _e1654 = phi_2174_;
+    let _e1655 = (1792u + _e53);
+    if ((_e78 + _e1655) < _e70) {
+        let _e1659 = atomicLoad((&words[_e1655]));
+        let _e1665 = atomicLoad((&digits[((_e1659 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
+        let _e1666 = (_e1665 + _e1655);
+        keys_out.member[_e1666] = _e1659;
+        phi_2192_ = array<u32, 8>(_e1654[0], _e1654[1], _e1654[2], _e1654[3], _e1654[4], _e1654[5], _e1654[6], _e1666);
+    } else {
+        phi_2192_ = _e1654;
+    }
+    let _e1677 = phi_2192_;
+    workgroupBarrier();
+    if ((_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[0]]), _e1424);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[1]]), _e1435);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[2]]), _e1446);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[3]]), _e1457);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[4]]), _e1468);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[5]]), _e1479);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[6]]), _e1490);
+    }
+    if ((_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u))) < _e70) {
+        atomicStore((&words[_e1087[7]]), _e1501);
+    }
+    workgroupBarrier();
+    if ((_e78 + _e53) < _e70) {
+        let _e1753 = atomicLoad((&words[_e53]));
+        values_out.member[_e1677[0]] = _e1753;
+    }
+    let _e1755 = (256u + _e53);
+    if ((_e78 + _e1755) < _e70) {
+        let _e1760 = atomicLoad((&words[_e1755]));
+        values_out.member[_e1677[1]] = _e1760;
+    }
+    let _e1762 = (512u + _e53);
+    if ((_e78 + _e1762) < _e70) {
+        let _e1767 = atomicLoad((&words[_e1762]));
+        values_out.member[_e1677[2]] = _e1767;
+    }
+    let _e1769 = (768u + _e53);
+    if ((_e78 + _e1769) < _e70) {
+        let _e1774 = atomicLoad((&words[_e1769]));
+        values_out.member[_e1677[3]] = _e1774;
+    }
+    let _e1776 = (1024u + _e53);
+    if ((_e78 + _e1776) < _e70) {
+        let _e1781 = atomicLoad((&words[_e1776]));
+        values_out.member[_e1677[4]] = _e1781;
+    }
+    let _e1783 = (1280u + _e53);
+    if ((_e78 + _e1783) < _e70) {
+        let _e1788 = atomicLoad((&words[_e1783]));
+        values_out.member[_e1677[5]] = _e1788;
+    }
+    let _e1790 = (1536u + _e53);
+    if ((_e78 + _e1790) < _e70) {
+        let _e1795 = atomicLoad((&words[_e1790]));
+        values_out.member[_e1677[6]] = _e1795;
+    }
+    let _e1797 = (1792u + _e53);
+    if ((_e78 + _e1797) < _e70) {
+        let _e1802 = atomicLoad((&words[_e1797]));
+        values_out.member[_e1677[7]] = _e1802;
     }
     return;
 }

@@ -53,15 +53,15 @@ struct type_15 {
     member: type_14,
 }
 
-var<workgroup> counts: array<atomic<u32>, 256>;
+@group(0) @binding(3) 
+var<storage, read_write> table: type_11;
 @group(0) @binding(0) 
 var<storage> params: type_15;
 @group(0) @binding(1) 
 var<storage> levels: type_11;
 @group(0) @binding(2) 
 var<storage> present: type_11;
-@group(0) @binding(3) 
-var<storage, read_write> table: type_11;
+var<workgroup> counts: array<atomic<u32>, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;

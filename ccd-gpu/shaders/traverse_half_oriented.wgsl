@@ -35,7 +35,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_15 {
+struct type_16 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -43,14 +43,14 @@ struct type_15 {
     member_4: u32,
 }
 
-struct type_16 {
+struct type_17 {
     member: type_7,
     member_1: type_8,
-    member_2: type_15,
+    member_2: type_16,
 }
 
-struct type_17 {
-    member: type_16,
+struct type_18 {
+    member: type_17,
 }
 
 struct type_20 {
@@ -106,7 +106,7 @@ struct type_37 {
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_17;
+var<storage> params: type_18;
 @group(0) @binding(4) 
 var<storage> oriented: type_32;
 @group(0) @binding(2) 

@@ -1,6 +1,7 @@
 //! Which adapter, and how it is used: what is asked for, what is there, what every kernel needs.
 
 use crate::error::Error;
+use ccd_core::backend::kernel::sort;
 use std::fmt;
 
 /// How shaders reach the driver.
@@ -139,11 +140,16 @@ pub fn has_fast_f64(adapter: &wgpu::AdapterInfo) -> bool {
         || FAST_F64.split(", ").any(|words| name.contains(&format!(" {words} ")))
 }
 
+/// Whether every subgroup has the number of threads that kernels by subgroups need.
+pub fn has_subgroups(adapter: &wgpu::AdapterInfo) -> bool {
+    [adapter.subgroup_min_size, adapter.subgroup_max_size] == [sort::SUBGROUP; 2]
+}
+
 /// Features that are used where they are there.
 pub fn wanted_features(options: &DeviceOptions) -> wgpu::Features {
     let mut wanted = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::PIPELINE_CACHE;
     if options.path != Some(Path::Wgsl) {
-        wanted |= wgpu::Features::PASSTHROUGH_SHADERS;
+        wanted |= wgpu::Features::PASSTHROUGH_SHADERS | wgpu::Features::SUBGROUP;
     }
     if !options.narrow {
         wanted |= wgpu::Features::SHADER_F64 | wgpu::Features::SHADER_INT64;

@@ -11,7 +11,7 @@ use crate::error::{Error, Faults};
 use crate::kernel_cache::Cache;
 use crate::pipeline::{Checked, Pipeline};
 use bytemuck::Pod;
-use ccd_core::backend::kernel::TABLE;
+use ccd_core::backend::kernel::{TABLE, sort};
 use memory::Memory;
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
@@ -134,7 +134,12 @@ impl Device {
         let instance = adapter::instance();
         let chosen = adapter::choose(&instance, options).await?;
         let info = chosen.get_info();
-        let features = adapter::wanted_features(options) & chosen.features();
+        let mut features = adapter::wanted_features(options) & chosen.features();
+        // With it, wgpu lets the size of subgroups vary, which is of no use elsewhere.
+        features.set(
+            wgpu::Features::SUBGROUP,
+            features.contains(wgpu::Features::SUBGROUP) && adapter::has_subgroups(&info),
+        );
         let refused = |e: wgpu::RequestDeviceError| Error::Unavailable {
             why: format!("{} gives no device: {e}", info.name),
         };
@@ -261,6 +266,17 @@ impl Device {
             Path::Passthrough => Ok(()),
             Path::Wgsl => Err(Error::NoStealing { adapter: info.adapter.name.clone() }),
         }
+    }
+
+    /// Whether kernels by subgroups run: compiled as they are, which WGSL has no place for, where
+    /// every subgroup has 32 threads.
+    pub fn has_subgroups(&self) -> bool {
+        let Info { adapter, limits, path, .. } = self.info();
+        *path == Path::Passthrough
+            && adapter::has_subgroups(adapter)
+            && self.wgpu().features().contains(wgpu::Features::SUBGROUP)
+            && limits.max_compute_invocations_per_workgroup >= sort::SUBGROUP_THREADS
+            && limits.max_compute_workgroup_storage_size >= 32_768
     }
 
     /// Workgroups of kernels that take one item after another: enough for the largest GPUs; few

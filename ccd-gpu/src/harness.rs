@@ -25,10 +25,10 @@ pub fn set_faults(device: &Device, faults: Faults) -> Faults {
 ///
 /// Lengths are multiples of 4. `fold`: workgroups of a row of the grid, at most; a larger number of
 /// workgroups is folded into rows, as it is for more than 65,535. A native kernel is refused on a
-/// device that is used through WGSL.
+/// device that is used through WGSL, one by subgroups where these are smaller or larger.
 ///
 /// # Errors
-/// [`Error::Unavailable`] for a native kernel through WGSL; what the device refuses.
+/// [`Error::Unavailable`] for a kernel that the device cannot run; what the device refuses.
 pub fn run<K: Bind<Vec<u8>>>(
     device: &Device,
     kernel: &mut K,
@@ -64,6 +64,10 @@ fn run_on(
 ) -> Result<(), Error> {
     if id.native() {
         device.check_native()?;
+    }
+    if id.by_subgroups() && !device.has_subgroups() {
+        let why = format!("{} has no subgroups of 32 threads", device.info().adapter.name);
+        return Err(Error::Unavailable { why });
     }
     let mut bench = Bench::new(device)?;
     bench.fold = fold;

@@ -1,6 +1,6 @@
-//! The radix sort on the device: buffers, and the dispatches of as many passes as keys have bytes.
+//! The radix sort on the device: its buffers and dispatches.
 
-use crate::bind::{SortCount, SortScan, SortScatter};
+use crate::bind::{SortCount, SortScatter, SortScatterBySubgroups};
 use crate::device::Device;
 use crate::error::Error;
 use crate::readback::{Plan, Readback};
@@ -16,6 +16,8 @@ pub struct Sort {
     values: [wgpu::Buffer; 2],
     table: wgpu::Buffer,
     capacity: u32,
+    /// Keys of a workgroup.
+    tile: u32,
 }
 
 impl Sort {
@@ -26,12 +28,14 @@ impl Sort {
         }
         let words =
             |what, n: u64| device.buffer(what, 4 * n, U::STORAGE | U::COPY_SRC | U::COPY_DST);
-        let (n_tiles, n) = (n.div_ceil(sort::TILE) as u64, n as u64);
+        let tile = if device.has_subgroups() { sort::SUBGROUP_TILE } else { sort::TILE };
+        let (table, n) = (sort::first_row(2, n.div_ceil(tile)) as u64, n as u64);
         Ok(Self {
             keys: [words("sort keys", n)?, words("sort keys", n)?],
             values: [words("sort values", n)?, words("sort values", n)?],
-            table: words("sort table", (n_tiles + 1) * sort::DIGITS as u64)?,
+            table: words("sort table", table)?,
             capacity: n as u32,
+            tile,
         })
     }
 
@@ -40,31 +44,33 @@ impl Sort {
         [&self.keys[half], &self.values[half]]
     }
 
-    /// Sorts the first `n` pairs of half `from` by the lowest `bits` bits of their keys, stable.
-    /// Returns the half that holds the result.
-    pub fn run(&self, recorder: &mut Recorder, n: u32, bits: u32, mut from: usize) -> usize {
-        let n_tiles = n.div_ceil(sort::TILE);
-        for pass in 0..bits.div_ceil(8) {
+    /// Sorts the first `n` pairs of the first half by their keys, stable; the result is there too.
+    pub fn run(&self, recorder: &mut Recorder, n: u32) {
+        let n_tiles = n.div_ceil(self.tile);
+        let table = &self.table;
+        recorder.clear(table, 4 * sort::first_row(1, n_tiles) as u64);
+        for pass in 0..sort::PASSES {
             let p = Params {
                 frame: Frame::default(),
                 dispatch: Dispatch { n, ..Dispatch::default() },
                 args: SortPass { shift: 8 * pass, n_tiles },
             };
+            let from = pass as usize % 2;
             let ([keys, values], [keys_out, values_out]) = (self.half(from), self.half(1 - from));
-            let table = &self.table;
-            recorder.detail("sort_count");
-            recorder.dispatch(&SortCount { keys, table }, &p, n_tiles);
-            recorder.detail("sort_scan");
-            recorder.dispatch(&SortScan { table }, &p, sort::DIGITS);
+            if pass == 0 {
+                recorder.detail("sort_count");
+                let rounds = n.div_ceil(sort::COUNT_THREADS * sort::COUNT_KEYS);
+                recorder.dispatch(&SortCount { keys, table }, &p, rounds.min(sort::COUNT_GROUPS));
+            }
             recorder.detail("sort_scatter");
-            recorder.dispatch(
-                &SortScatter { table, keys, values, keys_out, values_out },
-                &p,
-                n_tiles,
-            );
-            from = 1 - from;
+            if self.tile == sort::SUBGROUP_TILE {
+                let pass = SortScatterBySubgroups { keys, values, table, keys_out, values_out };
+                recorder.dispatch(&pass, &p, n_tiles);
+            } else {
+                let pass = SortScatter { keys, values, table, keys_out, values_out };
+                recorder.dispatch(&pass, &p, n_tiles);
+            }
         }
-        from
     }
 }
 
@@ -124,7 +130,6 @@ impl Sorter {
         let mut plan = Plan::default();
         let [of_keys, of_values] = [(); 2].map(|()| plan.part(4 * self.n as u64));
         let reading = Readback::default().prepare(&self.device, plan)?;
-        // Four passes end where they began.
         let [keys, values] = self.sort.half(0);
         submit(&self.device, &mut self.bench, |recorder| {
             recorder.read(&reading, of_keys, keys, 0);
@@ -148,7 +153,7 @@ impl Sorter {
         let stages = submit(device, bench, |recorder| {
             recorder.copy(&source[0], 0, keys, 0, 4 * *n as u64);
             recorder.copy(&source[1], 0, values, 0, 4 * *n as u64);
-            sort.run(recorder, *n, 32, 0);
+            sort.run(recorder, *n);
         })?;
         device.wait()?;
         device.block_on(bench.begin_times(stages)?.read())

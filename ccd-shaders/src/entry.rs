@@ -20,14 +20,15 @@ pub(crate) struct Thread {
 ///   name[threads](thread; params: record; shared: array, ..; view: [T], mut written: [T], ..)
 /// ```
 ///
-/// A view is a storage buffer; bindings count from 1, behind `params`.
+/// A view is a storage buffer; bindings count from 1, behind `params`. With `by (s, i)` behind the
+/// number of threads, they are numbered by their subgroups, of 32 threads each.
 macro_rules! kernel {
     (
-        $(#[$doc:meta])* $name:ident[$threads:tt]($thread:ident; $params:ident: $args:ident;
+        $(#[$doc:meta])* $name:ident[$threads:tt $($by:tt)*]($thread:ident; $params:ident: $args:ident;
             $($shared:ident: $array:ty),*; $($views:tt)*) $body:block
     ) => {
         kernel! { @
-            { $(#[$doc])* } $name $threads $thread { $params: $args } { $($shared: $array),* }
+            { $(#[$doc])* } $name [$threads $($by)*] $thread { $params: $args } { $($shared: $array),* }
             [1 2 3 4 5 6 7 8] [$($views)*,] [] $body
         }
     };
@@ -53,7 +54,8 @@ macro_rules! kernel {
         }
     };
     (
-        @ { $(#[$doc:meta])* } $name:ident $threads:tt $thread:ident { $params:ident: $args:ident }
+        @ { $(#[$doc:meta])* } $name:ident [$threads:tt $(by ($subgroup:ident, $of:ident))?]
+        $thread:ident { $params:ident: $args:ident }
         { $($shared:ident: $array:ty),* } $numbers:tt [$(,)?] [$($views:tt)*] $body:block
     ) => {
         $(#[$doc])*
@@ -62,11 +64,16 @@ macro_rules! kernel {
             #[spirv(workgroup_id)] id: spirv_std::glam::UVec3,
             #[spirv(num_workgroups)] n: spirv_std::glam::UVec3,
             #[spirv(local_invocation_index)] lane: u32,
+            $(
+                #[spirv(subgroup_id)] $subgroup: u32,
+                #[spirv(subgroup_local_invocation_id)] $of: u32,
+            )?
             $(#[spirv(workgroup)] $shared: &mut $array,)*
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)]
             $params: &ccd_core::backend::layout::Params<ccd_core::backend::layout::$args>,
             $($views)*
         ) {
+            $(let lane = 32 * $subgroup + $of + 0 * lane;)?
             let group = id.y * n.x + id.x;
             let (i, groups) = (group * $threads + lane, n.x * n.y);
             let $thread = crate::entry::Thread { i, lane, group, groups };

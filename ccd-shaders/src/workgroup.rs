@@ -144,6 +144,14 @@ pub fn barrier() {
     spirv_std::arch::workgroup_memory_barrier_with_group_sync();
 }
 
+/// Waits for the subgroup; what its threads wrote to workgroup memory before is seen after.
+#[inline(always)]
+pub fn subgroup_barrier() {
+    const SUBGROUP: u32 = Scope::Subgroup as u32;
+    const ORDER: u32 = Semantics::ACQUIRE_RELEASE.bits() | Semantics::WORKGROUP_MEMORY.bits();
+    control_barrier::<SUBGROUP, SUBGROUP, ORDER>();
+}
+
 /// A word of workgroup memory by which all threads decide alike, also whether they reach a barrier.
 /// Two barriers; the translation to WGSL knows the three instructions by their order, and makes
 /// them a `workgroupUniformLoad`, so that browsers see it. No atomics on that memory.

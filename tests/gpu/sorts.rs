@@ -3,6 +3,7 @@
 use crate::support::{bytes, read, run, zeros};
 use ccd::gpu::bind::{
     CountContacts, OrderContacts, PlaceContacts, SortCount, SortScan, SortScatter,
+    SortScatterBySubgroups,
 };
 use ccd::gpu::{Device, Sorter};
 use ccd_core::backend::kernel::contact_order::{LONGEST, ROWS, row, unordered};
@@ -12,13 +13,14 @@ use ccd_testkit::generate::Random;
 
 pub const TESTS: crate::Tests = &[
     ("sort", check_sort),
+    ("sort_passes", check_sort_passes),
     ("order_of_contacts", check_order),
     ("largest_grid", check_largest_grid),
 ];
 
 fn check_sort(device: &Device) {
     let mut random = Random::new(3);
-    for n in [1u32, 31, 2047, 2048, 2049, 100_003] {
+    for n in [1u32, 31, 2047, 2048, 2049, 4096, 4097, 100_003] {
         for few in [false, true] {
             let keys: Vec<u32> = (0..n)
                 .map(|_| if few { random.below(3) * 0x0100_0001 } else { random.bits() })
@@ -34,37 +36,85 @@ fn check_sort(device: &Device) {
             );
         }
     }
-    // The three kernels by themselves.
-    let n = 10_000u32;
+    // Lists that are sorted already: a digit fills whole tiles.
+    let keys: Vec<u32> = (0..20_000).map(|i| i / 5000).collect();
+    let sorted = Sorter::new(device, 20_000).unwrap().sort(&keys, &keys).unwrap();
+    assert!(sorted == (keys.clone(), keys));
+}
+
+/// The kernels by themselves, also where the first tiles never publish what they have, so that the
+/// others count it.
+fn check_sort_passes(device: &Device) {
+    let mut random = Random::new(4);
+    let n = 25_000u32;
     let keys: Vec<u32> = (0..n).map(|_| random.bits()).collect();
-    let n_tiles = n.div_ceil(sort::TILE);
-    let p = sort_pass(n, SortPass { shift: 8, n_tiles });
-    let kernel =
-        SortCount { keys: bytes(&keys), table: zeros::<u32>((n_tiles as usize + 1) * 256) };
-    let SortCount { table, .. } = run(device, kernel, &p, n_tiles);
-    let mut want = vec![0u32; 256 * (n_tiles as usize + 1)];
-    keys.iter().enumerate().for_each(|(i, k)| {
-        want[(k >> 8 & 255) as usize * n_tiles as usize + i / sort::TILE as usize] += 1
+    let p = sort_pass(n, SortPass::default());
+    let table = zeros::<u32>(sort::first_row(1, 0) as usize);
+    let SortCount { table, .. } = run(device, SortCount { keys: bytes(&keys), table }, &p, 3);
+    let mut totals = vec![0u32; 4 * 256];
+    keys.iter().for_each(|k| {
+        (0..4).for_each(|pass| totals[pass * 256 + (k >> (8 * pass) & 255) as usize] += 1);
     });
-    assert_eq!(read::<u32>(&table), want);
-    let done = run(device, SortScan { table }, &p, 256);
-    for d in 0..256 {
-        let row = &mut want[d * n_tiles as usize..(d + 1) * n_tiles as usize];
-        let total = row.iter_mut().fold(0, |sum, count| std::mem::replace(count, sum) + sum);
-        want[256 * n_tiles as usize + d] = total;
+    assert_eq!(read::<u32>(&table), totals);
+    for silent in [0, 1, 5] {
+        for shift in [8, 16] {
+            check_pass(device, (&keys, &totals), (shift, sort::TILE), silent);
+            if device.has_subgroups() {
+                check_pass(device, (&keys, &totals), (shift, sort::SUBGROUP_TILE), silent);
+            }
+        }
     }
-    assert_eq!(read::<u32>(&done.table), want);
-    let (table, values) = (done.table, (0..n).collect::<Vec<u32>>());
+}
+
+/// Runs one pass, by the kernel for tiles of so many keys, without workgroups for the first tiles.
+fn check_pass(
+    device: &Device,
+    (keys, totals): (&[u32], &[u32]),
+    (shift, tile): (u32, u32),
+    silent: u32,
+) {
+    let n = keys.len() as u32;
+    let n_tiles = n.div_ceil(tile);
+    let mut p = sort_pass(n, SortPass { shift, n_tiles });
+    p.dispatch.first = silent;
+    let odd = shift / 8 % 2;
+    let rows = |odd| [odd, odd + 1].map(|odd| sort::first_row(odd, n_tiles) as usize);
+    let ([first, end], [first_other, end_other]) = (rows(odd), rows(1 - odd));
+    let mut table = totals.to_vec();
+    // What an earlier pass left.
+    table.resize(sort::first_row(2, n_tiles) as usize, sort::SUMMED | 7);
+    table[first..end].fill(0);
+    let (table, values) = (bytes(&table), bytes(&(0..n).collect::<Vec<u32>>()));
     let (keys_out, values_out) = (zeros::<u32>(n as usize), zeros::<u32>(n as usize));
-    let kernel =
-        SortScatter { table, keys: bytes(&keys), values: bytes(&values), keys_out, values_out };
-    let done = run(device, kernel, &p, n_tiles);
-    let mut want: Vec<(u32, u32)> = keys.into_iter().zip(values).collect();
-    want.sort_by_key(|(key, _)| key >> 8 & 255);
-    assert!(
-        want.into_iter().eq(read(&done.keys_out).into_iter().zip(read(&done.values_out))),
-        "one pass"
-    );
+    let kernel = SortScatter { keys: bytes(keys), values, table, keys_out, values_out };
+    let SortScatter { table, keys_out, values_out, .. } = if tile == sort::TILE {
+        run(device, kernel, &p, n_tiles - silent)
+    } else {
+        let SortScatter { keys, values, table, keys_out, values_out } = kernel;
+        let kernel = SortScatterBySubgroups { keys, values, table, keys_out, values_out };
+        let SortScatterBySubgroups { keys, values, table, keys_out, values_out } =
+            run(device, kernel, &p, n_tiles - silent);
+        SortScatter { keys, values, table, keys_out, values_out }
+    };
+    let what = format!("tiles of {tile} from {silent} on, bit {shift}");
+    let digit = |key: u32| key >> shift & 255;
+    let mut want: Vec<(u32, u32)> = keys.iter().copied().zip(0..).collect();
+    want.sort_by_key(|(key, _)| digit(*key));
+    want.iter_mut().filter(|(_, at)| *at < silent * tile).for_each(|pair| *pair = (0, 0));
+    let got = read::<u32>(&keys_out).into_iter().zip(read::<u32>(&values_out));
+    assert!(want.into_iter().eq(got), "{what}");
+    let table = read::<u32>(&table);
+    let silent_words = silent as usize * 256;
+    let mut next = table[first_other..end_other].iter().skip(silent_words);
+    assert!(next.all(|&word| word == 0), "{what}: rows for the next pass");
+    assert!(table[first..][..silent_words].iter().all(|&word| word == 0), "{what}");
+    let mut sums = [sort::SUMMED; 256];
+    for (i, (keys, row)) in
+        keys.chunks(tile as usize).zip(table[first..end].chunks(256)).enumerate()
+    {
+        keys.iter().for_each(|key| sums[digit(*key) as usize] += 1);
+        assert!(i < silent as usize || *row == sums, "{what}: row {i}");
+    }
 }
 
 fn sort_pass(n: u32, args: SortPass) -> Params<SortPass> {
@@ -136,18 +186,16 @@ fn check_order(device: &Device) {
 }
 
 /// More workgroups than one row of a grid may have, so that it is folded without being asked to:
-/// each writes where no other does.
+/// keys are those of two in the second row.
 fn check_largest_grid(device: &Device) {
-    let n_tiles = 65_536 + 300;
-    let keys: Vec<u32> = (0..5000).collect();
-    let p = sort_pass(keys.len() as u32, SortPass { shift: 0, n_tiles });
-    let kernel = SortCount { keys: bytes(&keys), table: vec![0xee; (n_tiles as usize + 1) * 1024] };
-    let table: Vec<u32> = read(&run(device, kernel, &p, n_tiles).table);
+    let (n, before) = (5000, 65_600u32);
+    let mut p = sort_pass(n, SortPass::default());
+    p.dispatch.first = 0u32.wrapping_sub(before);
+    let table = zeros::<u32>(sort::first_row(1, 0) as usize);
+    let keys = bytes(&(0..n).collect::<Vec<u32>>());
+    let table: Vec<u32> = read(&run(device, SortCount { keys, table }, &p, before + 300).table);
     for digit in 0..256 {
-        let row = &table[digit * n_tiles as usize..(digit + 1) * n_tiles as usize];
-        let want = keys.iter().filter(|&&k| k as usize % 256 == digit).count() as u32;
-        assert_eq!(row[..3].iter().sum::<u32>(), want, "digit {digit}");
-        // Workgroups beyond the first row write their zeros, and nowhere else.
-        assert!(row[3..].iter().all(|&count| count == 0), "digit {digit}");
+        let want = (0..n).filter(|key| key % 256 == digit).count() as u32;
+        assert_eq!(table[digit as usize], want, "digit {digit}");
     }
 }

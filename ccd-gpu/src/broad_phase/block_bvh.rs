@@ -240,7 +240,7 @@ impl Tree {
             recorder.each(&CurveKeys { boxes, bounds, keys, order }, &p, n);
         }
         recorder.stage("sort");
-        self.sort.run(recorder, n, 32, 0);
+        self.sort.run(recorder, n);
     }
 
     /// Keys and numbers of all boxes; four passes of a sort end where they began.

@@ -180,7 +180,7 @@ impl PairSource for IntervalSource {
         if self.method != BRUTE_FORCE {
             recorder.stage("sort");
             // Four passes end where they began.
-            self.sort.run(recorder, n, 32, 0);
+            self.sort.run(recorder, n);
         }
         recorder.stage("build");
         let Self { boxes, sorted, .. } = self;

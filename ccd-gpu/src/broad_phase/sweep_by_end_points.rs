@@ -59,7 +59,7 @@ impl PairSource for EndPointSource {
         recorder.each(&kernel, &params(Dispatch::default()), n);
         recorder.stage("sort");
         // Four passes end where they began.
-        sort.run(recorder, 2 * n, 32, 0);
+        sort.run(recorder, 2 * n);
         for &kind in search.kinds {
             recorder.stage(search.stage("pairs", PAIRS, kind));
             let list = search.pairs[kind as usize];

@@ -27,6 +27,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         .multimodule(true)
         .capability(Capability::Int64)
         .capability(Capability::Float64)
+        .capability(Capability::GroupNonUniformBallot)
+        .capability(Capability::GroupNonUniformArithmetic)
         .spirv_metadata(SpirvMetadata::NameVariables)
         .shader_panic_strategy(ShaderPanicStrategy::SilentExit)
         // The optimiser runs below, once it is told which operations it must leave alone.

@@ -25,6 +25,9 @@ const OP_ATOMIC_STORE: u32 = 228;
 const OP_ATOMIC_COMPARE_EXCHANGE: u32 = 230;
 const CAPABILITY_FLOAT64: u32 = 10;
 const CAPABILITY_INT64: u32 = 11;
+/// Those of operations between the threads of a subgroup, and the operations.
+const CAPABILITIES_SUBGROUP: std::ops::RangeInclusive<u32> = 61..=68;
+const OPS_SUBGROUP: std::ops::RangeInclusive<u32> = 333..=366;
 const CAPABILITIES_VULKAN_MEMORY_MODEL: [u32; 2] = [5345, 5346];
 const DECORATION_NO_CONTRACTION: u32 = 42;
 const GLSL450: u32 = 1;
@@ -42,11 +45,12 @@ pub fn without_lines(words: &[u32]) -> Vec<u32> {
 }
 
 /// Replaces the Vulkan memory model by GLSL's, which needs no feature of the device: drops its
-/// capabilities and those of unused number types, widens the scope of a queue family to the device,
+/// capabilities and those of unused number types and subgroups, widens the scope of a queue family to the device,
 /// strips availability and visibility (implied there).
 pub fn glsl_memory_model(words: &[u32]) -> Result<Vec<u32>, String> {
     let uses = |op: u32, bits: u32| instructions(words).any(|i| opcode(i) == op && i[2] == bits);
     let (float64, int64) = (uses(OP_TYPE_FLOAT, 64), uses(OP_TYPE_INT, 64));
+    let subgroups = instructions(words).any(|i| OPS_SUBGROUP.contains(&opcode(i)));
     let uint = instructions(words)
         .find(|i| opcode(i) == OP_TYPE_INT && i[2] == 32 && i[3] == 0)
         .map(|i| i[1]);
@@ -71,7 +75,8 @@ pub fn glsl_memory_model(words: &[u32]) -> Result<Vec<u32>, String> {
         let (scopes, semantics): (Vec<usize>, Vec<usize>) = match op {
             OP_CAPABILITY => {
                 let unused = instruction[1] == CAPABILITY_FLOAT64 && !float64
-                    || instruction[1] == CAPABILITY_INT64 && !int64;
+                    || instruction[1] == CAPABILITY_INT64 && !int64
+                    || CAPABILITIES_SUBGROUP.contains(&instruction[1]) && !subgroups;
                 if unused || CAPABILITIES_VULKAN_MEMORY_MODEL.contains(&instruction[1]) {
                     continue;
                 }

@@ -46,6 +46,8 @@ pub struct Kernel {
     pub wide: bool,
     /// Whether it runs on the native path alone; see [`Id::native`].
     pub native: bool,
+    /// Whether it runs where subgroups have 32 threads; see [`Id::by_subgroups`].
+    pub by_subgroups: bool,
     /// If binding 0 is a [`Params`](crate::layout::Params): the name of its record.
     pub params: Option<&'static str>,
     /// Buffers in the order of their bindings, after the parameters.
@@ -90,8 +92,15 @@ impl Id {
     }
 
     /// Whether it runs on the native path alone: workgroups pass data to each other inside a
-    /// dispatch, by acquire and release at the scope of the device, which WGSL does not have.
+    /// dispatch, by acquire and release at the scope of the device, which WGSL does not have, or it
+    /// is one [by subgroups](Self::by_subgroups).
     pub const fn native(self) -> bool {
-        matches!(self, Id::StealPairs | Id::StealPairsOriented | Id::StealBlockPairs)
+        let steals = matches!(self, Id::StealPairs | Id::StealPairsOriented | Id::StealBlockPairs);
+        steals || self.by_subgroups()
+    }
+
+    /// Whether it runs where subgroups have 32 threads and no others: by ballots.
+    pub const fn by_subgroups(self) -> bool {
+        matches!(self, Id::SortScatterBySubgroups)
     }
 }

@@ -1,28 +1,64 @@
-//! Cooperative: least-significant-digit radix sort of 32-bit keys with their ids, stable, 8 bits a
-//! pass, in three kernels a pass.
+//! Cooperative: least-significant-digit radix sort of 32-bit keys with their ids, stable, in four
+//! passes of 8 bits.
 //!
-//! `sort_count` counts the digits of each tile, `sort_scan` turns the counts of each digit into
-//! offsets, `sort_scatter` ranks each tile, brings it into order in workgroup memory and moves it,
-//! so that neighbouring threads write neighbouring words. Nothing waits for another workgroup
-//! (reduce, then scan), and nothing depends on the size of subgroups: the ranks within 32 keys come
-//! from a mask of lanes for each digit in workgroup memory: a digit's mask has a bit for every of
-//! 32 threads that has the digit.
+//! `sort_count` counts the digits of all four passes. A pass is one kernel (`sort_scatter`, or
+//! `sort_scatter_by_subgroups`; "onesweep" of [Adinets and Merrill 2022]): a workgroup ranks the
+//! keys of its tile, publishes how many it has of each digit, adds what earlier tiles have, brings
+//! its tile into order in workgroup memory and moves it, so that neighbouring threads write
+//! neighbouring words.
+//!
+//! **Looking back.** A tile publishes in a row of the table, a word a digit, first
+//! [`COUNTED`] with its number of keys, then [`SUMMED`] with that of all tiles up to it. The next
+//! tiles add rows backwards, up to one that is summed. Flag and number are one word, so no order of
+//! memory is needed. **Nothing waits without end**: a device need not run workgroups side by side,
+//! or in order. A workgroup that has looked at a row [`LOOKS`] times in vain counts that tile
+//! itself, all of its threads together, and goes on.
+//!
+//! **Ranks.** Keys are in runs of 32 neighbours a round. `sort_scatter` depends on no size of
+//! subgroups: a digit has a word in workgroup memory in which each of 32 threads sets its bit.
+//! Where subgroups have 32 threads, ballots give the same masks, and no thread of another subgroup
+//! is waited for.
 
 /// Digits of a pass.
 pub const DIGITS: u32 = 256;
-/// Threads of a workgroup of the count.
-pub const COUNT_THREADS: u32 = 128;
-/// Keys of each of them.
+/// Passes of a sort.
+pub const PASSES: u32 = 4;
+/// Threads of a workgroup of the count, and keys of each in a round.
+pub const COUNT_THREADS: u32 = 256;
+/// Keys of each of them in a round.
 pub const COUNT_KEYS: u32 = 16;
-/// Threads of a workgroup of the scatter. A device runs as many workgroups at a time as their
-/// memory allows, so that more threads for the same tile hide more of what each waits for.
+/// Workgroups of the count at most: each adds to the same words in the end.
+pub const COUNT_GROUPS: u32 = 1024;
+/// Threads of a workgroup of a pass. A device runs as many workgroups at a time as their memory
+/// allows, so that more threads for the same tile hide more of what each waits for.
 pub const THREADS: u32 = 256;
-/// Keys of each of them.
+/// The same, by subgroups.
+pub const SUBGROUP_THREADS: u32 = 512;
+/// Threads of the subgroups that this needs.
+pub const SUBGROUP: u32 = 32;
+/// Keys of each thread.
 pub const KEYS: u32 = 8;
 /// Keys of a workgroup.
 pub const TILE: u32 = THREADS * KEYS;
+/// The same, by subgroups.
+pub const SUBGROUP_TILE: u32 = SUBGROUP_THREADS * KEYS;
 
-const _: () = assert!(TILE == COUNT_THREADS * COUNT_KEYS);
+/// Flag of a number of keys of a tile.
+pub const COUNTED: u32 = 1 << 30;
+/// Flag of a number of keys of all tiles up to one.
+pub const SUMMED: u32 = 2 << 30;
+/// Most keys: numbers of keys are below the flags.
+pub const MOST_KEYS: u32 = COUNTED - 1;
+/// How often a workgroup looks at what another has not published before it counts by itself.
+pub const LOOKS: u32 = 256;
+
+/// Where the rows for passes of even (0) and of odd (1) number begin in the table, and, for 2, how
+/// many words it has. Before them are the totals of each pass. Totals and the first rows are zero
+/// when a sort begins.
+#[inline(always)]
+pub const fn first_row(odd: u32, n_tiles: u32) -> u32 {
+    (PASSES + odd * n_tiles) * DIGITS
+}
 
 /// The digit of `key` at bit `shift`.
 #[inline(always)]

@@ -29,15 +29,19 @@ macro_rules! kernels {
             /// Sort keys of boxes, and their numbers.
             CurveKeys = curve_keys(256 threads, 0 barriers, f32, Params<Plain>)
                 { boxes: Read, bounds: Read, keys: Write, order: Write }
-            /// Digits of each tile.
-            SortCount = sort_count(128 threads, 2 barriers, f32, Params<SortPass>)
+            /// Digits of all keys, of each pass.
+            SortCount = sort_count(256 threads, 2 barriers, f32, Params<SortPass>)
                 { keys: Read, table: Write }
-            /// Sums of the table.
+            /// One pass of the sort.
+            SortScatter = sort_scatter(256 threads, 42 barriers, f32, Params<SortPass>)
+                { keys: Read, values: Read, table: Write, keys_out: Write, values_out: Write }
+            /// The same by subgroups of 32 threads.
+            SortScatterBySubgroups =
+                sort_scatter_by_subgroups(512 threads, 29 barriers, f32, Params<SortPass>)
+                { keys: Read, values: Read, table: Write, keys_out: Write, values_out: Write }
+            /// Sums of the rows of a table.
             SortScan = sort_scan(256 threads, 3 barriers, f32, Params<SortPass>)
                 { table: Write }
-            /// One pass of the sort.
-            SortScatter = sort_scatter(256 threads, 33 barriers, f32, Params<SortPass>)
-                { table: Read, keys: Read, values: Read, keys_out: Write, values_out: Write }
             /// Boxes that follow each other in order by halves.
             HalveRuns = halve_runs(256 threads, 16 barriers, f32, Params<Blocks>)
                 { boxes: Read, order: Write }
@@ -364,6 +368,7 @@ macro_rules! table {
             barriers: $barriers,
             wide: wide!($float),
             native: Id::$id.native(),
+            by_subgroups: Id::$id.by_subgroups(),
             params: [$(Some(stringify!($args)),)? None][0],
             buffers: &[$((stringify!($field), Access::$access)),*],
         },)*)*];

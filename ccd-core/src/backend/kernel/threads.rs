@@ -7,6 +7,7 @@ use crate::broad_phase::{
 
 const _: () = assert!(Id::SortCount.threads() == super::sort::COUNT_THREADS);
 const _: () = assert!(Id::SortScatter.threads() == super::sort::THREADS);
+const _: () = assert!(Id::SortScatterBySubgroups.threads() == super::sort::SUBGROUP_THREADS);
 const _: () = assert!(Id::IntervalPairs.threads() == key_intervals::GROUP);
 const _: () = assert!(Id::NearNodes.threads() == wide_nodes::TILE);
 const _: () = assert!(Id::PlocFinish.threads() == ploc::FEW);
