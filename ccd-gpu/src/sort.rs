@@ -28,6 +28,10 @@ impl Sort {
         }
         let words =
             |what, n: u64| device.buffer(what, 4 * n, U::STORAGE | U::COPY_SRC | U::COPY_DST);
+        if n > sort::MOST_KEYS {
+            let [bytes, limit] = [n, sort::MOST_KEYS].map(|n| 4 * n as u64);
+            return Err(Error::TooLarge { what: "sort keys", bytes, limit });
+        }
         let tile = if device.has_subgroups() { sort::SUBGROUP_TILE } else { sort::TILE };
         let (table, n) = (sort::first_row(2, n.div_ceil(tile)) as u64, n as u64);
         Ok(Self {

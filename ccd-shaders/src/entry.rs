@@ -73,7 +73,10 @@ macro_rules! kernel {
             $params: &ccd_core::backend::layout::Params<ccd_core::backend::layout::$args>,
             $($views)*
         ) {
-            $(let lane = 32 * $subgroup + $of + 0 * lane;)?
+            $(
+                let _ = lane;
+                let lane = 32 * $subgroup + $of;
+            )?
             let group = id.y * n.x + id.x;
             let (i, groups) = (group * $threads + lane, n.x * n.y);
             let $thread = crate::entry::Thread { i, lane, group, groups };

@@ -120,9 +120,10 @@ pub(crate) fn scan<const N: usize>(
     sum
 }
 
-/// The body of a pass. `rank` is the rank of a key among those of its digit before it in its run,
-/// and counts it; `counts` has the counts of each run, `PER_WORD` digits in a word of 32 bits, which
-/// are below 2^16; `sums` are those of two numbers of all threads up to one.
+/// The body of a pass. What its two instances do differently: `rank` ranks a key among those of its
+/// digit before it in its run, and counts it; `counts` has the counts of the runs, one digit in a
+/// word or two, since they are below 2^16; `sums` adds two numbers of all threads up to each;
+/// `missing` is the same word of `lowest` for all threads, and knows that it is.
 ///
 /// Workgroup memory is used for one thing after another: `words` for what `rank` needs, then for
 /// the keys of the tile in order, then for its values; `digits` for where a digit begins in the

@@ -243,7 +243,7 @@ impl Tree {
         self.sort.run(recorder, n);
     }
 
-    /// Keys and numbers of all boxes; four passes of a sort end where they began.
+    /// Keys and numbers of all boxes, in order after the sort.
     pub fn sorted(&self) -> [&wgpu::Buffer; 2] {
         self.sort.half(0)
     }

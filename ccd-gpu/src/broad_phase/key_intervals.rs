@@ -179,7 +179,6 @@ impl PairSource for IntervalSource {
         self.keys(recorder, search);
         if self.method != BRUTE_FORCE {
             recorder.stage("sort");
-            // Four passes end where they began.
             self.sort.run(recorder, n);
         }
         recorder.stage("build");

@@ -58,7 +58,6 @@ impl PairSource for EndPointSource {
         let kernel = EndPointKeys { boxes, survey, keys, points };
         recorder.each(&kernel, &params(Dispatch::default()), n);
         recorder.stage("sort");
-        // Four passes end where they began.
         sort.run(recorder, 2 * n);
         for &kind in search.kinds {
             recorder.stage(search.stage("pairs", PAIRS, kind));

@@ -2,17 +2,17 @@
 //! passes of 8 bits.
 //!
 //! `sort_count` counts the digits of all four passes. A pass is one kernel (`sort_scatter`, or
-//! `sort_scatter_by_subgroups`; "onesweep" of [Adinets and Merrill 2022]): a workgroup ranks the
-//! keys of its tile, publishes how many it has of each digit, adds what earlier tiles have, brings
-//! its tile into order in workgroup memory and moves it, so that neighbouring threads write
-//! neighbouring words.
+//! `sort_scatter_by_subgroups`; "onesweep" of [Adinets 2022]): a workgroup ranks the keys of its
+//! tile, publishes how many it has of each digit, adds what earlier tiles have, brings its tile
+//! into order in workgroup memory and moves it, so that neighbouring threads write neighbouring
+//! words.
 //!
-//! **Looking back.** A tile publishes in a row of the table, a word a digit, first
-//! [`COUNTED`] with its number of keys, then [`SUMMED`] with that of all tiles up to it. The next
-//! tiles add rows backwards, up to one that is summed. Flag and number are one word, so no order of
-//! memory is needed. **Nothing waits without end**: a device need not run workgroups side by side,
-//! or in order. A workgroup that has looked at a row [`LOOKS`] times in vain counts that tile
-//! itself, all of its threads together, and goes on.
+//! **Looking back.** A tile publishes in a row of the table, a word a digit, first [`COUNTED`] with
+//! its number of keys, then [`SUMMED`] with that of all tiles up to it. The next tiles add rows
+//! backwards, up to one that is summed. Flag and number are one word, so no order of memory is
+//! needed. **Nothing waits without end**: a device need not run workgroups side by side, or in
+//! order. A workgroup that has looked at a row [`LOOKS`] times in vain counts that tile itself, all
+//! of its threads together, and goes on [Smith 2025].
 //!
 //! **Ranks.** Keys are in runs of 32 neighbours a round. `sort_scatter` depends on no size of
 //! subgroups: a digit has a word in workgroup memory in which each of 32 threads sets its bit.
@@ -23,7 +23,7 @@
 pub const DIGITS: u32 = 256;
 /// Passes of a sort.
 pub const PASSES: u32 = 4;
-/// Threads of a workgroup of the count, and keys of each in a round.
+/// Threads of a workgroup of the count.
 pub const COUNT_THREADS: u32 = 256;
 /// Keys of each of them in a round.
 pub const COUNT_KEYS: u32 = 16;
