@@ -83,6 +83,8 @@ pub struct Info {
     pub wide: bool,
     /// Whether integers decide before `f64` does, or the CPU where there is none.
     pub integers: bool,
+    /// Whether kernels by subgroups of 32 threads run.
+    pub subgroups: bool,
     /// Whether there are timestamps, so that stages can be timed.
     pub timestamps: bool,
 }
@@ -140,9 +142,23 @@ pub fn has_fast_f64(adapter: &wgpu::AdapterInfo) -> bool {
         || FAST_F64.split(", ").any(|words| name.contains(&format!(" {words} ")))
 }
 
-/// Whether every subgroup has the number of threads that kernels by subgroups need.
-pub fn has_subgroups(adapter: &wgpu::AdapterInfo) -> bool {
+/// Whether all subgroups have the 32 threads that kernels by subgroups need.
+pub fn are_of_32(adapter: &wgpu::AdapterInfo) -> bool {
     [adapter.subgroup_min_size, adapter.subgroup_max_size] == [sort::SUBGROUP; 2]
+}
+
+/// Whether kernels by subgroups run; they have no WGSL.
+pub fn has_subgroups(
+    adapter: &wgpu::AdapterInfo,
+    limits: &wgpu::Limits,
+    features: wgpu::Features,
+    path: Path,
+) -> bool {
+    path == Path::Passthrough
+        && features.contains(wgpu::Features::SUBGROUP)
+        && are_of_32(adapter)
+        && limits.max_compute_invocations_per_workgroup >= sort::SUBGROUP_THREADS
+        && limits.max_compute_workgroup_storage_size >= 32_768
 }
 
 /// Features that are used where they are there.

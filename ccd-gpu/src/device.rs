@@ -11,12 +11,13 @@ use crate::error::{Error, Faults};
 use crate::kernel_cache::Cache;
 use crate::pipeline::{Checked, Pipeline};
 use bytemuck::Pod;
-use ccd_core::backend::kernel::{TABLE, sort};
+use ccd_core::backend::kernel::TABLE;
 use memory::Memory;
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
 pub(crate) use waiting::BLOCKS;
 use waiting::{Unchecked, at_once};
+use wgpu::Features as F;
 
 /// A GPU, its queue, and the compiled kernels. Clones share them.
 ///
@@ -135,15 +136,12 @@ impl Device {
         let chosen = adapter::choose(&instance, options).await?;
         let info = chosen.get_info();
         let mut features = adapter::wanted_features(options) & chosen.features();
-        // With it, wgpu lets the size of subgroups vary, which is of no use elsewhere.
-        features.set(
-            wgpu::Features::SUBGROUP,
-            features.contains(wgpu::Features::SUBGROUP) && adapter::has_subgroups(&info),
-        );
+        // It lets drivers choose the size of subgroups, which is of no use elsewhere.
+        features.set(F::SUBGROUP, features.contains(F::SUBGROUP) && adapter::are_of_32(&info));
         let refused = |e: wgpu::RequestDeviceError| Error::Unavailable {
             why: format!("{} gives no device: {e}", info.name),
         };
-        let experimental_features = if features.contains(wgpu::Features::PASSTHROUGH_SHADERS) {
+        let experimental_features = if features.contains(F::PASSTHROUGH_SHADERS) {
             // SAFETY: passthrough is the one experimental feature asked for; what it needs is said
             // at `Pipeline::compile`.
             #[allow(unsafe_code, reason = "wgpu passes shaders through as an experiment only")]
@@ -185,8 +183,8 @@ impl Device {
         options: &DeviceOptions,
     ) -> Result<Self, Error> {
         let features = device.features();
-        let can_pass = adapter.backend == wgpu::Backend::Vulkan
-            && features.contains(wgpu::Features::PASSTHROUGH_SHADERS);
+        let can_pass =
+            adapter.backend == wgpu::Backend::Vulkan && features.contains(F::PASSTHROUGH_SHADERS);
         let (path, why) = match options.path {
             Some(Path::Passthrough) if !can_pass => {
                 let why =
@@ -207,7 +205,7 @@ impl Device {
         }
         let limits = device.limits();
         adapter::check_limits(&adapter, &limits)?;
-        let wide_features = wgpu::Features::SHADER_F64 | wgpu::Features::SHADER_INT64;
+        let wide_features = F::SHADER_F64 | F::SHADER_INT64;
         let wide = !options.narrow && features.contains(wide_features);
         let integers = options.integers.unwrap_or_else(|| !adapter::has_fast_f64(&adapter));
         let info = Info {
@@ -215,13 +213,14 @@ impl Device {
             why,
             wide,
             integers: integers || !wide,
-            timestamps: features.contains(wgpu::Features::TIMESTAMP_QUERY),
+            subgroups: adapter::has_subgroups(&adapter, &limits, features, path),
+            timestamps: features.contains(F::TIMESTAMP_QUERY),
             adapter,
             limits,
         };
         let pipelines = TABLE.iter().map(|_| OnceLock::new()).collect();
         let folder = options.kernel_folder.as_ref();
-        let folder = folder.filter(|_| features.contains(wgpu::Features::PIPELINE_CACHE));
+        let folder = folder.filter(|_| features.contains(F::PIPELINE_CACHE));
         let cache = folder.and_then(|folder| Cache::open(&device, folder, &info.adapter));
         let kept = cache.as_ref().is_some_and(Cache::was_kept);
         let compilation = Mutex::new(Compilation { kept, ..Compilation::default() });
@@ -266,17 +265,6 @@ impl Device {
             Path::Passthrough => Ok(()),
             Path::Wgsl => Err(Error::NoStealing { adapter: info.adapter.name.clone() }),
         }
-    }
-
-    /// Whether kernels by subgroups run: compiled as they are, which WGSL has no place for, where
-    /// every subgroup has 32 threads.
-    pub fn has_subgroups(&self) -> bool {
-        let Info { adapter, limits, path, .. } = self.info();
-        *path == Path::Passthrough
-            && adapter::has_subgroups(adapter)
-            && self.wgpu().features().contains(wgpu::Features::SUBGROUP)
-            && limits.max_compute_invocations_per_workgroup >= sort::SUBGROUP_THREADS
-            && limits.max_compute_workgroup_storage_size >= 32_768
     }
 
     /// Workgroups of kernels that take one item after another: enough for the largest GPUs; few

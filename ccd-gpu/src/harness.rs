@@ -65,7 +65,7 @@ fn run_on(
     if id.native() {
         device.check_native()?;
     }
-    if id.by_subgroups() && !device.has_subgroups() {
+    if id.by_subgroups() && !device.info().subgroups {
         let why = format!("{} has no subgroups of 32 threads", device.info().adapter.name);
         return Err(Error::Unavailable { why });
     }

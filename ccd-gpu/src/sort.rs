@@ -32,7 +32,7 @@ impl Sort {
             let [bytes, limit] = [n, sort::MOST_KEYS].map(|n| 4 * n as u64);
             return Err(Error::TooLarge { what: "sort keys", bytes, limit });
         }
-        let tile = if device.has_subgroups() { sort::SUBGROUP_TILE } else { sort::TILE };
+        let tile = if device.info().subgroups { sort::SUBGROUP_TILE } else { sort::TILE };
         let (table, n) = (sort::first_row(2, n.div_ceil(tile)) as u64, n as u64);
         Ok(Self {
             keys: [words("sort keys", n)?, words("sort keys", n)?],

@@ -24,12 +24,12 @@ pub(crate) struct Thread {
 /// number of threads, they are numbered by their subgroups, of 32 threads each.
 macro_rules! kernel {
     (
-        $(#[$doc:meta])* $name:ident[$threads:tt $($by:tt)*]($thread:ident; $params:ident: $args:ident;
-            $($shared:ident: $array:ty),*; $($views:tt)*) $body:block
+        $(#[$doc:meta])* $name:ident[$threads:tt $($by:tt)*]($thread:ident;
+            $params:ident: $args:ident; $($shared:ident: $array:ty),*; $($views:tt)*) $body:block
     ) => {
         kernel! { @
-            { $(#[$doc])* } $name [$threads $($by)*] $thread { $params: $args } { $($shared: $array),* }
-            [1 2 3 4 5 6 7 8] [$($views)*,] [] $body
+            { $(#[$doc])* } $name [$threads $($by)*] $thread { $params: $args }
+            { $($shared: $array),* } [1 2 3 4 5 6 7 8] [$($views)*,] [] $body
         }
     };
     (

@@ -11,6 +11,7 @@ pub mod broad_phase;
 mod entry;
 pub mod probe;
 mod records;
+pub mod scan;
 pub mod sort;
 pub mod step;
 mod workgroup;

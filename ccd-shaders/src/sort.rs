@@ -1,6 +1,7 @@
-//! The radix sort; see `ccd_core::backend::kernel::sort`. Sums of the rows of a table.
+//! The radix sort; see `ccd_core::backend::kernel::sort`.
 
 use crate::entry::kernel;
+use crate::scan::scan;
 use crate::workgroup::{
     DeviceWords, add, add_shared, barrier, get, get_uniform, load as load_word, lower_shared,
     or_shared, set, subgroup_barrier,
@@ -49,77 +50,6 @@ kernel! {
     }
 }
 
-kernel! {
-    /// Workgroup `d` turns the counts of digit `d` into the number of keys with that digit in
-    /// earlier tiles, and writes their total behind the table. Four counts a thread and round.
-    sort_scan[256](t; params: SortPass; sums: [u32; 512]; mut table: [u32]) {
-        let n_tiles = params.args.n_tiles;
-        let row = t.group * n_tiles;
-        let mut carry = 0;
-        for round in 0..n_tiles.div_ceil(1024) {
-            let i = round * 1024 + 4 * t.lane;
-            let count = [
-                count_of(table, row, n_tiles, i),
-                count_of(table, row, n_tiles, i + 1),
-                count_of(table, row, n_tiles, i + 2),
-                count_of(table, row, n_tiles, i + 3),
-            ];
-            let sum = count[0] + count[1] + count[2] + count[3];
-            let mut start = carry + scan(t.lane, 8, 256, sum, sums) - sum;
-            macro_rules! write {
-                ($($k:literal)*) => {$(
-                    if i + $k < n_tiles {
-                        put(table, (row + i + $k) as usize, start);
-                    }
-                    start += count[$k];
-                )*};
-            }
-            write!(0 1 2 3);
-            carry += get(sums, 255);
-            barrier();
-        }
-        if t.lane == 0 {
-            put(table, (DIGITS * n_tiles + t.group) as usize, carry);
-        }
-    }
-}
-
-/// Entry `i` of a row of the table, 0 past its end.
-#[inline(always)]
-fn count_of(table: &[u32], row: u32, n_tiles: u32, i: u32) -> u32 {
-    if i < n_tiles { at(table, (row + i) as usize) } else { 0 }
-}
-
-/// Sum of the values of threads up to this one, among `2^steps` threads; after an even number of
-/// steps the sum of all is in `sums[2^steps - 1]` until the next barrier. `sums` has two halves
-/// that are used in turn, so that one barrier a step is enough.
-#[inline(always)]
-pub(crate) fn scan<const N: usize>(
-    lane: u32,
-    steps: u32,
-    half: u32,
-    value: u32,
-    sums: &mut [u32; N],
-) -> u32 {
-    let mut sum = value;
-    let mut reach = 1;
-    let (mut from, mut to) = (0, half);
-    set(sums, lane, sum);
-    for _ in 0..steps {
-        barrier();
-        if lane >= reach {
-            sum += get(sums, from + lane - reach);
-        }
-        set(sums, to + lane, sum);
-        let swap = from;
-        from = to;
-        to = swap;
-        reach *= 2;
-    }
-    barrier();
-    sum
-}
-
 /// The body of a pass. What its two instances do differently: `rank` ranks a key among those of its
 /// digit before it in its run, and counts it; `counts` has the counts of the runs, one digit in a
 /// word or two, since they are below 2^16; `sums` adds two numbers of all threads up to each;
@@ -127,8 +57,8 @@ pub(crate) fn scan<const N: usize>(
 ///
 /// Workgroup memory is used for one thing after another: `words` for what `rank` needs, then for
 /// the keys of the tile in order, then for its values; `digits` for where a digit begins in the
-/// tile, then for what a key of it adds to its place there. Unrolled, so that what is indexed by `k`
-/// stays in registers.
+/// tile, then for what a key of it adds to its place there. Unrolled, so that what is indexed by
+/// `k` stays in registers.
 macro_rules! scatter {
     (
         ($t:ident, $params:ident, $threads:ident, $per_word:literal)
@@ -275,8 +205,9 @@ fn publish(table: &mut [u32], i: u32, word: u32) {
     DeviceWords::behind(table, 0).store(i as usize, word);
 }
 
-/// What tiles before `back` have of a digit, whose word of the row of tile 0 is `row`; backwards, up
-/// to one that has published a sum or, after so many looks, nothing: one after it is returned, or 0.
+/// What tiles before `back` have of a digit, whose word in the row of tile 0 is `row`: backwards,
+/// up to a tile that has published a sum, or nothing after so many looks. Returns where that ended,
+/// behind the tile without anything or at 0, and the sum.
 #[inline(always)]
 fn look_back(table: &[u32], row: u32, mut back: u32) -> (u32, u32) {
     let (mut sum, mut looks) = (0, 0);
@@ -414,7 +345,8 @@ kernel! {
 kernel! {
     /// The same, where subgroups have 32 threads.
     sort_scatter_by_subgroups[512 by (subgroup, lane_of_subgroup)](t; params: SortPass;
-        words: [u32; 4096], digits: [u32; 256], sums: [u32; 16], lowest: [u32; 1]; keys: [u32], values: [u32], mut table: [u32], mut keys_out: [u32],
+        words: [u32; 4096], digits: [u32; 256], sums: [u32; 16], lowest: [u32; 1];
+        keys: [u32], values: [u32], mut table: [u32], mut keys_out: [u32],
         mut values_out: [u32]) {
         scatter! {
             (t, params, SUBGROUP_THREADS, 1)

@@ -9,7 +9,7 @@ use crate::twin::{Twin, union};
 use ccd::Aabb;
 use ccd::gpu::bind::{
     Branches, NumberLeaves, PairJoin, PairLeaves, PairNearest, PairSearch, PairSwap, PlocCount,
-    PlocFinish, PlocJoin, PlocLeaves, PlocNearest, SortScan, SplitBranches, SplitCount, SplitEmit,
+    PlocFinish, PlocJoin, PlocLeaves, PlocNearest, ScanRows, SplitBranches, SplitCount, SplitEmit,
     SplitLevels,
 };
 use ccd::gpu::wgpu::DeviceType;
@@ -196,7 +196,7 @@ fn split_lists(device: &Device, twin: &Twin, set: usize, capacity: u32) -> (Vec<
     let done = run(device, SplitCount { levels, present, table }, &p, groups);
     let args = SortPass { shift: 0, n_tiles: groups };
     let scan = Params { frame: twin.frame, dispatch: Dispatch::default(), args };
-    let table = run(device, SortScan { table: done.table }, &scan, 256).table;
+    let table = run(device, ScanRows { table: done.table }, &scan, 256).table;
     let (levels, present) = (done.levels, done.present);
     let list = vec![0; 4 * (LIST_HEADER + capacity as usize)];
     let entries = zeros::<u32>(places);

@@ -201,7 +201,7 @@ fn main() {
         // The last trial: with one thread all others ran before it.
         let all = n_threads == 1 && arguments.filter.is_none() && arguments.skip.is_empty();
         let wide = devices.iter().any(|(_, device)| device.info().wide);
-        let subgroups = devices.iter().any(|(_, device)| device.has_subgroups());
+        let subgroups = devices.iter().any(|(_, device)| device.info().subgroups);
         trials.push(Trial::ignorable_test("every_kernel_ran", move || {
             if !all {
                 return Ok(Completion::ignored_with("only a part of the tests ran before"));

@@ -265,7 +265,8 @@ pub fn check_manifest() {
         let found = ["workgroup", "wide", "native", "barriers"].map(|key| kernel[key].clone());
         assert_eq!(found, want as [serde_json::Value; 4], "{name}");
         assert_eq!(kernel["entry"], name);
-        assert!(kernel["shared_bytes"].as_u64().unwrap() <= 16_384, "{name}");
-        assert!(row.threads <= 256 && row.bindings().count() <= 8, "{name}");
+        let (threads, bytes) = if row.by_subgroups { (512, 32_768) } else { (256, 16_384) };
+        assert!(kernel["shared_bytes"].as_u64().unwrap() <= bytes, "{name}");
+        assert!(row.threads <= threads && row.bindings().count() <= 8, "{name}");
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::support::{bytes, read, run, zeros};
 use ccd::gpu::bind::{
-    CountContacts, OrderContacts, PlaceContacts, SortCount, SortScan, SortScatter,
+    CountContacts, OrderContacts, PlaceContacts, ScanRows, SortCount, SortScatter,
     SortScatterBySubgroups,
 };
 use ccd::gpu::{Device, Sorter};
@@ -59,7 +59,7 @@ fn check_sort_passes(device: &Device) {
     for silent in [0, 1, 5] {
         for shift in [8, 16] {
             check_pass(device, (&keys, &totals), (shift, sort::TILE), silent);
-            if device.has_subgroups() {
+            if device.info().subgroups {
                 check_pass(device, (&keys, &totals), (shift, sort::SUBGROUP_TILE), silent);
             }
         }
@@ -162,7 +162,7 @@ fn check_order(device: &Device) {
         let table = zeros::<u32>(unordered(&frame) as usize + 1);
         let counted = run(device, CountContacts { contacts, table, ranks }, &p, groups);
         let of_scan = Params { frame, dispatch, args: SortPass { shift: 0, n_tiles: row(&frame) } };
-        let SortScan { table } = run(device, SortScan { table: counted.table }, &of_scan, ROWS);
+        let ScanRows { table } = run(device, ScanRows { table: counted.table }, &of_scan, ROWS);
         let (contacts, ranks) = (list.clone(), counted.ranks);
         let slots = zeros::<PackedTouch>(capacity as usize);
         let placed = PlaceContacts { contacts, table: table.clone(), ranks, slots };

@@ -1,7 +1,7 @@
 //! Contacts in their canonical order, sorted where they were found, by counting; see
 //! `ccd_core::backend::kernel::contact_order`.
 
-use crate::bind::{CountContacts, OrderContacts, PlaceContacts, SortScan};
+use crate::bind::{CountContacts, OrderContacts, PlaceContacts, ScanRows};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -69,7 +69,7 @@ impl ContactOrder {
         let p = &Params { frame: *frame, dispatch, args: Plain::default() };
         recorder.each(&CountContacts { contacts, table, ranks }, p, n);
         let args = SortPass { shift: 0, n_tiles: row(frame) };
-        recorder.dispatch(&SortScan { table }, &Params { frame: *frame, dispatch, args }, ROWS);
+        recorder.dispatch(&ScanRows { table }, &Params { frame: *frame, dispatch, args }, ROWS);
         recorder.each(&PlaceContacts { contacts, table, ranks, slots }, p, n);
         recorder.each(&OrderContacts { contacts, slots, ordered, table }, p, n);
     }

@@ -45,8 +45,8 @@ pub fn without_lines(words: &[u32]) -> Vec<u32> {
 }
 
 /// Replaces the Vulkan memory model by GLSL's, which needs no feature of the device: drops its
-/// capabilities and those of unused number types and subgroups, widens the scope of a queue family to the device,
-/// strips availability and visibility (implied there).
+/// capabilities and those of unused number types and subgroups, widens the scope of a queue family
+/// to the device, strips availability and visibility (implied there).
 pub fn glsl_memory_model(words: &[u32]) -> Result<Vec<u32>, String> {
     let uses = |op: u32, bits: u32| instructions(words).any(|i| opcode(i) == op && i[2] == bits);
     let (float64, int64) = (uses(OP_TYPE_FLOAT, 64), uses(OP_TYPE_INT, 64));

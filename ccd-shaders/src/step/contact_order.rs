@@ -1,7 +1,7 @@
 //! Contacts into their canonical order; see `ccd_core::backend::kernel::contact_order`.
 
 use crate::entry::kernel;
-use crate::sort::scan;
+use crate::scan::scan;
 use crate::workgroup::{add, barrier, get, length, or, set};
 use ccd_core::backend::kernel::contact_order::{ROWS, bucket, place, row, unordered};
 use ccd_core::backend::kernel::memory::{at, put};

@@ -2,9 +2,9 @@
 //! have few contacts, which rank each other by `b`.
 //!
 //! `count_contacts` counts each bucket, which gives a contact its rank there in no order,
-//! `sort_scan` turns counts into places, `place_contacts` packs contacts into the buckets, one
+//! `scan_rows` turns counts into places, `place_contacts` packs contacts into the buckets, one
 //! behind the other, `order_contacts` ranks what is in each. Counts are [`ROWS`] rows, as
-//! `sort_scan` reads them.
+//! `scan_rows` reads them.
 
 use super::sort::DIGITS;
 use crate::kernel::memory::at;

@@ -40,7 +40,7 @@ macro_rules! kernels {
                 sort_scatter_by_subgroups(512 threads, 29 barriers, f32, Params<SortPass>)
                 { keys: Read, values: Read, table: Write, keys_out: Write, values_out: Write }
             /// Sums of the rows of a table.
-            SortScan = sort_scan(256 threads, 3 barriers, f32, Params<SortPass>)
+            ScanRows = scan_rows(256 threads, 3 barriers, f32, Params<SortPass>)
                 { table: Write }
             /// Boxes that follow each other in order by halves.
             HalveRuns = halve_runs(256 threads, 16 barriers, f32, Params<Blocks>)

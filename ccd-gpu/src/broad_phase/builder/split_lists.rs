@@ -11,7 +11,7 @@
 //! [`super::lbvh`].
 
 use super::{TreeBuilder, height_of_codes};
-use crate::bind::{SortScan, SplitBranches, SplitCount, SplitEmit, SplitLevels};
+use crate::bind::{ScanRows, SplitBranches, SplitCount, SplitEmit, SplitLevels};
 use crate::broad_phase::block_bvh::Tree;
 use crate::device::Device;
 use crate::error::Error;
@@ -82,7 +82,7 @@ impl TreeBuilder for SplitLists {
         recorder.each(&SplitLevels { keys, levels, present }, &p, places);
         recorder.each(&SplitCount { levels, present, table }, &p, places);
         let scan = Params { frame: *frame, dispatch, args: SortPass { shift: 0, n_tiles } };
-        recorder.dispatch(&SortScan { table }, &scan, if places > 0 { DIGITS } else { 0 });
+        recorder.dispatch(&ScanRows { table }, &scan, if places > 0 { DIGITS } else { 0 });
         recorder.each(&SplitEmit { levels, present, table, entries, list }, &p, places);
         let kernel = SplitBranches { keys, levels, present, table, entries, list, branches };
         recorder.each(&kernel, &p, places);

@@ -2,7 +2,7 @@
 
 use crate::broad_phase::pair_descent::reserve;
 use crate::entry::kernel;
-use crate::sort::scan;
+use crate::scan::scan;
 use crate::workgroup::{get, raise, read_pair, write_pair};
 use ccd_core::backend::broad_phase::balanced::{first, left, owner, part, saved};
 use ccd_core::backend::broad_phase::pair_workers::{LEFT, THREADS, listed};

@@ -10,7 +10,7 @@
 
 use super::shared::{ENDED, LEAVES, NODES};
 use super::worker::{PairTree, Worker};
-use crate::sort::scan;
+use crate::scan::scan;
 use crate::workgroup::{add_shared, get};
 use ccd_core::backend::broad_phase::pair_workers::THREADS;
 
