@@ -204,6 +204,8 @@ fn device(c: &mut Criterion) {
     let Step { mesh, x0, x1 } = crumpled_sheet(100, 1);
     let want = ccd::step(&mesh, &x0, &x1, &Options::default()).expect("a valid step").candidates;
     let mut session = gpu::Session::new(&device, mesh, Options::default()).expect("a session");
+    // Kernels are compiled by the first one.
+    session.step(&x0, &x1).expect("a valid step");
     c.bench_function("GPU: step, crumpled sheet of 10,000 vertices", |b| {
         b.iter(|| {
             let report = session.step(black_box(&x0), &x1).expect("a valid step");
