@@ -142,7 +142,8 @@ pub fn has_fast_f64(adapter: &wgpu::AdapterInfo) -> bool {
         || FAST_F64.split(", ").any(|words| name.contains(&format!(" {words} ")))
 }
 
-/// Whether all subgroups have the 32 threads that kernels by subgroups need.
+/// Whether all subgroups have the 32 threads that kernels by subgroups need. They are full there:
+/// workgroups have a multiple of that.
 pub fn are_of_32(adapter: &wgpu::AdapterInfo) -> bool {
     [adapter.subgroup_min_size, adapter.subgroup_max_size] == [sort::SUBGROUP; 2]
 }
