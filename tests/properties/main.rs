@@ -47,6 +47,14 @@ fn check_consistent(a: Verdict<f64>, b: Verdict<f64>) {
     }
 }
 
+fn widen(verdict: Verdict<f32>) -> Verdict<f64> {
+    match verdict {
+        Verdict::Miss => Verdict::Miss,
+        Verdict::Hit { toi } => Verdict::Hit { toi: f64::from(toi) },
+        Verdict::Undecided { toi } => Verdict::Undecided { toi: f64::from(toi) },
+    }
+}
+
 /// A verdict against the exact answer.
 fn check_oracle(verdict: Verdict<f64>, answer: &Contact) {
     match (verdict, answer) {
@@ -137,18 +145,26 @@ proptest! {
         check(ee(t0, t1), ee(t1, t0));
     }
 
+    /// In every unit, and with one coordinate that is far larger or smaller than the others, so that
+    /// the unit is not that of the rest.
     #[test]
-    fn f32_and_f64_agree(t0 in points(), t1 in points()) {
-        let narrow = |x: Points| x.map(|p| p.map(|c| c as f32));
-        let q = VertexFace { t0: narrow(t0), t1: narrow(t1) };
-        let single = match ccd::vertex_face(&q, 0.0) {
-            Verdict::Miss => Verdict::Miss,
-            Verdict::Hit { toi } => Verdict::Hit { toi: f64::from(toi) },
-            Verdict::Undecided { toi } => Verdict::Undecided { toi: f64::from(toi) },
-        };
-        check_consistent(single, ccd::vertex_face(&q.widen(), 0.0));
+    fn f32_and_f64_agree(
+        t0 in points(), t1 in points(), exponent in -30i32..30,
+        (vertex, axis, other) in (0usize..8, 0usize..3, -30i32..30),
+    ) {
+        for with_other in [false, true] {
+            let mut x = [t0, t1];
+            if with_other {
+                x[vertex / 4][vertex % 4][axis] *= 2f64.powi(other);
+            }
+            let [t0, t1] = x.map(|x| x.map(|p| p.map(|c| (c * 2f64.powi(exponent)) as f32)));
+            let (face, edges) = (VertexFace { t0, t1 }, EdgeEdge { t0, t1 });
+            let single = widen(ccd::vertex_face(&face, 0.0));
+            check_consistent(single, ccd::vertex_face(&face.widen(), 0.0));
+            let single = widen(ccd::edge_edge(&edges, 0.0));
+            check_consistent(single, ccd::edge_edge(&edges.widen(), 0.0));
+        }
     }
-
 }
 
 proptest! {
