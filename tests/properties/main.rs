@@ -145,18 +145,23 @@ proptest! {
         check(ee(t0, t1), ee(t1, t0));
     }
 
-    /// In every unit, and with one coordinate that is far larger or smaller than the others, so that
-    /// the unit is not that of the rest.
+    /// In every unit; with one coordinate that is far larger or smaller than the others, so that
+    /// the unit is not that of the rest; and where a vertex ends on the face, or an edge on the
+    /// edge, up to the rounding to `f32`.
     #[test]
     fn f32_and_f64_agree(
         t0 in points(), t1 in points(), exponent in -30i32..30,
         (vertex, axis, other) in (0usize..8, 0usize..3, -30i32..30),
+        (u, v) in (0.1..0.45, 0.1..0.45),
     ) {
-        for with_other in [false, true] {
-            let mut x = [t0, t1];
-            if with_other {
-                x[vertex / 4][vertex % 4][axis] *= 2f64.powi(other);
-            }
+        let (mut far, mut on_face, mut on_edge) = ([t0, t1], [t0, t1], [t0, t1]);
+        far[vertex / 4][vertex % 4][axis] *= 2f64.powi(other);
+        for k in 0..3 {
+            let [p, a, b, c] = t1.map(|x| x[k]);
+            on_face[1][0][k] = a + u * (b - a) + v * (c - a);
+            on_edge[1][1][k] = p + (b + u * (c - b) - p) / (v + 0.5);
+        }
+        for x in [[t0, t1], far, on_face, on_edge] {
             let [t0, t1] = x.map(|x| x.map(|p| p.map(|c| (c * 2f64.powi(exponent)) as f32)));
             let (face, edges) = (VertexFace { t0, t1 }, EdgeEdge { t0, t1 });
             let single = widen(ccd::vertex_face(&face, 0.0));
