@@ -68,88 +68,88 @@ var<workgroup> digits: array<atomic<u32>, 256>;
 var<workgroup> missing: array<u32, 1>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_143_: u32;
-    var phi_165_: u32;
-    var phi_187_: u32;
-    var phi_209_: u32;
-    var phi_231_: u32;
-    var phi_253_: u32;
-    var phi_275_: u32;
-    var phi_297_: u32;
-    var phi_301_: type_9;
-    var phi_338_: type_9;
-    var phi_833_: type_9;
-    var phi_836_: u32;
-    var phi_837_: u32;
-    var phi_875_: type_9;
+    var phi_139_: u32;
+    var phi_161_: u32;
+    var phi_183_: u32;
+    var phi_205_: u32;
+    var phi_227_: u32;
+    var phi_249_: u32;
+    var phi_271_: u32;
+    var phi_293_: u32;
+    var phi_297_: type_9;
+    var phi_334_: type_9;
+    var phi_829_: type_9;
+    var phi_832_: u32;
+    var phi_833_: u32;
+    var phi_871_: type_9;
     var local: u32;
-    var phi_969_: u32;
+    var phi_960_: u32;
+    var phi_961_: u32;
+    var phi_965_: type_9;
+    var phi_968_: u32;
     var phi_970_: u32;
-    var phi_974_: type_9;
-    var phi_977_: u32;
-    var phi_979_: u32;
-    var phi_981_: u32;
-    var phi_978_: u32;
-    var phi_1020_: u32;
-    var phi_980_: u32;
-    var phi_982_: u32;
-    var phi_1027_: type_9;
-    var phi_1030_: u32;
-    var phi_1032_: u32;
-    var phi_1034_: u32;
-    var phi_1031_: u32;
-    var phi_1073_: u32;
-    var phi_1033_: u32;
-    var phi_1035_: u32;
+    var phi_972_: u32;
+    var phi_969_: u32;
+    var phi_1011_: u32;
+    var phi_971_: u32;
+    var phi_973_: u32;
+    var phi_1018_: type_9;
+    var phi_1021_: u32;
+    var phi_1023_: u32;
+    var phi_1025_: u32;
+    var phi_1022_: u32;
+    var phi_1064_: u32;
+    var phi_1024_: u32;
+    var phi_1026_: u32;
     var local_1: u32;
-    var phi_1113_: array<u32, 8>;
-    var phi_1145_: array<u32, 8>;
-    var phi_1177_: array<u32, 8>;
-    var phi_1209_: array<u32, 8>;
-    var phi_1241_: array<u32, 8>;
-    var phi_1273_: array<u32, 8>;
-    var phi_1305_: array<u32, 8>;
-    var phi_1337_: array<u32, 8>;
+    var phi_1104_: array<u32, 8>;
+    var phi_1136_: array<u32, 8>;
+    var phi_1168_: array<u32, 8>;
+    var phi_1200_: array<u32, 8>;
+    var phi_1232_: array<u32, 8>;
+    var phi_1264_: array<u32, 8>;
+    var phi_1296_: array<u32, 8>;
+    var phi_1328_: array<u32, 8>;
+    var phi_1438_: u32;
+    var phi_1441_: u32;
+    var phi_1446_: u32;
+    var phi_1449_: u32;
+    var phi_1451_: u32;
+    var phi_1644_: u32;
+    var phi_1645_: u32;
+    var phi_1646_: u32;
     var phi_1447_: u32;
     var phi_1450_: u32;
-    var phi_1455_: u32;
-    var phi_1458_: u32;
-    var phi_1460_: u32;
-    var phi_1653_: u32;
-    var phi_1654_: u32;
-    var phi_1655_: u32;
-    var phi_1456_: u32;
-    var phi_1459_: u32;
-    var phi_1461_: u32;
-    var phi_1656_: bool;
+    var phi_1452_: u32;
+    var phi_1647_: bool;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1844_: u32;
-    var phi_1845_: u32;
-    var phi_1448_: u32;
-    var phi_1451_: u32;
-    var phi_1846_: bool;
+    var phi_1835_: u32;
+    var phi_1836_: u32;
+    var phi_1439_: u32;
+    var phi_1442_: u32;
+    var phi_1837_: bool;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_1894_: u32;
-    var phi_1916_: u32;
-    var phi_1938_: u32;
-    var phi_1960_: u32;
-    var phi_1982_: u32;
-    var phi_2004_: u32;
-    var phi_2026_: u32;
-    var phi_2048_: u32;
-    var phi_2066_: array<u32, 8>;
-    var phi_2084_: array<u32, 8>;
-    var phi_2102_: array<u32, 8>;
-    var phi_2120_: array<u32, 8>;
-    var phi_2138_: array<u32, 8>;
-    var phi_2156_: array<u32, 8>;
-    var phi_2174_: array<u32, 8>;
-    var phi_2192_: array<u32, 8>;
+    var phi_1880_: u32;
+    var phi_1902_: u32;
+    var phi_1924_: u32;
+    var phi_1946_: u32;
+    var phi_1968_: u32;
+    var phi_1990_: u32;
+    var phi_2012_: u32;
+    var phi_2034_: u32;
+    var phi_2052_: array<u32, 8>;
+    var phi_2070_: array<u32, 8>;
+    var phi_2088_: array<u32, 8>;
+    var phi_2106_: array<u32, 8>;
+    var phi_2124_: array<u32, 8>;
+    var phi_2142_: array<u32, 8>;
+    var phi_2160_: array<u32, 8>;
+    var phi_2178_: array<u32, 8>;
     var local_9: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -170,70 +170,70 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e83 = (_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u)));
     if (_e83 < _e70) {
         let _e86 = keys.member[_e83];
-        phi_143_ = _e86;
+        phi_139_ = _e86;
     } else {
-        phi_143_ = 0u;
+        phi_139_ = 0u;
     }
-    let _e88 = phi_143_;
+    let _e88 = phi_139_;
     let _e94 = (_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u)));
     if (_e94 < _e70) {
         let _e97 = keys.member[_e94];
-        phi_165_ = _e97;
+        phi_161_ = _e97;
     } else {
-        phi_165_ = 0u;
+        phi_161_ = 0u;
     }
-    let _e99 = phi_165_;
+    let _e99 = phi_161_;
     let _e105 = (_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u)));
     if (_e105 < _e70) {
         let _e108 = keys.member[_e105];
-        phi_187_ = _e108;
+        phi_183_ = _e108;
     } else {
-        phi_187_ = 0u;
+        phi_183_ = 0u;
     }
-    let _e110 = phi_187_;
+    let _e110 = phi_183_;
     let _e116 = (_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u)));
     if (_e116 < _e70) {
         let _e119 = keys.member[_e116];
-        phi_209_ = _e119;
+        phi_205_ = _e119;
     } else {
-        phi_209_ = 0u;
+        phi_205_ = 0u;
     }
-    let _e121 = phi_209_;
+    let _e121 = phi_205_;
     let _e127 = (_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u)));
     if (_e127 < _e70) {
         let _e130 = keys.member[_e127];
-        phi_231_ = _e130;
+        phi_227_ = _e130;
     } else {
-        phi_231_ = 0u;
+        phi_227_ = 0u;
     }
-    let _e132 = phi_231_;
+    let _e132 = phi_227_;
     let _e138 = (_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u)));
     if (_e138 < _e70) {
         let _e141 = keys.member[_e138];
-        phi_253_ = _e141;
+        phi_249_ = _e141;
     } else {
-        phi_253_ = 0u;
+        phi_249_ = 0u;
     }
-    let _e143 = phi_253_;
+    let _e143 = phi_249_;
     let _e149 = (_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u)));
     if (_e149 < _e70) {
         let _e152 = keys.member[_e149];
-        phi_275_ = _e152;
+        phi_271_ = _e152;
     } else {
-        phi_275_ = 0u;
+        phi_271_ = 0u;
     }
-    let _e154 = phi_275_;
+    let _e154 = phi_271_;
     let _e160 = (_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u)));
     if (_e160 < _e70) {
         let _e163 = keys.member[_e160];
-        phi_297_ = _e163;
+        phi_293_ = _e163;
     } else {
-        phi_297_ = 0u;
+        phi_293_ = 0u;
     }
-    let _e165 = phi_297_;
-    phi_301_ = type_9(0u, 8u);
+    let _e165 = phi_293_;
+    phi_297_ = type_9(0u, 8u);
     loop {
-        let _e168 = phi_301_;
+        let _e168 = phi_297_;
         let _e171 = (_e168.member < _e168.member_1);
         let _e184 = (bitcast<i32>(select(0u, 1u, _e171)) != 0i);
         if _e184 {
@@ -241,13 +241,13 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         continue;
         continuing {
-            phi_301_ = type_9(select(_e168.member, (_e168.member + 1u), _e171), select(_e168.member_1, _e168.member_1, _e171));
+            phi_297_ = type_9(select(_e168.member, (_e168.member + 1u), _e171), select(_e168.member_1, _e168.member_1, _e171));
             break if !(_e184);
         }
     }
-    phi_338_ = type_9(0u, 4u);
+    phi_334_ = type_9(0u, 4u);
     loop {
-        let _e190 = phi_338_;
+        let _e190 = phi_334_;
         let _e193 = (_e190.member < _e190.member_1);
         let _e206 = (bitcast<i32>(select(0u, 1u, _e193)) != 0i);
         if _e206 {
@@ -255,7 +255,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         continue;
         continuing {
-            phi_338_ = type_9(select(_e190.member, (_e190.member + 1u), _e193), select(_e190.member_1, _e190.member_1, _e193));
+            phi_334_ = type_9(select(_e190.member, (_e190.member + 1u), _e193), select(_e190.member_1, _e190.member_1, _e193));
             break if !(_e206);
         }
     }
@@ -417,11 +417,11 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     workgroupBarrier();
     workgroupBarrier();
     if (_e53 < 128u) {
-        phi_833_ = type_9(0u, 8u);
-        phi_836_ = 0u;
+        phi_829_ = type_9(0u, 8u);
+        phi_832_ = 0u;
         loop {
-            let _e615 = phi_833_;
-            let _e617 = phi_836_;
+            let _e615 = phi_829_;
+            let _e617 = phi_832_;
             local = _e617;
             let _e620 = (_e615.member < _e615.member_1);
             let _e633 = (bitcast<i32>(select(0u, 1u, _e620)) != 0i);
@@ -429,21 +429,21 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e635 = ((select(type_9().member_1, _e615.member, _e620) * 128u) + _e53);
                 let _e637 = atomicLoad((&counts[_e635]));
                 atomicStore((&counts[_e635]), _e617);
-                phi_837_ = (_e617 + _e637);
+                phi_833_ = (_e617 + _e637);
             } else {
-                phi_837_ = u32();
+                phi_833_ = u32();
             }
-            let _e641 = phi_837_;
+            let _e641 = phi_833_;
             continue;
             continuing {
-                phi_833_ = type_9(select(_e615.member, (_e615.member + 1u), _e620), select(_e615.member_1, _e615.member_1, _e620));
-                phi_836_ = _e641;
+                phi_829_ = type_9(select(_e615.member, (_e615.member + 1u), _e620), select(_e615.member_1, _e615.member_1, _e620));
+                phi_832_ = _e641;
                 break if !(_e633);
             }
         }
-        phi_875_ = type_9(0u, 2u);
+        phi_871_ = type_9(0u, 2u);
         loop {
-            let _e644 = phi_875_;
+            let _e644 = phi_871_;
             let _e647 = (_e644.member < _e644.member_1);
             let _e658 = select(type_9().member_1, _e644.member, _e647);
             let _e660 = (bitcast<i32>(select(0u, 1u, _e647)) != 0i);
@@ -453,7 +453,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
             continue;
             continuing {
-                phi_875_ = type_9(select(_e644.member, (_e644.member + 1u), _e647), select(_e644.member_1, _e644.member_1, _e647));
+                phi_871_ = type_9(select(_e644.member, (_e644.member + 1u), _e647), select(_e644.member_1, _e644.member_1, _e647));
                 break if !(_e660);
             }
         }
@@ -467,26 +467,26 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e688 = atomicLoad((&table.member[(((_e67 / 8u) * 256u) + _e53)]));
         atomicStore((&table.member[(_e681 + (_e77 * 256u))]), (select(1073741824u, 2147483648u, (_e77 == 0u)) | _e683));
         atomicStore((&table.member[((256u * ((4u + ((1u - _e677) * _e73)) + _e77)) + _e53)]), 0u);
-        phi_969_ = _e688;
-        phi_970_ = _e683;
+        phi_960_ = _e688;
+        phi_961_ = _e683;
     } else {
-        phi_969_ = 0u;
-        phi_970_ = 0u;
+        phi_960_ = 0u;
+        phi_961_ = 0u;
     }
-    let _e703 = phi_969_;
-    let _e705 = phi_970_;
+    let _e703 = phi_960_;
+    let _e705 = phi_961_;
     atomicStore((&words[_e53]), _e705);
-    phi_974_ = type_9(0u, 8u);
-    phi_977_ = 0u;
-    phi_979_ = 1u;
-    phi_981_ = _e705;
-    phi_978_ = 256u;
+    phi_965_ = type_9(0u, 8u);
+    phi_968_ = 0u;
+    phi_970_ = 1u;
+    phi_972_ = _e705;
+    phi_969_ = 256u;
     loop {
-        let _e708 = phi_974_;
-        let _e710 = phi_977_;
-        let _e712 = phi_979_;
-        let _e714 = phi_981_;
-        let _e716 = phi_978_;
+        let _e708 = phi_965_;
+        let _e710 = phi_968_;
+        let _e712 = phi_970_;
+        let _e714 = phi_972_;
+        let _e716 = phi_969_;
         local_1 = _e714;
         let _e719 = (_e708.member < _e708.member_1);
         let _e730 = (bitcast<i32>(select(0u, 1u, _e719)) != 0i);
@@ -494,43 +494,43 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             workgroupBarrier();
             if (_e53 >= _e712) {
                 let _e735 = atomicLoad((&words[((_e710 + _e53) - _e712)]));
-                phi_1020_ = (_e714 + _e735);
+                phi_1011_ = (_e714 + _e735);
             } else {
-                phi_1020_ = _e714;
+                phi_1011_ = _e714;
             }
-            let _e738 = phi_1020_;
+            let _e738 = phi_1011_;
             atomicStore((&words[(_e716 + _e53)]), _e738);
-            phi_980_ = (_e712 * 2u);
-            phi_982_ = _e738;
+            phi_971_ = (_e712 * 2u);
+            phi_973_ = _e738;
         } else {
-            phi_980_ = u32();
-            phi_982_ = u32();
+            phi_971_ = u32();
+            phi_973_ = u32();
         }
-        let _e743 = phi_980_;
-        let _e745 = phi_982_;
+        let _e743 = phi_971_;
+        let _e745 = phi_973_;
         continue;
         continuing {
-            phi_974_ = type_9(select(_e708.member, (_e708.member + 1u), _e719), select(_e708.member_1, _e708.member_1, _e719));
-            phi_977_ = _e716;
-            phi_979_ = _e743;
-            phi_981_ = _e745;
-            phi_978_ = _e710;
+            phi_965_ = type_9(select(_e708.member, (_e708.member + 1u), _e719), select(_e708.member_1, _e708.member_1, _e719));
+            phi_968_ = _e716;
+            phi_970_ = _e743;
+            phi_972_ = _e745;
+            phi_969_ = _e710;
             break if !(_e730);
         }
     }
     workgroupBarrier();
     atomicStore((&words[_e53]), _e703);
-    phi_1027_ = type_9(0u, 8u);
-    phi_1030_ = 0u;
-    phi_1032_ = 1u;
-    phi_1034_ = _e703;
-    phi_1031_ = 256u;
+    phi_1018_ = type_9(0u, 8u);
+    phi_1021_ = 0u;
+    phi_1023_ = 1u;
+    phi_1025_ = _e703;
+    phi_1022_ = 256u;
     loop {
-        let _e749 = phi_1027_;
-        let _e751 = phi_1030_;
-        let _e753 = phi_1032_;
-        let _e755 = phi_1034_;
-        let _e757 = phi_1031_;
+        let _e749 = phi_1018_;
+        let _e751 = phi_1021_;
+        let _e753 = phi_1023_;
+        let _e755 = phi_1025_;
+        let _e757 = phi_1022_;
         local_7 = _e755;
         let _e760 = (_e749.member < _e749.member_1);
         let _e771 = (bitcast<i32>(select(0u, 1u, _e760)) != 0i);
@@ -538,27 +538,27 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             workgroupBarrier();
             if (_e53 >= _e753) {
                 let _e776 = atomicLoad((&words[((_e751 + _e53) - _e753)]));
-                phi_1073_ = (_e755 + _e776);
+                phi_1064_ = (_e755 + _e776);
             } else {
-                phi_1073_ = _e755;
+                phi_1064_ = _e755;
             }
-            let _e779 = phi_1073_;
+            let _e779 = phi_1064_;
             atomicStore((&words[(_e757 + _e53)]), _e779);
-            phi_1033_ = (_e753 * 2u);
-            phi_1035_ = _e779;
+            phi_1024_ = (_e753 * 2u);
+            phi_1026_ = _e779;
         } else {
-            phi_1033_ = u32();
-            phi_1035_ = u32();
+            phi_1024_ = u32();
+            phi_1026_ = u32();
         }
-        let _e784 = phi_1033_;
-        let _e786 = phi_1035_;
+        let _e784 = phi_1024_;
+        let _e786 = phi_1026_;
         continue;
         continuing {
-            phi_1027_ = type_9(select(_e749.member, (_e749.member + 1u), _e760), select(_e749.member_1, _e749.member_1, _e760));
-            phi_1030_ = _e757;
-            phi_1032_ = _e784;
-            phi_1034_ = _e786;
-            phi_1031_ = _e751;
+            phi_1018_ = type_9(select(_e749.member, (_e749.member + 1u), _e760), select(_e749.member_1, _e749.member_1, _e760));
+            phi_1021_ = _e757;
+            phi_1023_ = _e784;
+            phi_1025_ = _e786;
+            phi_1022_ = _e751;
             break if !(_e771);
         }
     }
@@ -573,74 +573,74 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e802 = ((_e88 >> bitcast<u32>((_e67 & 31u))) & 255u);
         let _e808 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e802) / 2u)]));
         let _e816 = atomicLoad((&digits[_e802]));
-        phi_1113_ = array<u32, 8>((_e250 + (((_e808 >> bitcast<u32>(((16u * (_e802 % 2u)) & 31u))) & 65535u) + _e816)), _e300, _e350, _e400, _e450, _e500, _e550, _e600);
+        phi_1104_ = array<u32, 8>((_e250 + (((_e808 >> bitcast<u32>(((16u * (_e802 % 2u)) & 31u))) & 65535u) + _e816)), _e300, _e350, _e400, _e450, _e500, _e550, _e600);
     } else {
-        phi_1113_ = array<u32, 8>(_e250, _e300, _e350, _e400, _e450, _e500, _e550, _e600);
+        phi_1104_ = array<u32, 8>(_e250, _e300, _e350, _e400, _e450, _e500, _e550, _e600);
     }
-    let _e821 = phi_1113_;
+    let _e821 = phi_1104_;
     if ((_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u))) < _e70) {
         let _e832 = ((_e99 >> bitcast<u32>((_e67 & 31u))) & 255u);
         let _e838 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e832) / 2u)]));
         let _e846 = atomicLoad((&digits[_e832]));
-        phi_1145_ = array<u32, 8>(_e821[0], (_e821[1] + (((_e838 >> bitcast<u32>(((16u * (_e832 % 2u)) & 31u))) & 65535u) + _e846)), _e821[2], _e821[3], _e821[4], _e821[5], _e821[6], _e821[7]);
+        phi_1136_ = array<u32, 8>(_e821[0], (_e821[1] + (((_e838 >> bitcast<u32>(((16u * (_e832 % 2u)) & 31u))) & 65535u) + _e846)), _e821[2], _e821[3], _e821[4], _e821[5], _e821[6], _e821[7]);
     } else {
-        phi_1145_ = _e821;
+        phi_1136_ = _e821;
     }
-    let _e859 = phi_1145_;
+    let _e859 = phi_1136_;
     if ((_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u))) < _e70) {
         let _e870 = ((_e110 >> bitcast<u32>((_e67 & 31u))) & 255u);
         let _e876 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e870) / 2u)]));
         let _e884 = atomicLoad((&digits[_e870]));
-        phi_1177_ = array<u32, 8>(_e859[0], _e859[1], (_e859[2] + (((_e876 >> bitcast<u32>(((16u * (_e870 % 2u)) & 31u))) & 65535u) + _e884)), _e859[3], _e859[4], _e859[5], _e859[6], _e859[7]);
+        phi_1168_ = array<u32, 8>(_e859[0], _e859[1], (_e859[2] + (((_e876 >> bitcast<u32>(((16u * (_e870 % 2u)) & 31u))) & 65535u) + _e884)), _e859[3], _e859[4], _e859[5], _e859[6], _e859[7]);
     } else {
-        phi_1177_ = _e859;
+        phi_1168_ = _e859;
     }
-    let _e897 = phi_1177_;
+    let _e897 = phi_1168_;
     if ((_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u))) < _e70) {
         let _e908 = ((_e121 >> bitcast<u32>((_e67 & 31u))) & 255u);
         let _e914 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e908) / 2u)]));
         let _e922 = atomicLoad((&digits[_e908]));
-        phi_1209_ = array<u32, 8>(_e897[0], _e897[1], _e897[2], (_e897[3] + (((_e914 >> bitcast<u32>(((16u * (_e908 % 2u)) & 31u))) & 65535u) + _e922)), _e897[4], _e897[5], _e897[6], _e897[7]);
+        phi_1200_ = array<u32, 8>(_e897[0], _e897[1], _e897[2], (_e897[3] + (((_e914 >> bitcast<u32>(((16u * (_e908 % 2u)) & 31u))) & 65535u) + _e922)), _e897[4], _e897[5], _e897[6], _e897[7]);
     } else {
-        phi_1209_ = _e897;
+        phi_1200_ = _e897;
     }
-    let _e935 = phi_1209_;
+    let _e935 = phi_1200_;
     if ((_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u))) < _e70) {
         let _e946 = ((_e132 >> bitcast<u32>((_e67 & 31u))) & 255u);
         let _e952 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e946) / 2u)]));
         let _e960 = atomicLoad((&digits[_e946]));
-        phi_1241_ = array<u32, 8>(_e935[0], _e935[1], _e935[2], _e935[3], (_e935[4] + (((_e952 >> bitcast<u32>(((16u * (_e946 % 2u)) & 31u))) & 65535u) + _e960)), _e935[5], _e935[6], _e935[7]);
+        phi_1232_ = array<u32, 8>(_e935[0], _e935[1], _e935[2], _e935[3], (_e935[4] + (((_e952 >> bitcast<u32>(((16u * (_e946 % 2u)) & 31u))) & 65535u) + _e960)), _e935[5], _e935[6], _e935[7]);
     } else {
-        phi_1241_ = _e935;
+        phi_1232_ = _e935;
     }
-    let _e973 = phi_1241_;
+    let _e973 = phi_1232_;
     if ((_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u))) < _e70) {
         let _e984 = ((_e143 >> bitcast<u32>((_e67 & 31u))) & 255u);
         let _e990 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e984) / 2u)]));
         let _e998 = atomicLoad((&digits[_e984]));
-        phi_1273_ = array<u32, 8>(_e973[0], _e973[1], _e973[2], _e973[3], _e973[4], (_e973[5] + (((_e990 >> bitcast<u32>(((16u * (_e984 % 2u)) & 31u))) & 65535u) + _e998)), _e973[6], _e973[7]);
+        phi_1264_ = array<u32, 8>(_e973[0], _e973[1], _e973[2], _e973[3], _e973[4], (_e973[5] + (((_e990 >> bitcast<u32>(((16u * (_e984 % 2u)) & 31u))) & 65535u) + _e998)), _e973[6], _e973[7]);
     } else {
-        phi_1273_ = _e973;
+        phi_1264_ = _e973;
     }
-    let _e1011 = phi_1273_;
+    let _e1011 = phi_1264_;
     if ((_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u))) < _e70) {
         let _e1022 = ((_e154 >> bitcast<u32>((_e67 & 31u))) & 255u);
         let _e1028 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e1022) / 2u)]));
         let _e1036 = atomicLoad((&digits[_e1022]));
-        phi_1305_ = array<u32, 8>(_e1011[0], _e1011[1], _e1011[2], _e1011[3], _e1011[4], _e1011[5], (_e1011[6] + (((_e1028 >> bitcast<u32>(((16u * (_e1022 % 2u)) & 31u))) & 65535u) + _e1036)), _e1011[7]);
+        phi_1296_ = array<u32, 8>(_e1011[0], _e1011[1], _e1011[2], _e1011[3], _e1011[4], _e1011[5], (_e1011[6] + (((_e1028 >> bitcast<u32>(((16u * (_e1022 % 2u)) & 31u))) & 65535u) + _e1036)), _e1011[7]);
     } else {
-        phi_1305_ = _e1011;
+        phi_1296_ = _e1011;
     }
-    let _e1049 = phi_1305_;
+    let _e1049 = phi_1296_;
     if ((_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u))) < _e70) {
         let _e1060 = ((_e165 >> bitcast<u32>((_e67 & 31u))) & 255u);
         let _e1066 = atomicLoad((&counts[((((_e53 / 32u) * 256u) + _e1060) / 2u)]));
         let _e1074 = atomicLoad((&digits[_e1060]));
-        phi_1337_ = array<u32, 8>(_e1049[0], _e1049[1], _e1049[2], _e1049[3], _e1049[4], _e1049[5], _e1049[6], (_e1049[7] + (((_e1066 >> bitcast<u32>(((16u * (_e1060 % 2u)) & 31u))) & 65535u) + _e1074)));
+        phi_1328_ = array<u32, 8>(_e1049[0], _e1049[1], _e1049[2], _e1049[3], _e1049[4], _e1049[5], _e1049[6], (_e1049[7] + (((_e1066 >> bitcast<u32>(((16u * (_e1060 % 2u)) & 31u))) & 65535u) + _e1074)));
     } else {
-        phi_1337_ = _e1049;
+        phi_1328_ = _e1049;
     }
-    let _e1087 = phi_1337_;
+    let _e1087 = phi_1328_;
     workgroupBarrier();
     if ((_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u))) < _e70) {
         atomicStore((&words[_e1087[0]]), _e88);
@@ -666,18 +666,18 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     if ((_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u))) < _e70) {
         atomicStore((&words[_e1087[7]]), _e165);
     }
-    phi_1447_ = select(0u, _e77, _e675);
-    phi_1450_ = 0u;
+    phi_1438_ = select(0u, _e77, _e675);
+    phi_1441_ = 0u;
     loop {
-        let _e1161 = phi_1447_;
-        let _e1163 = phi_1450_;
-        phi_1455_ = 0u;
-        phi_1458_ = 0u;
-        phi_1460_ = _e1161;
+        let _e1161 = phi_1438_;
+        let _e1163 = phi_1441_;
+        phi_1446_ = 0u;
+        phi_1449_ = 0u;
+        phi_1451_ = _e1161;
         loop {
-            let _e1165 = phi_1455_;
-            let _e1167 = phi_1458_;
-            let _e1169 = phi_1460_;
+            let _e1165 = phi_1446_;
+            let _e1167 = phi_1449_;
+            let _e1169 = phi_1451_;
             local_2 = _e1167;
             local_3 = _e1169;
             local_4 = _e1169;
@@ -708,36 +708,36 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     let _e1241 = select(_e1227, select(_e1227, select((_e1227 - 1u), 0u, (_e1193 >= 2147483648u)), _e1229), _e1230);
                     let _e1243 = select(false, (_e1200 != 0u), _e1229);
                     let _e1244 = (_e1241 > 0u);
-                    phi_1653_ = select(_e1239, select(_e1239, 0u, _e1243), _e1244);
-                    phi_1654_ = select(_e1240, select(_e1240, (_e1240 + (_e1200 & 1073741823u)), _e1243), _e1244);
-                    phi_1655_ = select(_e1241, select(_e1241, select((_e1241 - 1u), 0u, (_e1200 >= 2147483648u)), _e1243), _e1244);
+                    phi_1644_ = select(_e1239, select(_e1239, 0u, _e1243), _e1244);
+                    phi_1645_ = select(_e1240, select(_e1240, (_e1240 + (_e1200 & 1073741823u)), _e1243), _e1244);
+                    phi_1646_ = select(_e1241, select(_e1241, select((_e1241 - 1u), 0u, (_e1200 >= 2147483648u)), _e1243), _e1244);
                 } else {
-                    phi_1653_ = u32();
-                    phi_1654_ = u32();
-                    phi_1655_ = u32();
+                    phi_1644_ = u32();
+                    phi_1645_ = u32();
+                    phi_1646_ = u32();
                 }
-                let _e1257 = phi_1653_;
-                let _e1259 = phi_1654_;
-                let _e1261 = phi_1655_;
-                phi_1456_ = _e1257;
-                phi_1459_ = _e1259;
-                phi_1461_ = _e1261;
-                phi_1656_ = _e1171;
+                let _e1257 = phi_1644_;
+                let _e1259 = phi_1645_;
+                let _e1261 = phi_1646_;
+                phi_1447_ = _e1257;
+                phi_1450_ = _e1259;
+                phi_1452_ = _e1261;
+                phi_1647_ = _e1171;
             } else {
-                phi_1456_ = u32();
-                phi_1459_ = u32();
-                phi_1461_ = u32();
-                phi_1656_ = false;
+                phi_1447_ = u32();
+                phi_1450_ = u32();
+                phi_1452_ = u32();
+                phi_1647_ = false;
             }
-            let _e1263 = phi_1456_;
-            let _e1265 = phi_1459_;
-            let _e1267 = phi_1461_;
-            let _e1269 = phi_1656_;
+            let _e1263 = phi_1447_;
+            let _e1265 = phi_1450_;
+            let _e1267 = phi_1452_;
+            let _e1269 = phi_1647_;
             continue;
             continuing {
-                phi_1455_ = _e1263;
-                phi_1458_ = _e1265;
-                phi_1460_ = _e1267;
+                phi_1446_ = _e1263;
+                phi_1449_ = _e1265;
+                phi_1451_ = _e1267;
                 break if !(_e1269);
             }
         }
@@ -757,9 +757,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e1287 = workgroupUniformLoad((&missing[0u]));
         if (_e1287 == 4294967295u) {
-            phi_1448_ = u32();
-            phi_1451_ = u32();
-            phi_1846_ = false;
+            phi_1439_ = u32();
+            phi_1442_ = u32();
+            phi_1837_ = false;
         } else {
             if (_e53 < 256u) {
                 atomicStore((&digits[_e53]), 0u);
@@ -788,27 +788,27 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e1382 = local_5;
             if (_e1382 == (_e1287 + 1u)) {
                 let _e1385 = atomicLoad((&digits[_e53]));
-                phi_1844_ = _e1287;
-                phi_1845_ = (_e1273 + _e1385);
+                phi_1835_ = _e1287;
+                phi_1836_ = (_e1273 + _e1385);
             } else {
                 let _e1864 = local_9;
-                phi_1844_ = _e1864;
-                phi_1845_ = _e1273;
+                phi_1835_ = _e1864;
+                phi_1836_ = _e1273;
             }
-            let _e1388 = phi_1844_;
-            let _e1390 = phi_1845_;
+            let _e1388 = phi_1835_;
+            let _e1390 = phi_1836_;
             workgroupBarrier();
-            phi_1448_ = _e1388;
-            phi_1451_ = _e1390;
-            phi_1846_ = true;
+            phi_1439_ = _e1388;
+            phi_1442_ = _e1390;
+            phi_1837_ = true;
         }
-        let _e1392 = phi_1448_;
-        let _e1394 = phi_1451_;
-        let _e1396 = phi_1846_;
+        let _e1392 = phi_1439_;
+        let _e1394 = phi_1442_;
+        let _e1396 = phi_1837_;
         continue;
         continuing {
-            phi_1447_ = _e1392;
-            phi_1450_ = _e1394;
+            phi_1438_ = _e1392;
+            phi_1441_ = _e1394;
             break if !(_e1396);
         }
     }
@@ -827,154 +827,154 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e1419 = (_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u)));
     if (_e1419 < _e70) {
         let _e1422 = values.member[_e1419];
-        phi_1894_ = _e1422;
+        phi_1880_ = _e1422;
     } else {
-        phi_1894_ = 0u;
+        phi_1880_ = 0u;
     }
-    let _e1424 = phi_1894_;
+    let _e1424 = phi_1880_;
     let _e1430 = (_e78 + ((((_e53 / 32u) * 256u) + 32u) + (_e53 % 32u)));
     if (_e1430 < _e70) {
         let _e1433 = values.member[_e1430];
-        phi_1916_ = _e1433;
+        phi_1902_ = _e1433;
     } else {
-        phi_1916_ = 0u;
+        phi_1902_ = 0u;
     }
-    let _e1435 = phi_1916_;
+    let _e1435 = phi_1902_;
     let _e1441 = (_e78 + ((((_e53 / 32u) * 256u) + 64u) + (_e53 % 32u)));
     if (_e1441 < _e70) {
         let _e1444 = values.member[_e1441];
-        phi_1938_ = _e1444;
+        phi_1924_ = _e1444;
     } else {
-        phi_1938_ = 0u;
+        phi_1924_ = 0u;
     }
-    let _e1446 = phi_1938_;
+    let _e1446 = phi_1924_;
     let _e1452 = (_e78 + ((((_e53 / 32u) * 256u) + 96u) + (_e53 % 32u)));
     if (_e1452 < _e70) {
         let _e1455 = values.member[_e1452];
-        phi_1960_ = _e1455;
+        phi_1946_ = _e1455;
     } else {
-        phi_1960_ = 0u;
+        phi_1946_ = 0u;
     }
-    let _e1457 = phi_1960_;
+    let _e1457 = phi_1946_;
     let _e1463 = (_e78 + ((((_e53 / 32u) * 256u) + 128u) + (_e53 % 32u)));
     if (_e1463 < _e70) {
         let _e1466 = values.member[_e1463];
-        phi_1982_ = _e1466;
+        phi_1968_ = _e1466;
     } else {
-        phi_1982_ = 0u;
+        phi_1968_ = 0u;
     }
-    let _e1468 = phi_1982_;
+    let _e1468 = phi_1968_;
     let _e1474 = (_e78 + ((((_e53 / 32u) * 256u) + 160u) + (_e53 % 32u)));
     if (_e1474 < _e70) {
         let _e1477 = values.member[_e1474];
-        phi_2004_ = _e1477;
+        phi_1990_ = _e1477;
     } else {
-        phi_2004_ = 0u;
+        phi_1990_ = 0u;
     }
-    let _e1479 = phi_2004_;
+    let _e1479 = phi_1990_;
     let _e1485 = (_e78 + ((((_e53 / 32u) * 256u) + 192u) + (_e53 % 32u)));
     if (_e1485 < _e70) {
         let _e1488 = values.member[_e1485];
-        phi_2026_ = _e1488;
+        phi_2012_ = _e1488;
     } else {
-        phi_2026_ = 0u;
+        phi_2012_ = 0u;
     }
-    let _e1490 = phi_2026_;
+    let _e1490 = phi_2012_;
     let _e1496 = (_e78 + ((((_e53 / 32u) * 256u) + 224u) + (_e53 % 32u)));
     if (_e1496 < _e70) {
         let _e1499 = values.member[_e1496];
-        phi_2048_ = _e1499;
+        phi_2034_ = _e1499;
     } else {
-        phi_2048_ = 0u;
+        phi_2034_ = 0u;
     }
-    let _e1501 = phi_2048_;
+    let _e1501 = phi_2034_;
     if ((_e78 + _e53) < _e70) {
         let _e1505 = atomicLoad((&words[_e53]));
         let _e1511 = atomicLoad((&digits[((_e1505 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
         let _e1512 = (_e1511 + _e53);
         keys_out.member[_e1512] = _e1505;
-        phi_2066_ = array<u32, 8>(_e1512, _e99, _e110, _e121, _e132, _e143, _e154, _e165);
+        phi_2052_ = array<u32, 8>(_e1512, _e99, _e110, _e121, _e132, _e143, _e154, _e165);
     } else {
-        phi_2066_ = array<u32, 8>(_e88, _e99, _e110, _e121, _e132, _e143, _e154, _e165);
+        phi_2052_ = array<u32, 8>(_e88, _e99, _e110, _e121, _e132, _e143, _e154, _e165);
     }
-    let _e1516 = phi_2066_;
+    let _e1516 = phi_2052_;
     let _e1517 = (256u + _e53);
     if ((_e78 + _e1517) < _e70) {
         let _e1521 = atomicLoad((&words[_e1517]));
         let _e1527 = atomicLoad((&digits[((_e1521 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
         let _e1528 = (_e1527 + _e1517);
         keys_out.member[_e1528] = _e1521;
-        phi_2084_ = array<u32, 8>(_e1516[0], _e1528, _e1516[2], _e1516[3], _e1516[4], _e1516[5], _e1516[6], _e1516[7]);
+        phi_2070_ = array<u32, 8>(_e1516[0], _e1528, _e1516[2], _e1516[3], _e1516[4], _e1516[5], _e1516[6], _e1516[7]);
     } else {
-        phi_2084_ = _e1516;
+        phi_2070_ = _e1516;
     }
-    let _e1539 = phi_2084_;
+    let _e1539 = phi_2070_;
     let _e1540 = (512u + _e53);
     if ((_e78 + _e1540) < _e70) {
         let _e1544 = atomicLoad((&words[_e1540]));
         let _e1550 = atomicLoad((&digits[((_e1544 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
         let _e1551 = (_e1550 + _e1540);
         keys_out.member[_e1551] = _e1544;
-        phi_2102_ = array<u32, 8>(_e1539[0], _e1539[1], _e1551, _e1539[3], _e1539[4], _e1539[5], _e1539[6], _e1539[7]);
+        phi_2088_ = array<u32, 8>(_e1539[0], _e1539[1], _e1551, _e1539[3], _e1539[4], _e1539[5], _e1539[6], _e1539[7]);
     } else {
-        phi_2102_ = _e1539;
+        phi_2088_ = _e1539;
     }
-    let _e1562 = phi_2102_;
+    let _e1562 = phi_2088_;
     let _e1563 = (768u + _e53);
     if ((_e78 + _e1563) < _e70) {
         let _e1567 = atomicLoad((&words[_e1563]));
         let _e1573 = atomicLoad((&digits[((_e1567 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
         let _e1574 = (_e1573 + _e1563);
         keys_out.member[_e1574] = _e1567;
-        phi_2120_ = array<u32, 8>(_e1562[0], _e1562[1], _e1562[2], _e1574, _e1562[4], _e1562[5], _e1562[6], _e1562[7]);
+        phi_2106_ = array<u32, 8>(_e1562[0], _e1562[1], _e1562[2], _e1574, _e1562[4], _e1562[5], _e1562[6], _e1562[7]);
     } else {
-        phi_2120_ = _e1562;
+        phi_2106_ = _e1562;
     }
-    let _e1585 = phi_2120_;
+    let _e1585 = phi_2106_;
     let _e1586 = (1024u + _e53);
     if ((_e78 + _e1586) < _e70) {
         let _e1590 = atomicLoad((&words[_e1586]));
         let _e1596 = atomicLoad((&digits[((_e1590 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
         let _e1597 = (_e1596 + _e1586);
         keys_out.member[_e1597] = _e1590;
-        phi_2138_ = array<u32, 8>(_e1585[0], _e1585[1], _e1585[2], _e1585[3], _e1597, _e1585[5], _e1585[6], _e1585[7]);
+        phi_2124_ = array<u32, 8>(_e1585[0], _e1585[1], _e1585[2], _e1585[3], _e1597, _e1585[5], _e1585[6], _e1585[7]);
     } else {
-        phi_2138_ = _e1585;
+        phi_2124_ = _e1585;
     }
-    let _e1608 = phi_2138_;
+    let _e1608 = phi_2124_;
     let _e1609 = (1280u + _e53);
     if ((_e78 + _e1609) < _e70) {
         let _e1613 = atomicLoad((&words[_e1609]));
         let _e1619 = atomicLoad((&digits[((_e1613 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
         let _e1620 = (_e1619 + _e1609);
         keys_out.member[_e1620] = _e1613;
-        phi_2156_ = array<u32, 8>(_e1608[0], _e1608[1], _e1608[2], _e1608[3], _e1608[4], _e1620, _e1608[6], _e1608[7]);
+        phi_2142_ = array<u32, 8>(_e1608[0], _e1608[1], _e1608[2], _e1608[3], _e1608[4], _e1620, _e1608[6], _e1608[7]);
     } else {
-        phi_2156_ = _e1608;
+        phi_2142_ = _e1608;
     }
-    let _e1631 = phi_2156_;
+    let _e1631 = phi_2142_;
     let _e1632 = (1536u + _e53);
     if ((_e78 + _e1632) < _e70) {
         let _e1636 = atomicLoad((&words[_e1632]));
         let _e1642 = atomicLoad((&digits[((_e1636 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
         let _e1643 = (_e1642 + _e1632);
         keys_out.member[_e1643] = _e1636;
-        phi_2174_ = array<u32, 8>(_e1631[0], _e1631[1], _e1631[2], _e1631[3], _e1631[4], _e1631[5], _e1643, _e1631[7]);
+        phi_2160_ = array<u32, 8>(_e1631[0], _e1631[1], _e1631[2], _e1631[3], _e1631[4], _e1631[5], _e1643, _e1631[7]);
     } else {
-        phi_2174_ = _e1631;
+        phi_2160_ = _e1631;
     }
-    let _e1654 = phi_2174_;
+    let _e1654 = phi_2160_;
     let _e1655 = (1792u + _e53);
     if ((_e78 + _e1655) < _e70) {
         let _e1659 = atomicLoad((&words[_e1655]));
         let _e1665 = atomicLoad((&digits[((_e1659 >> bitcast<u32>((_e67 & 31u))) & 255u)]));
         let _e1666 = (_e1665 + _e1655);
         keys_out.member[_e1666] = _e1659;
-        phi_2192_ = array<u32, 8>(_e1654[0], _e1654[1], _e1654[2], _e1654[3], _e1654[4], _e1654[5], _e1654[6], _e1666);
+        phi_2178_ = array<u32, 8>(_e1654[0], _e1654[1], _e1654[2], _e1654[3], _e1654[4], _e1654[5], _e1654[6], _e1666);
     } else {
-        phi_2192_ = _e1654;
+        phi_2178_ = _e1654;
     }
-    let _e1677 = phi_2192_;
+    let _e1677 = phi_2178_;
     workgroupBarrier();
     if ((_e78 + (((_e53 / 32u) * 256u) + (_e53 % 32u))) < _e70) {
         atomicStore((&words[_e1087[0]]), _e1424);

@@ -3,10 +3,9 @@
 use crate::entry::kernel;
 use crate::scan::scan;
 use crate::workgroup::{
-    DeviceWords, add, add_shared, barrier, get, get_uniform, load as load_word, lower_shared,
-    or_shared, set, subgroup_barrier,
+    add, add_shared, barrier, get, get_uniform, load as load_word, lower_shared, or_shared, set,
+    store, subgroup_barrier,
 };
-use ccd_core::backend::kernel::Words;
 use ccd_core::backend::kernel::memory::{at, put};
 use ccd_core::backend::kernel::sort::{
     COUNT_KEYS, COUNT_THREADS, COUNTED, DIGITS, KEYS, LOOKS, PASSES, SUBGROUP_THREADS, SUMMED,
@@ -114,7 +113,7 @@ macro_rules! scatter {
             $a = get($digits, $t.lane);
             $b = at($table, (shift / 8 * DIGITS + $t.lane) as usize);
             let flag = if tile == 0 { SUMMED } else { COUNTED };
-            publish($table, row + tile * DIGITS, flag | $a);
+            store($table, (row + tile * DIGITS) as usize, flag | $a);
             // For the next pass.
             let other = first_row(1 - odd, n_tiles) + tile * DIGITS + $t.lane;
             put($table, other as usize, 0);
@@ -169,7 +168,7 @@ macro_rules! scatter {
             barrier();
         }
         if has_digit && tile > 0 {
-            publish($table, row + tile * DIGITS, SUMMED | (earlier + $a));
+            store($table, (row + tile * DIGITS) as usize, SUMMED | (earlier + $a));
         }
         if $t.lane < DIGITS {
             set($digits, $t.lane, (all_up_to - $b + earlier).wrapping_sub(begin));
@@ -197,12 +196,6 @@ macro_rules! scatter {
             }
         })*
     };
-}
-
-/// Publishes a word of the table to workgroups of the same dispatch.
-#[inline(always)]
-fn publish(table: &mut [u32], i: u32, word: u32) {
-    DeviceWords::behind(table, 0).store(i as usize, word);
 }
 
 /// What tiles before `back` have of a digit, whose word in the row of tile 0 is `row`: backwards,

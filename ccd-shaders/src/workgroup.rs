@@ -91,6 +91,13 @@ pub fn load(words: &[u32], i: usize) -> u32 {
     unsafe { atomic_load::<u32, DEVICE, RELAXED>(words.get_unchecked(i)) }
 }
 
+/// Sets a word of a buffer that others may read at the same time, if by atomics.
+#[inline(always)]
+pub fn store(words: &mut [u32], i: usize, value: u32) {
+    // SAFETY: as above.
+    unsafe { atomic_store::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), value) };
+}
+
 /// Adds to a word of workgroup memory and returns the old value.
 #[inline(always)]
 pub fn add_shared<const N: usize>(words: &mut [u32; N], i: u32, value: u32) -> u32 {

@@ -14,6 +14,7 @@ use ccd_testkit::generate::Random;
 pub const TESTS: crate::Tests = &[
     ("sort", check_sort),
     ("sort_passes", check_sort_passes),
+    ("rows", check_rows),
     ("order_of_contacts", check_order),
     ("largest_grid", check_largest_grid),
 ];
@@ -48,14 +49,7 @@ fn check_sort_passes(device: &Device) {
     let mut random = Random::new(4);
     let n = 25_000u32;
     let keys: Vec<u32> = (0..n).map(|_| random.bits()).collect();
-    let p = sort_pass(n, SortPass::default());
-    let table = zeros::<u32>(sort::first_row(1, 0) as usize);
-    let SortCount { table, .. } = run(device, SortCount { keys: bytes(&keys), table }, &p, 3);
-    let mut totals = vec![0u32; 4 * 256];
-    keys.iter().for_each(|k| {
-        (0..4).for_each(|pass| totals[pass * 256 + (k >> (8 * pass) & 255) as usize] += 1);
-    });
-    assert_eq!(read::<u32>(&table), totals);
+    let totals = check_count(device, &keys, (0, 3));
     for silent in [0, 1, 5] {
         for shift in [8, 16] {
             check_pass(device, (&keys, &totals), (shift, sort::TILE), silent);
@@ -63,6 +57,39 @@ fn check_sort_passes(device: &Device) {
                 check_pass(device, (&keys, &totals), (shift, sort::SUBGROUP_TILE), silent);
             }
         }
+    }
+}
+
+/// Counts the digits, by so many workgroups, of which the first takes round `first`.
+fn check_count(device: &Device, keys: &[u32], (first, groups): (u32, u32)) -> Vec<u32> {
+    let mut p = sort_pass(keys.len() as u32, SortPass::default());
+    p.dispatch.first = first;
+    let table = zeros::<u32>(sort::first_row(1, 0) as usize);
+    let SortCount { table, .. } = run(device, SortCount { keys: bytes(keys), table }, &p, groups);
+    let mut want = vec![0u32; 4 * 256];
+    keys.iter().for_each(|k| {
+        (0..4).for_each(|pass| want[pass * 256 + (k >> (8 * pass) & 255) as usize] += 1);
+    });
+    assert_eq!(read::<u32>(&table), want);
+    want
+}
+
+/// Rows of counts of fewer and more words than a workgroup takes in a round.
+fn check_rows(device: &Device) {
+    let mut random = Random::new(6);
+    for n in [1, 5, 1024, 2500] {
+        let mut want: Vec<u32> = (0..256 * n).map(|_| random.below(1000)).collect();
+        // Totals are behind the rows.
+        want.resize(256 * (n + 1), 0);
+        let kernel = ScanRows { table: bytes(&want) };
+        let p = sort_pass(0, SortPass { shift: 0, n_tiles: n as u32 });
+        let table: Vec<u32> = read(&run(device, kernel, &p, 256).table);
+        for d in 0..256 {
+            let row = &mut want[d * n..(d + 1) * n];
+            let total = row.iter_mut().fold(0, |sum, count| std::mem::replace(count, sum) + sum);
+            want[256 * n + d] = total;
+        }
+        assert!(table == want, "rows of {n}");
     }
 }
 
@@ -186,16 +213,8 @@ fn check_order(device: &Device) {
 }
 
 /// More workgroups than one row of a grid may have, so that it is folded without being asked to:
-/// keys are those of two in the second row.
+/// all keys are those of two workgroups in the second row.
 fn check_largest_grid(device: &Device) {
-    let (n, before) = (5000, 65_600u32);
-    let mut p = sort_pass(n, SortPass::default());
-    p.dispatch.first = 0u32.wrapping_sub(before);
-    let table = zeros::<u32>(sort::first_row(1, 0) as usize);
-    let keys = bytes(&(0..n).collect::<Vec<u32>>());
-    let table: Vec<u32> = read(&run(device, SortCount { keys, table }, &p, before + 300).table);
-    for digit in 0..256 {
-        let want = (0..n).filter(|key| key % 256 == digit).count() as u32;
-        assert_eq!(table[digit as usize], want, "digit {digit}");
-    }
+    let keys: Vec<u32> = (0..5000).collect();
+    check_count(device, &keys, (0u32.wrapping_sub(65_600), 65_900));
 }

@@ -14,6 +14,9 @@
 //! order. A workgroup that has looked at a row [`LOOKS`] times in vain counts that tile itself, all
 //! of its threads together, and goes on [Smith 2025].
 //!
+//! The count begins with round [`Dispatch::first`](crate::layout::Dispatch::first), a pass with the
+//! tile of that number: 0, but in tests.
+//!
 //! **Ranks.** Keys are in runs of 32 neighbours a round. `sort_scatter` depends on no size of
 //! subgroups: a digit has a word in workgroup memory in which each of 32 threads sets its bit.
 //! Where subgroups have 32 threads, ballots give the same masks, and no thread of another subgroup
@@ -32,15 +35,15 @@ pub const COUNT_GROUPS: u32 = 1024;
 /// Threads of a workgroup of a pass. A device runs as many workgroups at a time as their memory
 /// allows, so that more threads for the same tile hide more of what each waits for.
 pub const THREADS: u32 = 256;
-/// The same, by subgroups.
+/// Threads of a workgroup of a pass by subgroups.
 pub const SUBGROUP_THREADS: u32 = 512;
-/// Threads of the subgroups that this needs.
+/// Threads of a subgroup, where ballots are used.
 pub const SUBGROUP: u32 = 32;
 /// Keys of each thread.
 pub const KEYS: u32 = 8;
 /// Keys of a workgroup.
 pub const TILE: u32 = THREADS * KEYS;
-/// The same, by subgroups.
+/// Keys of a workgroup by subgroups.
 pub const SUBGROUP_TILE: u32 = SUBGROUP_THREADS * KEYS;
 
 /// Flag of a number of keys of a tile.
