@@ -31,7 +31,11 @@ struct type_9 {
     member_1: u32,
 }
 
-struct type_13 {
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_15 {
     member: array<array<u32, 4>, 8>,
     member_1: u32,
     member_2: u32,
@@ -39,81 +43,72 @@ struct type_13 {
     member_4: u32,
 }
 
-struct type_14 {
+struct type_16 {
     member: type_7,
     member_1: type_8,
-    member_2: type_13,
+    member_2: type_15,
 }
 
-struct type_15 {
-    member: type_14,
+struct type_17 {
+    member: type_16,
 }
 
-struct type_16 {
-    member: array<u32, 3>,
-    member_1: u32,
-}
-
-struct type_18 {
-    member: array<type_16>,
-}
-
-struct type_20 {
+struct type_19 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_22 {
+struct type_21 {
     member: array<type_8>,
 }
 
-struct type_24 {
-    member: array<type_20>,
+struct type_23 {
+    member: array<type_19>,
 }
 
-struct type_25 {
+struct type_24 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
     member_3: u32,
 }
 
-struct type_27 {
-    member: array<type_25>,
+struct type_26 {
+    member: array<type_24>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_15;
+var<storage> params: type_17;
 @group(0) @binding(1) 
-var<storage> branches: type_22;
+var<storage> branches: type_21;
 @group(0) @binding(2) 
-var<storage> block_nodes: type_24;
+var<storage> block_nodes: type_23;
 @group(0) @binding(3) 
-var<storage> leaves: type_18;
+var<storage> order: type_11;
 @group(0) @binding(4) 
-var<storage, read_write> nodes: type_27;
+var<storage, read_write> nodes: type_26;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_128_: type_9;
-    var phi_131_: type_20;
+    var phi_126_: type_9;
+    var phi_129_: type_19;
+    var phi_131_: u32;
     var phi_133_: u32;
-    var phi_135_: u32;
-    var phi_187_: bool;
-    var phi_212_: type_9;
-    var phi_215_: type_20;
-    var phi_216_: type_20;
-    var phi_507_: type_9;
-    var phi_510_: type_20;
-    var phi_511_: type_20;
-    var phi_787_: u32;
-    var phi_792_: u32;
-    var phi_132_: type_20;
+    var phi_185_: bool;
+    var phi_210_: type_9;
+    var phi_213_: type_19;
+    var phi_214_: type_19;
+    var phi_505_: type_9;
+    var phi_508_: type_19;
+    var phi_509_: type_19;
+    var phi_785_: u32;
+    var phi_790_: u32;
+    var phi_130_: type_19;
+    var phi_132_: u32;
     var phi_134_: u32;
-    var phi_136_: u32;
-    var local: type_20;
-    var local_1: type_20;
-    var local_2: type_20;
-    var local_3: type_20;
+    var local: type_19;
+    var local_1: type_19;
+    var local_2: type_19;
+    var local_3: type_19;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -129,15 +124,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e44 = params.member.member.member[_e40];
     if ((_e37 + 1u) < _e44) {
         let _e48 = branches.member[_e37];
-        phi_128_ = type_9(0u, 8u);
-        phi_131_ = type_20(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_133_ = (_e48.member_3 + 1u);
-        phi_135_ = _e48.member_2;
+        phi_126_ = type_9(0u, 8u);
+        phi_129_ = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_131_ = (_e48.member_3 + 1u);
+        phi_133_ = _e48.member_2;
         loop {
-            let _e54 = phi_128_;
-            let _e56 = phi_131_;
-            let _e58 = phi_133_;
-            let _e60 = phi_135_;
+            let _e54 = phi_126_;
+            let _e56 = phi_129_;
+            let _e58 = phi_131_;
+            let _e60 = phi_133_;
             local = _e56;
             local_1 = _e56;
             let _e63 = (_e54.member < _e54.member_1);
@@ -149,20 +144,20 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e83 = ((_e58 / 32u) * 32u);
                 if (_e81 < _e83) {
                     let _e86 = params.member.member_2.member_2;
-                    phi_187_ = (_e74 < _e86);
+                    phi_185_ = (_e74 < _e86);
                 } else {
-                    phi_187_ = false;
+                    phi_185_ = false;
                 }
-                let _e89 = phi_187_;
+                let _e89 = phi_185_;
                 let _e90 = select(_e58, _e83, _e89);
                 let _e91 = select(_e58, _e81, _e89);
                 let _e92 = (_e91 - _e60);
                 let _e93 = (_e92 / 4u);
-                phi_212_ = type_9(0u, select(_e93, (_e93 + 1u), ((_e92 % 4u) > 0u)));
-                phi_215_ = _e56;
+                phi_210_ = type_9(0u, select(_e93, (_e93 + 1u), ((_e92 % 4u) > 0u)));
+                phi_213_ = _e56;
                 loop {
-                    let _e100 = phi_212_;
-                    let _e102 = phi_215_;
+                    let _e100 = phi_210_;
+                    let _e102 = phi_213_;
                     local_2 = _e102;
                     let _e105 = (_e100.member < _e100.member_1);
                     let _e118 = (bitcast<i32>(select(0u, 1u, _e105)) != 0i);
@@ -196,26 +191,26 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e228 = select(_e208, _e172, (_e172 > _e208));
                         let _e230 = select(_e214, _e178, (_e178 > _e214));
                         let _e232 = select(_e220, _e184, (_e184 > _e220));
-                        phi_216_ = type_20(array<f32, 3>(select(_e222, _e102.member[0], (_e102.member[0] < _e222)), select(_e224, _e102.member[1], (_e102.member[1] < _e224)), select(_e226, _e102.member[2], (_e102.member[2] < _e226))), array<f32, 3>(select(_e228, _e102.member_1[0], (_e102.member_1[0] > _e228)), select(_e230, _e102.member_1[1], (_e102.member_1[1] > _e230)), select(_e232, _e102.member_1[2], (_e102.member_1[2] > _e232))));
+                        phi_214_ = type_19(array<f32, 3>(select(_e222, _e102.member[0], (_e102.member[0] < _e222)), select(_e224, _e102.member[1], (_e102.member[1] < _e224)), select(_e226, _e102.member[2], (_e102.member[2] < _e226))), array<f32, 3>(select(_e228, _e102.member_1[0], (_e102.member_1[0] > _e228)), select(_e230, _e102.member_1[1], (_e102.member_1[1] > _e230)), select(_e232, _e102.member_1[2], (_e102.member_1[2] > _e232))));
                     } else {
-                        phi_216_ = type_20();
+                        phi_214_ = type_19();
                     }
-                    let _e261 = phi_216_;
+                    let _e261 = phi_214_;
                     continue;
                     continuing {
-                        phi_212_ = type_9(select(_e100.member, (_e100.member + 1u), _e105), select(_e100.member_1, _e100.member_1, _e105));
-                        phi_215_ = _e261;
+                        phi_210_ = type_9(select(_e100.member, (_e100.member + 1u), _e105), select(_e100.member_1, _e100.member_1, _e105));
+                        phi_213_ = _e261;
                         break if !(_e118);
                     }
                 }
                 let _e263 = (_e58 - _e90);
                 let _e264 = (_e263 / 4u);
-                phi_507_ = type_9(0u, select(_e264, (_e264 + 1u), ((_e263 % 4u) > 0u)));
-                let _e486 = local_2;
-                phi_510_ = _e486;
+                phi_505_ = type_9(0u, select(_e264, (_e264 + 1u), ((_e263 % 4u) > 0u)));
+                let _e491 = local_2;
+                phi_508_ = _e491;
                 loop {
-                    let _e271 = phi_507_;
-                    let _e273 = phi_510_;
+                    let _e271 = phi_505_;
+                    let _e273 = phi_508_;
                     local_3 = _e273;
                     let _e276 = (_e271.member < _e271.member_1);
                     let _e289 = (bitcast<i32>(select(0u, 1u, _e276)) != 0i);
@@ -249,61 +244,61 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e399 = select(_e379, _e343, (_e343 > _e379));
                         let _e401 = select(_e385, _e349, (_e349 > _e385));
                         let _e403 = select(_e391, _e355, (_e355 > _e391));
-                        phi_511_ = type_20(array<f32, 3>(select(_e393, _e273.member[0], (_e273.member[0] < _e393)), select(_e395, _e273.member[1], (_e273.member[1] < _e395)), select(_e397, _e273.member[2], (_e273.member[2] < _e397))), array<f32, 3>(select(_e399, _e273.member_1[0], (_e273.member_1[0] > _e399)), select(_e401, _e273.member_1[1], (_e273.member_1[1] > _e401)), select(_e403, _e273.member_1[2], (_e273.member_1[2] > _e403))));
+                        phi_509_ = type_19(array<f32, 3>(select(_e393, _e273.member[0], (_e273.member[0] < _e393)), select(_e395, _e273.member[1], (_e273.member[1] < _e395)), select(_e397, _e273.member[2], (_e273.member[2] < _e397))), array<f32, 3>(select(_e399, _e273.member_1[0], (_e273.member_1[0] > _e399)), select(_e401, _e273.member_1[1], (_e273.member_1[1] > _e401)), select(_e403, _e273.member_1[2], (_e273.member_1[2] > _e403))));
                     } else {
-                        phi_511_ = type_20();
+                        phi_509_ = type_19();
                     }
-                    let _e432 = phi_511_;
+                    let _e432 = phi_509_;
                     continue;
                     continuing {
-                        phi_507_ = type_9(select(_e271.member, (_e271.member + 1u), _e276), select(_e271.member_1, _e271.member_1, _e276));
-                        phi_510_ = _e432;
+                        phi_505_ = type_9(select(_e271.member, (_e271.member + 1u), _e276), select(_e271.member_1, _e271.member_1, _e276));
+                        phi_508_ = _e432;
                         break if !(_e289);
                     }
                 }
                 if _e89 {
-                    phi_787_ = (_e81 / 32u);
+                    phi_785_ = (_e81 / 32u);
                 } else {
-                    phi_787_ = 0u;
+                    phi_785_ = 0u;
                 }
-                let _e436 = phi_787_;
+                let _e436 = phi_785_;
                 if _e89 {
-                    phi_792_ = (_e83 / 32u);
+                    phi_790_ = (_e83 / 32u);
                 } else {
-                    phi_792_ = 0u;
+                    phi_790_ = 0u;
                 }
-                let _e439 = phi_792_;
-                let _e492 = local_3;
-                phi_132_ = _e492;
-                phi_134_ = _e439;
-                phi_136_ = _e436;
+                let _e439 = phi_790_;
+                let _e497 = local_3;
+                phi_130_ = _e497;
+                phi_132_ = _e439;
+                phi_134_ = _e436;
             } else {
-                phi_132_ = type_20();
+                phi_130_ = type_19();
+                phi_132_ = u32();
                 phi_134_ = u32();
-                phi_136_ = u32();
             }
-            let _e441 = phi_132_;
-            let _e443 = phi_134_;
-            let _e445 = phi_136_;
+            let _e441 = phi_130_;
+            let _e443 = phi_132_;
+            let _e445 = phi_134_;
             continue;
             continuing {
-                phi_128_ = type_9(select(_e54.member, (_e54.member + 1u), _e63), select(_e54.member_1, _e54.member_1, _e63));
-                phi_131_ = _e441;
-                phi_133_ = _e443;
-                phi_135_ = _e445;
+                phi_126_ = type_9(select(_e54.member, (_e54.member + 1u), _e63), select(_e54.member_1, _e54.member_1, _e63));
+                phi_129_ = _e441;
+                phi_131_ = _e443;
+                phi_133_ = _e445;
                 break if !(_e76);
             }
         }
         let _e448 = local;
         let _e452 = local_1;
-        nodes.member[_e37] = type_25(_e448.member, _e48.member, _e452.member_1, _e48.member_1);
+        nodes.member[_e37] = type_24(_e448.member, _e48.member, _e452.member_1, _e48.member_1);
     }
     if (_e37 < _e44) {
         let _e462 = params.member.member_2.member[0u][_e40];
-        let _e463 = (_e462 + _e37);
-        let _e465 = block_nodes.member[_e463];
-        let _e470 = leaves.member[_e463];
-        nodes.member[((_e44 - 1u) + _e37)] = type_25(_e465.member, _e470.member_1, _e465.member_1, 4294967295u);
+        let _e465 = block_nodes.member[(_e462 + _e37)];
+        let _e469 = params.member.member.member_2[_e40];
+        let _e472 = order.member[(_e469 + _e37)];
+        nodes.member[((_e44 - 1u) + _e37)] = type_24(_e465.member, (_e472 - _e469), _e465.member_1, 4294967295u);
     }
     return;
 }

@@ -165,25 +165,23 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_362_: type_9;
     var phi_522_: type_9;
     var phi_671_: type_30;
-    var phi_691_: u32;
-    var phi_817_: type_30;
-    var phi_818_: type_30;
-    var phi_819_: type_30;
-    var phi_820_: type_30;
-    var phi_896_: type_30;
-    var phi_897_: type_30;
-    var phi_898_: type_30;
-    var phi_913_: type_15;
-    var phi_916_: type_30;
-    var phi_918_: u32;
-    var phi_914_: type_15;
-    var phi_959_: type_16;
-    var phi_1111_: type_30;
-    var phi_1112_: type_30;
-    var phi_1158_: type_30;
-    var phi_1171_: type_30;
-    var phi_917_: type_30;
-    var phi_919_: u32;
+    var phi_796_: type_30;
+    var phi_797_: type_30;
+    var phi_798_: type_30;
+    var phi_874_: type_30;
+    var phi_875_: type_30;
+    var phi_876_: type_30;
+    var phi_891_: type_15;
+    var phi_894_: type_30;
+    var phi_896_: u32;
+    var phi_892_: type_15;
+    var phi_937_: type_16;
+    var phi_1089_: type_30;
+    var phi_1090_: type_30;
+    var phi_1136_: type_30;
+    var phi_1149_: type_30;
+    var phi_895_: type_30;
+    var phi_897_: u32;
     var local_3: type_30;
     var local_4: type_30;
     var local_5: type_30;
@@ -311,162 +309,146 @@ fn function_5(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         }
         let _e374 = phi_671_;
         if _e96 {
-            phi_819_ = _e374;
+            phi_797_ = _e374;
         } else {
-            let _e377 = params.member.member.member_1;
-            let _e379 = ((_e377 & 1u) != 0u);
-            if _e379 {
-                phi_691_ = 0u;
+            let _e379 = boxes.member[_e90[0]];
+            if (_e79 > 0u) {
+                let _e397 = boxes.member[_e90[1]];
+                let _e411 = select(_e397.member.x, _e379.member.x, (_e379.member.x < _e397.member.x));
+                let _e413 = select(_e397.member.y, _e379.member.y, (_e379.member.y < _e397.member.y));
+                let _e415 = select(_e397.member_1.x, _e379.member_1.x, (_e379.member_1.x < _e397.member_1.x));
+                let _e417 = select(_e397.member_1.y, _e379.member_1.y, (_e379.member_1.y > _e397.member_1.y));
+                let _e419 = select(_e397.member_2.x, _e379.member_2.x, (_e379.member_2.x > _e397.member_2.x));
+                let _e421 = select(_e397.member_2.y, _e379.member_2.y, (_e379.member_2.y > _e397.member_2.y));
+                let _e423 = boxes.member[_e90[2]];
+                phi_796_ = type_30(array<f32, 3>(select(_e423.member.x, _e411, (_e411 < _e423.member.x)), select(_e423.member.y, _e413, (_e413 < _e423.member.y)), select(_e423.member_1.x, _e415, (_e415 < _e423.member_1.x))), array<f32, 3>(select(_e423.member_1.y, _e417, (_e417 > _e423.member_1.y)), select(_e423.member_2.x, _e419, (_e419 > _e423.member_2.x)), select(_e423.member_2.y, _e421, (_e421 > _e423.member_2.y))));
             } else {
-                let _e383 = params.member.member.member_2[_e79];
-                phi_691_ = _e383;
+                phi_796_ = type_30(array<f32, 3>(_e379.member.x, _e379.member.y, _e379.member_1.x), array<f32, 3>(_e379.member_1.y, _e379.member_2.x, _e379.member_2.y));
             }
-            let _e385 = phi_691_;
-            let _e389 = boxes.member[(_e385 + _e90[0])];
-            let _e404 = type_30(array<f32, 3>(_e389.member.x, _e389.member.y, _e389.member_1.x), array<f32, 3>(_e389.member_1.y, _e389.member_2.x, _e389.member_2.y));
-            if _e379 {
-                if (_e79 > 0u) {
-                    let _e409 = boxes.member[_e90[1]];
-                    let _e423 = select(_e409.member.x, _e389.member.x, (_e389.member.x < _e409.member.x));
-                    let _e425 = select(_e409.member.y, _e389.member.y, (_e389.member.y < _e409.member.y));
-                    let _e427 = select(_e409.member_1.x, _e389.member_1.x, (_e389.member_1.x < _e409.member_1.x));
-                    let _e429 = select(_e409.member_1.y, _e389.member_1.y, (_e389.member_1.y > _e409.member_1.y));
-                    let _e431 = select(_e409.member_2.x, _e389.member_2.x, (_e389.member_2.x > _e409.member_2.x));
-                    let _e433 = select(_e409.member_2.y, _e389.member_2.y, (_e389.member_2.y > _e409.member_2.y));
-                    let _e435 = boxes.member[_e90[2]];
-                    phi_817_ = type_30(array<f32, 3>(select(_e435.member.x, _e423, (_e423 < _e435.member.x)), select(_e435.member.y, _e425, (_e425 < _e435.member.y)), select(_e435.member_1.x, _e427, (_e427 < _e435.member_1.x))), array<f32, 3>(select(_e435.member_1.y, _e429, (_e429 > _e435.member_1.y)), select(_e435.member_2.x, _e431, (_e431 > _e435.member_2.x)), select(_e435.member_2.y, _e433, (_e433 > _e435.member_2.y))));
-                } else {
-                    phi_817_ = _e404;
-                }
-                let _e464 = phi_817_;
-                phi_818_ = _e464;
-            } else {
-                phi_818_ = _e404;
-            }
-            let _e466 = phi_818_;
-            phi_819_ = _e466;
+            let _e452 = phi_796_;
+            phi_797_ = _e452;
         }
-        let _e468 = phi_819_;
-        phi_820_ = _e468;
+        let _e454 = phi_797_;
+        phi_798_ = _e454;
     } else {
-        phi_820_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_798_ = type_30(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     }
-    let _e470 = phi_820_;
-    let _e473 = params.member.member.member_1;
-    let _e475 = ((_e473 & 256u) != 0u);
-    if _e475 {
-        let _e478 = bodies.member[_e90[0]];
-        if (_e470.member[0] <= _e470.member_1[0]) {
-            if (((bitcast<u32>(_e470.member_1[0]) & 1u) == 1u) != ((_e478 & 1u) == 1u)) {
-                let _e494 = bitcast<u32>(_e470.member_1[0]);
-                let _e497 = ((_e494 >> bitcast<u32>(31i)) == 1u);
-                let _e498 = (_e494 & 2147483647u);
-                let _e499 = (_e498 < 8388608u);
-                let _e502 = select(true, select(true, false, (_e498 == 8388608u)), _e497);
-                phi_896_ = type_30(_e470.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e494 + 1u), (_e494 - 1u), _e497), _e502), u32(), _e499), (8388608u | ((_e494 & 1u) ^ 1u)), select(select(true, false, _e502), true, _e499))), _e470.member_1[1], _e470.member_1[2]));
+    let _e456 = phi_798_;
+    let _e459 = params.member.member.member_1;
+    let _e461 = ((_e459 & 256u) != 0u);
+    if _e461 {
+        let _e464 = bodies.member[_e90[0]];
+        if (_e456.member[0] <= _e456.member_1[0]) {
+            if (((bitcast<u32>(_e456.member_1[0]) & 1u) == 1u) != ((_e464 & 1u) == 1u)) {
+                let _e480 = bitcast<u32>(_e456.member_1[0]);
+                let _e483 = ((_e480 >> bitcast<u32>(31i)) == 1u);
+                let _e484 = (_e480 & 2147483647u);
+                let _e485 = (_e484 < 8388608u);
+                let _e488 = select(true, select(true, false, (_e484 == 8388608u)), _e483);
+                phi_874_ = type_30(_e456.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e480 + 1u), (_e480 - 1u), _e483), _e488), u32(), _e485), (8388608u | ((_e480 & 1u) ^ 1u)), select(select(true, false, _e488), true, _e485))), _e456.member_1[1], _e456.member_1[2]));
             } else {
-                phi_896_ = _e470;
+                phi_874_ = _e456;
             }
-            let _e522 = phi_896_;
-            phi_897_ = _e522;
+            let _e508 = phi_874_;
+            phi_875_ = _e508;
         } else {
-            phi_897_ = _e470;
+            phi_875_ = _e456;
         }
-        let _e524 = phi_897_;
-        phi_898_ = _e524;
+        let _e510 = phi_875_;
+        phi_876_ = _e510;
     } else {
-        phi_898_ = _e470;
+        phi_876_ = _e456;
     }
-    let _e526 = phi_898_;
-    shared_[_e47] = type_30(array<f32, 3>(_e526.member[0], _e526.member[1], _e526.member[2]), array<f32, 3>(_e526.member_1[0], _e526.member_1[1], _e526.member_1[2]));
-    phi_913_ = type_15(0i, 5i);
-    phi_916_ = _e526;
-    phi_918_ = 16u;
+    let _e512 = phi_876_;
+    shared_[_e47] = type_30(array<f32, 3>(_e512.member[0], _e512.member[1], _e512.member[2]), array<f32, 3>(_e512.member_1[0], _e512.member_1[1], _e512.member_1[2]));
+    phi_891_ = type_15(0i, 5i);
+    phi_894_ = _e512;
+    phi_896_ = 16u;
     loop {
-        let _e540 = phi_913_;
-        let _e542 = phi_916_;
-        let _e544 = phi_918_;
-        local_3 = _e542;
-        local_4 = _e542;
-        local_5 = _e542;
-        local_6 = _e542;
-        local_7 = _e542;
-        local_8 = _e542;
-        if (_e540.member < _e540.member_1) {
-            let _e551 = (_e540.member + 1i);
-            phi_914_ = type_15(select(_e551, type_16().member_1, select(false, true, ((false == (_e551 > _e540.member)) != false))), _e540.member_1);
-            phi_959_ = type_16(1u, _e540.member);
+        let _e526 = phi_891_;
+        let _e528 = phi_894_;
+        let _e530 = phi_896_;
+        local_3 = _e528;
+        local_4 = _e528;
+        local_5 = _e528;
+        local_6 = _e528;
+        local_7 = _e528;
+        local_8 = _e528;
+        if (_e526.member < _e526.member_1) {
+            let _e537 = (_e526.member + 1i);
+            phi_892_ = type_15(select(_e537, type_16().member_1, select(false, true, ((false == (_e537 > _e526.member)) != false))), _e526.member_1);
+            phi_937_ = type_16(1u, _e526.member);
         } else {
-            phi_914_ = _e540;
-            phi_959_ = type_16(0u, type_16().member_1);
+            phi_892_ = _e526;
+            phi_937_ = type_16(0u, type_16().member_1);
         }
-        let _e562 = phi_914_;
-        let _e564 = phi_959_;
-        let _e567 = (bitcast<i32>(_e564.member) != 0i);
-        if _e567 {
+        let _e548 = phi_892_;
+        let _e550 = phi_937_;
+        let _e553 = (bitcast<i32>(_e550.member) != 0i);
+        if _e553 {
             workgroupBarrier();
-            if ((_e47 % 32u) < _e544) {
-                let _e572 = shared_[(_e47 + _e544)];
-                if _e475 {
-                    let _e611 = select(_e572.member[0], _e542.member[0], (_e542.member[0] < _e572.member[0]));
-                    let _e624 = select(_e572.member_1[0], _e542.member_1[0], (_e542.member_1[0] > _e572.member_1[0]));
-                    let _e634 = type_30(array<f32, 3>(_e611, select(_e572.member[1], _e542.member[1], (_e542.member[1] < _e572.member[1])), select(_e572.member[2], _e542.member[2], (_e542.member[2] < _e572.member[2]))), array<f32, 3>(_e624, select(_e572.member_1[1], _e542.member_1[1], (_e542.member_1[1] > _e572.member_1[1])), select(_e572.member_1[2], _e542.member_1[2], (_e542.member_1[2] > _e572.member_1[2]))));
-                    if (_e611 <= _e624) {
-                        if (((bitcast<u32>(_e624) & 1u) == 1u) != select(false, select(!((_e572.member[0] <= _e572.member_1[0])), true, ((bitcast<u32>(_e572.member_1[0]) & 1u) == 1u)), select(!((_e542.member[0] <= _e542.member_1[0])), true, ((bitcast<u32>(_e542.member_1[0]) & 1u) == 1u)))) {
-                            let _e659 = bitcast<u32>(_e624);
-                            let _e662 = ((_e659 >> bitcast<u32>(31i)) == 1u);
-                            let _e663 = (_e659 & 2147483647u);
-                            let _e664 = (_e663 < 8388608u);
-                            let _e667 = select(true, select(true, false, (_e663 == 8388608u)), _e662);
-                            phi_1111_ = type_30(_e634.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e659 + 1u), (_e659 - 1u), _e662), _e667), u32(), _e664), (8388608u | ((_e659 & 1u) ^ 1u)), select(select(true, false, _e667), true, _e664))), _e634.member_1[1], _e634.member_1[2]));
+            if ((_e47 % 32u) < _e530) {
+                let _e558 = shared_[(_e47 + _e530)];
+                if _e461 {
+                    let _e597 = select(_e558.member[0], _e528.member[0], (_e528.member[0] < _e558.member[0]));
+                    let _e610 = select(_e558.member_1[0], _e528.member_1[0], (_e528.member_1[0] > _e558.member_1[0]));
+                    let _e620 = type_30(array<f32, 3>(_e597, select(_e558.member[1], _e528.member[1], (_e528.member[1] < _e558.member[1])), select(_e558.member[2], _e528.member[2], (_e528.member[2] < _e558.member[2]))), array<f32, 3>(_e610, select(_e558.member_1[1], _e528.member_1[1], (_e528.member_1[1] > _e558.member_1[1])), select(_e558.member_1[2], _e528.member_1[2], (_e528.member_1[2] > _e558.member_1[2]))));
+                    if (_e597 <= _e610) {
+                        if (((bitcast<u32>(_e610) & 1u) == 1u) != select(false, select(!((_e558.member[0] <= _e558.member_1[0])), true, ((bitcast<u32>(_e558.member_1[0]) & 1u) == 1u)), select(!((_e528.member[0] <= _e528.member_1[0])), true, ((bitcast<u32>(_e528.member_1[0]) & 1u) == 1u)))) {
+                            let _e645 = bitcast<u32>(_e610);
+                            let _e648 = ((_e645 >> bitcast<u32>(31i)) == 1u);
+                            let _e649 = (_e645 & 2147483647u);
+                            let _e650 = (_e649 < 8388608u);
+                            let _e653 = select(true, select(true, false, (_e649 == 8388608u)), _e648);
+                            phi_1089_ = type_30(_e620.member, array<f32, 3>(bitcast<f32>(select(select(select(u32(), select((_e645 + 1u), (_e645 - 1u), _e648), _e653), u32(), _e650), (8388608u | ((_e645 & 1u) ^ 1u)), select(select(true, false, _e653), true, _e650))), _e620.member_1[1], _e620.member_1[2]));
                         } else {
-                            phi_1111_ = _e634;
+                            phi_1089_ = _e620;
                         }
-                        let _e687 = phi_1111_;
-                        phi_1112_ = _e687;
+                        let _e673 = phi_1089_;
+                        phi_1090_ = _e673;
                     } else {
-                        phi_1112_ = _e634;
+                        phi_1090_ = _e620;
                     }
-                    let _e689 = phi_1112_;
-                    phi_1158_ = _e689;
+                    let _e675 = phi_1090_;
+                    phi_1136_ = _e675;
                 } else {
-                    phi_1158_ = type_30(array<f32, 3>(select(_e572.member[0], _e542.member[0], (_e542.member[0] < _e572.member[0])), select(_e572.member[1], _e542.member[1], (_e542.member[1] < _e572.member[1])), select(_e572.member[2], _e542.member[2], (_e542.member[2] < _e572.member[2]))), array<f32, 3>(select(_e572.member_1[0], _e542.member_1[0], (_e542.member_1[0] > _e572.member_1[0])), select(_e572.member_1[1], _e542.member_1[1], (_e542.member_1[1] > _e572.member_1[1])), select(_e572.member_1[2], _e542.member_1[2], (_e542.member_1[2] > _e572.member_1[2]))));
+                    phi_1136_ = type_30(array<f32, 3>(select(_e558.member[0], _e528.member[0], (_e528.member[0] < _e558.member[0])), select(_e558.member[1], _e528.member[1], (_e528.member[1] < _e558.member[1])), select(_e558.member[2], _e528.member[2], (_e528.member[2] < _e558.member[2]))), array<f32, 3>(select(_e558.member_1[0], _e528.member_1[0], (_e528.member_1[0] > _e558.member_1[0])), select(_e558.member_1[1], _e528.member_1[1], (_e528.member_1[1] > _e558.member_1[1])), select(_e558.member_1[2], _e528.member_1[2], (_e528.member_1[2] > _e558.member_1[2]))));
                 }
-                let _e691 = phi_1158_;
-                shared_[_e47] = type_30(array<f32, 3>(_e691.member[0], _e691.member[1], _e691.member[2]), array<f32, 3>(_e691.member_1[0], _e691.member_1[1], _e691.member_1[2]));
-                phi_1171_ = _e691;
+                let _e677 = phi_1136_;
+                shared_[_e47] = type_30(array<f32, 3>(_e677.member[0], _e677.member[1], _e677.member[2]), array<f32, 3>(_e677.member_1[0], _e677.member_1[1], _e677.member_1[2]));
+                phi_1149_ = _e677;
             } else {
-                phi_1171_ = _e542;
+                phi_1149_ = _e528;
             }
-            let _e705 = phi_1171_;
-            phi_917_ = _e705;
-            phi_919_ = (_e544 / 2u);
+            let _e691 = phi_1149_;
+            phi_895_ = _e691;
+            phi_897_ = (_e530 / 2u);
         } else {
-            phi_917_ = type_30();
-            phi_919_ = u32();
+            phi_895_ = type_30();
+            phi_897_ = u32();
         }
-        let _e708 = phi_917_;
-        let _e710 = phi_919_;
+        let _e694 = phi_895_;
+        let _e696 = phi_897_;
         continue;
         continuing {
-            phi_913_ = _e562;
-            phi_916_ = _e708;
-            phi_918_ = _e710;
-            break if !(_e567);
+            phi_891_ = _e548;
+            phi_894_ = _e694;
+            phi_896_ = _e696;
+            break if !(_e553);
         }
     }
     if _e67 {
-        nodes.member[_e61] = type_26(vec2<f32>(_e470.member[0], _e470.member[1]), vec2<f32>(_e470.member[2], _e470.member_1[0]), vec2<f32>(_e470.member_1[1], _e470.member_1[2]));
+        nodes.member[_e61] = type_26(vec2<f32>(_e456.member[0], _e456.member[1]), vec2<f32>(_e456.member[2], _e456.member_1[0]), vec2<f32>(_e456.member_1[1], _e456.member_1[2]));
         if ((_e47 % 32u) == 0u) {
-            let _e735 = params.member.member_2.member[0u][_e79];
-            let _e742 = params.member.member_2.member[1u][_e79];
-            let _e745 = local_3;
-            let _e749 = local_4;
-            let _e753 = local_5;
-            let _e757 = local_6;
-            let _e761 = local_7;
-            let _e765 = local_8;
-            nodes.member[(_e742 + ((_e61 - _e735) / 32u))] = type_26(vec2<f32>(_e745.member[0], _e749.member[1]), vec2<f32>(_e753.member[2], _e757.member_1[0]), vec2<f32>(_e761.member_1[1], _e765.member_1[2]));
+            let _e721 = params.member.member_2.member[0u][_e79];
+            let _e728 = params.member.member_2.member[1u][_e79];
+            let _e731 = local_3;
+            let _e735 = local_4;
+            let _e739 = local_5;
+            let _e743 = local_6;
+            let _e747 = local_7;
+            let _e751 = local_8;
+            nodes.member[(_e728 + ((_e61 - _e721) / 32u))] = type_26(vec2<f32>(_e731.member[0], _e735.member[1]), vec2<f32>(_e739.member[2], _e743.member_1[0]), vec2<f32>(_e747.member_1[1], _e751.member_1[2]));
         }
     }
     return;

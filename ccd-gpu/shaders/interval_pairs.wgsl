@@ -84,6 +84,8 @@ struct type_31 {
     member: array<atomic<u32>>,
 }
 
+@group(0) @binding(3) 
+var<storage> order: type_11;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> counters: array<atomic<u32>, 8>;
 @group(0) @binding(6) 
@@ -94,8 +96,6 @@ var<storage> params: type_26;
 var<storage> sorted: type_20;
 @group(0) @binding(2) 
 var<storage> keys: type_11;
-@group(0) @binding(3) 
-var<storage> order: type_11;
 @group(0) @binding(4) 
 var<storage> survey: type_11;
 @group(0) @binding(5) 

@@ -120,21 +120,20 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1024_: type_9;
     var phi_1027_: u32;
     var phi_1235_: bool;
-    var phi_1315_: bool;
-    var phi_1316_: bool;
-    var phi_1334_: u32;
-    var phi_1335_: u32;
-    var phi_1336_: bool;
+    var phi_1309_: bool;
+    var phi_1327_: u32;
+    var phi_1328_: u32;
+    var phi_1329_: bool;
     var phi_1028_: u32;
-    var phi_1337_: bool;
+    var phi_1330_: bool;
     var local_2: u32;
-    var phi_1396_: u32;
-    var phi_1420_: type_9;
-    var phi_1423_: u32;
+    var phi_1389_: u32;
+    var phi_1413_: type_9;
+    var phi_1416_: u32;
     var local_3: u32;
-    var phi_1512_: type_9;
-    var phi_1527_: u32;
-    var phi_1424_: u32;
+    var phi_1505_: type_9;
+    var phi_1520_: u32;
+    var phi_1417_: u32;
     var phi_311_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -367,8 +366,8 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if (bitcast<i32>(select(0u, 1u, _e530)) != 0i) {
                             let _e545 = (_e50 + (_e541 * 128u));
                             if (_e545 >= _e523) {
-                                phi_1335_ = u32();
-                                phi_1336_ = false;
+                                phi_1328_ = u32();
+                                phi_1329_ = false;
                             } else {
                                 let _e548 = hits[_e545];
                                 let _e551 = rows[(_e548 / 4096u)];
@@ -389,123 +388,117 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 if select(false, true, _e659) {
                                     let _e662 = leaves.member[_e554];
                                     let _e666 = leaves.member[_e557];
-                                    if ((_e122.member_1 & 1u) != 0u) {
-                                        if (_e125 == 0u) {
-                                            phi_1315_ = ((select((_e666.x == _e662.x), true, (_e666.x == _e662.x)) || select((_e666.y == _e662.x), true, (_e666.y == _e662.x))) || select((_e666.z == _e662.x), true, (_e666.z == _e662.x)));
-                                        } else {
-                                            phi_1315_ = (select((_e666.x == _e662.y), true, (_e666.x == _e662.x)) || select((_e666.y == _e662.y), true, (_e666.y == _e662.x)));
-                                        }
-                                        let _e693 = phi_1315_;
-                                        phi_1316_ = _e693;
+                                    if (_e125 == 0u) {
+                                        phi_1309_ = ((select((_e666.x == _e662.x), true, (_e666.x == _e662.x)) || select((_e666.y == _e662.x), true, (_e666.y == _e662.x))) || select((_e666.z == _e662.x), true, (_e666.z == _e662.x)));
                                     } else {
-                                        phi_1316_ = false;
+                                        phi_1309_ = (select((_e666.x == _e662.y), true, (_e666.x == _e662.x)) || select((_e666.y == _e662.y), true, (_e666.y == _e662.x)));
                                     }
-                                    let _e695 = phi_1316_;
-                                    let _e696 = !(_e695);
-                                    if _e696 {
+                                    let _e690 = phi_1309_;
+                                    let _e691 = !(_e690);
+                                    if _e691 {
                                     } else {
-                                        let _e698 = atomicAdd((&counters[7u]), 4294967295u);
+                                        let _e693 = atomicAdd((&counters[7u]), 4294967295u);
                                     }
-                                    phi_1334_ = select(_e527, select(_e527, (_e527 | (1u << bitcast<u32>((_e541 & 31u)))), _e659), _e696);
+                                    phi_1327_ = select(_e527, select(_e527, (_e527 | (1u << bitcast<u32>((_e541 & 31u)))), _e659), _e691);
                                 } else {
-                                    phi_1334_ = _e527;
+                                    phi_1327_ = _e527;
                                 }
-                                let _e706 = phi_1334_;
-                                phi_1335_ = _e706;
-                                phi_1336_ = true;
+                                let _e701 = phi_1327_;
+                                phi_1328_ = _e701;
+                                phi_1329_ = true;
                             }
-                            let _e708 = phi_1335_;
-                            let _e710 = phi_1336_;
-                            phi_1028_ = _e708;
-                            phi_1337_ = _e710;
+                            let _e703 = phi_1328_;
+                            let _e705 = phi_1329_;
+                            phi_1028_ = _e703;
+                            phi_1330_ = _e705;
                         } else {
                             phi_1028_ = u32();
-                            phi_1337_ = false;
+                            phi_1330_ = false;
                         }
-                        let _e712 = phi_1028_;
-                        let _e714 = phi_1337_;
+                        let _e707 = phi_1028_;
+                        let _e709 = phi_1330_;
                         continue;
                         continuing {
                             phi_1024_ = type_9(select(_e525.member, (_e525.member + 1u), _e530), select(_e525.member_1, _e525.member_1, _e530));
-                            phi_1027_ = _e712;
-                            break if !(_e714);
+                            phi_1027_ = _e707;
+                            break if !(_e709);
                         }
                     }
-                    let _e718 = params.member.member_1.member_3;
-                    let _e720 = local_2;
-                    let _e723 = atomicAdd((&counters[5u]), countOneBits(_e720));
+                    let _e713 = params.member.member_1.member_3;
+                    let _e715 = local_2;
+                    let _e718 = atomicAdd((&counters[5u]), countOneBits(_e715));
                     workgroupBarrier();
                     if (_e50 == 0u) {
-                        let _e726 = atomicLoad((&counters[5u]));
-                        if (_e726 > 0u) {
-                            let _e730 = params.member.member.member_1;
-                            if ((_e730 & 1024u) != 0u) {
-                                let _e740 = atomicAdd((&output.member[0u]), _e726);
-                                let _e741 = (_e740 + _e726);
-                                let _e743 = select(_e741, 4294967295u, (_e741 < _e740));
-                                let _e746 = params.member.member_1.member_3;
-                                if (_e743 > _e746) {
-                                    let _e749 = atomicMax((&output.member[2u]), _e743);
+                        let _e721 = atomicLoad((&counters[5u]));
+                        if (_e721 > 0u) {
+                            let _e725 = params.member.member.member_1;
+                            if ((_e725 & 1024u) != 0u) {
+                                let _e735 = atomicAdd((&output.member[0u]), _e721);
+                                let _e736 = (_e735 + _e721);
+                                let _e738 = select(_e736, 4294967295u, (_e736 < _e735));
+                                let _e741 = params.member.member_1.member_3;
+                                if (_e738 > _e741) {
+                                    let _e744 = atomicMax((&output.member[2u]), _e738);
                                 }
-                                phi_1396_ = _e740;
+                                phi_1389_ = _e735;
                             } else {
-                                let _e734 = atomicAdd((&output.member[0u]), _e726);
-                                if ((_e734 + _e726) < _e734) {
-                                    let _e738 = atomicAdd((&output.member[2u]), 1u);
+                                let _e729 = atomicAdd((&output.member[0u]), _e721);
+                                if ((_e729 + _e721) < _e729) {
+                                    let _e733 = atomicAdd((&output.member[2u]), 1u);
                                 }
-                                phi_1396_ = _e734;
+                                phi_1389_ = _e729;
                             }
-                            let _e751 = phi_1396_;
-                            atomicStore((&counters[6u]), _e751);
+                            let _e746 = phi_1389_;
+                            atomicStore((&counters[6u]), _e746);
                         }
                         atomicStore((&counters[5u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e755 = atomicLoad((&counters[6u]));
-                    let _e757 = (_e523 / 128u);
-                    phi_1420_ = type_9(0u, select(_e757, (_e757 + 1u), ((_e523 % 128u) > 0u)));
-                    phi_1423_ = (_e723 + _e755);
+                    let _e750 = atomicLoad((&counters[6u]));
+                    let _e752 = (_e523 / 128u);
+                    phi_1413_ = type_9(0u, select(_e752, (_e752 + 1u), ((_e523 % 128u) > 0u)));
+                    phi_1416_ = (_e718 + _e750);
                     loop {
-                        let _e764 = phi_1420_;
-                        let _e766 = phi_1423_;
-                        let _e769 = (_e764.member < _e764.member_1);
-                        let _e780 = select(type_9().member_1, _e764.member, _e769);
-                        let _e782 = (bitcast<i32>(select(0u, 1u, _e769)) != 0i);
-                        if _e782 {
-                            let _e785 = local_3;
-                            if (((_e785 >> bitcast<u32>((_e780 & 31u))) & 1u) == 1u) {
-                                let _e793 = hits[(_e50 + (_e780 * 128u))];
-                                let _e796 = rows[(_e793 / 4096u)];
-                                let _e802 = names[(_e793 % 128u)];
-                                let _e804 = leaves.member[(_e796 + ((_e793 / 128u) % 32u))];
-                                let _e807 = leaves.member[_e802];
+                        let _e759 = phi_1413_;
+                        let _e761 = phi_1416_;
+                        let _e764 = (_e759.member < _e759.member_1);
+                        let _e775 = select(type_9().member_1, _e759.member, _e764);
+                        let _e777 = (bitcast<i32>(select(0u, 1u, _e764)) != 0i);
+                        if _e777 {
+                            let _e780 = local_3;
+                            if (((_e780 >> bitcast<u32>((_e775 & 31u))) & 1u) == 1u) {
+                                let _e788 = hits[(_e50 + (_e775 * 128u))];
+                                let _e791 = rows[(_e788 / 4096u)];
+                                let _e797 = names[(_e788 % 128u)];
+                                let _e799 = leaves.member[(_e791 + ((_e788 / 128u) % 32u))];
+                                let _e802 = leaves.member[_e797];
                                 if (_e125 == 1u) {
-                                    let _e811 = (_e804.w < _e807.w);
-                                    phi_1512_ = type_9(select(_e807.w, _e804.w, _e811), select(_e804.w, _e807.w, _e811));
+                                    let _e806 = (_e799.w < _e802.w);
+                                    phi_1505_ = type_9(select(_e802.w, _e799.w, _e806), select(_e799.w, _e802.w, _e806));
                                 } else {
-                                    phi_1512_ = type_9(_e804.w, _e807.w);
+                                    phi_1505_ = type_9(_e799.w, _e802.w);
                                 }
-                                let _e816 = phi_1512_;
-                                if (_e766 < _e718) {
-                                    let _e820 = (2u * _e766);
-                                    atomicStore((&output.member[(4u + _e820)]), _e816.member);
-                                    atomicStore((&output.member[(_e820 + 5u)]), _e816.member_1);
+                                let _e811 = phi_1505_;
+                                if (_e761 < _e713) {
+                                    let _e815 = (2u * _e761);
+                                    atomicStore((&output.member[(4u + _e815)]), _e811.member);
+                                    atomicStore((&output.member[(_e815 + 5u)]), _e811.member_1);
                                 }
-                                phi_1527_ = (_e766 + 1u);
+                                phi_1520_ = (_e761 + 1u);
                             } else {
-                                phi_1527_ = _e766;
+                                phi_1520_ = _e761;
                             }
-                            let _e827 = phi_1527_;
-                            phi_1424_ = _e827;
+                            let _e822 = phi_1520_;
+                            phi_1417_ = _e822;
                         } else {
-                            phi_1424_ = u32();
+                            phi_1417_ = u32();
                         }
-                        let _e829 = phi_1424_;
+                        let _e824 = phi_1417_;
                         continue;
                         continuing {
-                            phi_1420_ = type_9(select(_e764.member, (_e764.member + 1u), _e769), select(_e764.member_1, _e764.member_1, _e769));
-                            phi_1423_ = _e829;
-                            break if !(_e782);
+                            phi_1413_ = type_9(select(_e759.member, (_e759.member + 1u), _e764), select(_e759.member_1, _e759.member_1, _e764));
+                            phi_1416_ = _e824;
+                            break if !(_e777);
                         }
                     }
                     workgroupBarrier();
@@ -520,19 +513,19 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         } else {
             phi_311_ = u32();
         }
-        let _e833 = phi_311_;
+        let _e828 = phi_311_;
         continue;
         continuing {
-            phi_310_ = _e833;
+            phi_310_ = _e828;
             break if !(_e145);
         }
     }
     if (_e50 == 0u) {
-        let _e837 = atomicLoad((&counters[7u]));
-        if (_e837 > 0u) {
-            let _e840 = atomicAdd((&output.member[1u]), _e837);
-            if ((_e840 + _e837) < _e840) {
-                let _e844 = atomicAdd((&output.member[3u]), 1u);
+        let _e832 = atomicLoad((&counters[7u]));
+        if (_e832 > 0u) {
+            let _e835 = atomicAdd((&output.member[1u]), _e832);
+            if ((_e835 + _e832) < _e835) {
+                let _e839 = atomicAdd((&output.member[3u]), 1u);
             }
         }
     }

@@ -109,47 +109,46 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_242_: type_9;
     var phi_405_: type_23;
     var phi_442_: array<u32, 2>;
-    var phi_518_: bool;
-    var phi_519_: bool;
-    var phi_688_: bool;
-    var phi_729_: type_14;
-    var phi_732_: u32;
-    var phi_730_: type_14;
-    var phi_773_: type_15;
-    var phi_852_: u32;
-    var phi_733_: u32;
+    var phi_511_: bool;
+    var phi_680_: bool;
+    var phi_721_: type_14;
+    var phi_724_: u32;
+    var phi_722_: type_14;
+    var phi_765_: type_15;
+    var phi_844_: u32;
+    var phi_725_: u32;
     var local: u32;
     var local_1: u32;
+    var phi_892_: bool;
+    var phi_893_: bool;
+    var phi_894_: bool;
+    var phi_895_: bool;
     var phi_900_: bool;
-    var phi_901_: bool;
-    var phi_902_: bool;
-    var phi_903_: bool;
-    var phi_908_: bool;
-    var phi_912_: bool;
-    var phi_917_: bool;
-    var phi_922_: bool;
-    var phi_927_: bool;
-    var phi_974_: type_9;
-    var phi_1433_: bool;
-    var phi_1434_: bool;
-    var phi_1435_: bool;
-    var phi_1436_: bool;
-    var phi_1437_: bool;
+    var phi_904_: bool;
+    var phi_909_: bool;
+    var phi_914_: bool;
+    var phi_919_: bool;
+    var phi_966_: type_9;
+    var phi_1425_: bool;
+    var phi_1426_: bool;
+    var phi_1427_: bool;
+    var phi_1428_: bool;
+    var phi_1429_: bool;
     var local_2: bool;
     var local_3: bool;
     var local_4: bool;
+    var phi_1446_: bool;
+    var phi_1447_: bool;
+    var phi_1448_: bool;
+    var phi_1453_: bool;
     var phi_1454_: bool;
     var phi_1455_: bool;
     var phi_1456_: bool;
-    var phi_1461_: bool;
-    var phi_1462_: bool;
-    var phi_1463_: bool;
-    var phi_1464_: bool;
-    var phi_1474_: u32;
-    var phi_1475_: u32;
-    var phi_1476_: bool;
-    var phi_1477_: type_9;
-    var phi_1527_: u32;
+    var phi_1466_: u32;
+    var phi_1467_: u32;
+    var phi_1468_: bool;
+    var phi_1469_: type_9;
+    var phi_1519_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -241,319 +240,312 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e190 = phi_442_;
                 let _e194 = boxes.member[_e190[0]];
                 let _e196 = boxes.member[_e190[1]];
-                let _e199 = params.member.member.member_1;
-                if ((_e199 & 1u) != 0u) {
-                    if (_e57 == 0u) {
-                        phi_518_ = ((select((_e169 == _e162.member_1[0]), true, (_e169 == _e162.member_1[0])) || select((_e170 == _e162.member_1[0]), true, (_e170 == _e162.member_1[0]))) || select((_e162.member_1[3] == _e162.member_1[0]), true, (_e162.member_1[3] == _e162.member_1[0])));
-                    } else {
-                        phi_518_ = (select((_e169 == _e171), true, (_e169 == _e162.member_1[0])) || select((_e170 == _e171), true, (_e170 == _e162.member_1[0])));
-                    }
-                    let _e222 = phi_518_;
-                    phi_519_ = _e222;
+                if (_e57 == 0u) {
+                    phi_511_ = ((select((_e169 == _e162.member_1[0]), true, (_e169 == _e162.member_1[0])) || select((_e170 == _e162.member_1[0]), true, (_e170 == _e162.member_1[0]))) || select((_e162.member_1[3] == _e162.member_1[0]), true, (_e162.member_1[3] == _e162.member_1[0])));
                 } else {
-                    phi_519_ = false;
+                    phi_511_ = (select((_e169 == _e171), true, (_e169 == _e162.member_1[0])) || select((_e170 == _e171), true, (_e170 == _e162.member_1[0])));
                 }
-                let _e224 = phi_519_;
-                if _e224 {
-                    phi_1463_ = false;
-                    phi_1464_ = true;
+                let _e218 = phi_511_;
+                if _e218 {
+                    phi_1455_ = false;
+                    phi_1456_ = true;
                 } else {
-                    let _e226 = params.member.member.member_1;
-                    if ((_e226 & 2u) != 0u) {
-                        let _e230 = bodies.member[_e162.member_1[0]];
-                        let _e232 = bodies.member[_e169];
-                        if select(false, (((_e230 & _e232) & 1u) == 0u), select(select(true, false, ((_e230 & 2u) == 0u)), true, ((_e230 / 4u) != (_e232 / 4u)))) {
-                            let _e245 = params.member.member.member_1;
-                            if ((_e245 & 4u) != 0u) {
-                                let _e250 = params.member.member.member[0u];
-                                let _e252 = bodies.member[_e250];
-                                let _e255 = bodies.member[(_e250 + 1u)];
-                                let _e260 = ((_e250 + 4u) + (2u * (_e230 >> bitcast<u32>(2i))));
-                                let _e265 = ((_e250 + 4u) + (2u * (_e232 >> bitcast<u32>(2i))));
-                                let _e267 = bodies.member[_e260];
-                                let _e269 = bodies.member[_e265];
-                                let _e278 = bodies.member[((((_e250 + 4u) + (2u * _e252)) + (_e267 * _e255)) + (_e269 / 32u))];
-                                let _e281 = bodies.member[(_e260 + 1u)];
-                                let _e284 = bodies.member[(_e265 + 1u)];
-                                if (_e281 == _e284) {
-                                    phi_688_ = select(((_e230 >> bitcast<u32>(2i)) == (_e232 >> bitcast<u32>(2i))), true, (((_e278 >> bitcast<u32>(((_e269 % 32u) & 31u))) & 1u) == 1u));
+                    let _e220 = params.member.member.member_1;
+                    if ((_e220 & 2u) != 0u) {
+                        let _e224 = bodies.member[_e162.member_1[0]];
+                        let _e226 = bodies.member[_e169];
+                        if select(false, (((_e224 & _e226) & 1u) == 0u), select(select(true, false, ((_e224 & 2u) == 0u)), true, ((_e224 / 4u) != (_e226 / 4u)))) {
+                            let _e239 = params.member.member.member_1;
+                            if ((_e239 & 4u) != 0u) {
+                                let _e244 = params.member.member.member[0u];
+                                let _e246 = bodies.member[_e244];
+                                let _e249 = bodies.member[(_e244 + 1u)];
+                                let _e254 = ((_e244 + 4u) + (2u * (_e224 >> bitcast<u32>(2i))));
+                                let _e259 = ((_e244 + 4u) + (2u * (_e226 >> bitcast<u32>(2i))));
+                                let _e261 = bodies.member[_e254];
+                                let _e263 = bodies.member[_e259];
+                                let _e272 = bodies.member[((((_e244 + 4u) + (2u * _e246)) + (_e261 * _e249)) + (_e263 / 32u))];
+                                let _e275 = bodies.member[(_e254 + 1u)];
+                                let _e278 = bodies.member[(_e259 + 1u)];
+                                if (_e275 == _e278) {
+                                    phi_680_ = select(((_e224 >> bitcast<u32>(2i)) == (_e226 >> bitcast<u32>(2i))), true, (((_e272 >> bitcast<u32>(((_e263 % 32u) & 31u))) & 1u) == 1u));
                                 } else {
-                                    phi_688_ = false;
+                                    phi_680_ = false;
                                 }
-                                let _e299 = phi_688_;
-                                if _e299 {
-                                    let _e302 = bodies.member[(_e250 + 2u)];
-                                    let _e305 = bodies.member[(_e250 + 3u)];
-                                    let _e306 = (_e305 + _e250);
-                                    let _e307 = (_e57 == 1u);
-                                    let _e308 = (_e127 < _e124);
-                                    let _e311 = select(_e127, select(_e127, _e124, _e308), _e307);
-                                    let _e312 = select(_e124, select(_e124, _e127, _e308), _e307);
-                                    phi_729_ = type_14(0i, 32i);
-                                    phi_732_ = 0u;
+                                let _e293 = phi_680_;
+                                if _e293 {
+                                    let _e296 = bodies.member[(_e244 + 2u)];
+                                    let _e299 = bodies.member[(_e244 + 3u)];
+                                    let _e300 = (_e299 + _e244);
+                                    let _e301 = (_e57 == 1u);
+                                    let _e302 = (_e127 < _e124);
+                                    let _e305 = select(_e127, select(_e127, _e124, _e302), _e301);
+                                    let _e306 = select(_e124, select(_e124, _e127, _e302), _e301);
+                                    phi_721_ = type_14(0i, 32i);
+                                    phi_724_ = 0u;
                                     loop {
-                                        let _e314 = phi_729_;
-                                        let _e316 = phi_732_;
-                                        local = _e316;
-                                        local_1 = _e316;
-                                        if (_e314.member < _e314.member_1) {
-                                            let _e323 = (_e314.member + 1i);
-                                            phi_730_ = type_14(select(_e323, type_15().member_1, select(false, true, ((false == (_e323 > _e314.member)) != false))), _e314.member_1);
-                                            phi_773_ = type_15(1u, _e314.member);
+                                        let _e308 = phi_721_;
+                                        let _e310 = phi_724_;
+                                        local = _e310;
+                                        local_1 = _e310;
+                                        if (_e308.member < _e308.member_1) {
+                                            let _e317 = (_e308.member + 1i);
+                                            phi_722_ = type_14(select(_e317, type_15().member_1, select(false, true, ((false == (_e317 > _e308.member)) != false))), _e308.member_1);
+                                            phi_765_ = type_15(1u, _e308.member);
                                         } else {
-                                            phi_730_ = _e314;
-                                            phi_773_ = type_15(0u, type_15().member_1);
+                                            phi_722_ = _e308;
+                                            phi_765_ = type_15(0u, type_15().member_1);
                                         }
-                                        let _e334 = phi_730_;
-                                        let _e336 = phi_773_;
-                                        let _e340 = (bitcast<i32>(_e336.member) != 0i);
-                                        if _e340 {
-                                            let _e345 = (_e316 | (1u << bitcast<u32>(((31i - _e336.member_1) & 31i))));
-                                            if (_e345 <= _e302) {
-                                                let _e349 = (_e306 + (3u * (_e345 - 1u)));
-                                                let _e351 = bodies.member[_e349];
-                                                let _e354 = bodies.member[(_e349 + 1u)];
-                                                let _e357 = bodies.member[(_e349 + 2u)];
-                                                phi_852_ = select(_e316, _e345, select(select(false, select(select(false, (_e357 < _e311), (_e354 == _e312)), true, (_e354 < _e312)), (_e351 == _e57)), true, (_e351 < _e57)));
+                                        let _e328 = phi_722_;
+                                        let _e330 = phi_765_;
+                                        let _e334 = (bitcast<i32>(_e330.member) != 0i);
+                                        if _e334 {
+                                            let _e339 = (_e310 | (1u << bitcast<u32>(((31i - _e330.member_1) & 31i))));
+                                            if (_e339 <= _e296) {
+                                                let _e343 = (_e300 + (3u * (_e339 - 1u)));
+                                                let _e345 = bodies.member[_e343];
+                                                let _e348 = bodies.member[(_e343 + 1u)];
+                                                let _e351 = bodies.member[(_e343 + 2u)];
+                                                phi_844_ = select(_e310, _e339, select(select(false, select(select(false, (_e351 < _e305), (_e348 == _e306)), true, (_e348 < _e306)), (_e345 == _e57)), true, (_e345 < _e57)));
                                             } else {
-                                                phi_852_ = _e316;
+                                                phi_844_ = _e310;
                                             }
-                                            let _e369 = phi_852_;
-                                            phi_733_ = _e369;
+                                            let _e363 = phi_844_;
+                                            phi_725_ = _e363;
                                         } else {
-                                            phi_733_ = u32();
+                                            phi_725_ = u32();
                                         }
-                                        let _e371 = phi_733_;
+                                        let _e365 = phi_725_;
                                         continue;
                                         continuing {
-                                            phi_729_ = _e334;
-                                            phi_732_ = _e371;
-                                            break if !(_e340);
+                                            phi_721_ = _e328;
+                                            phi_724_ = _e365;
+                                            break if !(_e334);
                                         }
                                     }
-                                    let _e374 = local;
-                                    if (_e374 < _e302) {
-                                        let _e377 = local_1;
-                                        let _e379 = (_e306 + (3u * _e377));
-                                        let _e381 = bodies.member[_e379];
-                                        if (_e381 == _e57) {
-                                            let _e385 = bodies.member[(_e379 + 1u)];
-                                            if (_e385 == _e312) {
-                                                let _e389 = bodies.member[(_e379 + 2u)];
-                                                phi_900_ = (_e389 == _e311);
-                                                phi_901_ = false;
+                                    let _e368 = local;
+                                    if (_e368 < _e296) {
+                                        let _e371 = local_1;
+                                        let _e373 = (_e300 + (3u * _e371));
+                                        let _e375 = bodies.member[_e373];
+                                        if (_e375 == _e57) {
+                                            let _e379 = bodies.member[(_e373 + 1u)];
+                                            if (_e379 == _e306) {
+                                                let _e383 = bodies.member[(_e373 + 2u)];
+                                                phi_892_ = (_e383 == _e305);
+                                                phi_893_ = false;
                                             } else {
-                                                phi_900_ = bool();
-                                                phi_901_ = true;
+                                                phi_892_ = bool();
+                                                phi_893_ = true;
                                             }
-                                            let _e392 = phi_900_;
-                                            let _e394 = phi_901_;
-                                            phi_902_ = _e392;
-                                            phi_903_ = _e394;
+                                            let _e386 = phi_892_;
+                                            let _e388 = phi_893_;
+                                            phi_894_ = _e386;
+                                            phi_895_ = _e388;
                                         } else {
-                                            phi_902_ = bool();
-                                            phi_903_ = true;
+                                            phi_894_ = bool();
+                                            phi_895_ = true;
                                         }
-                                        let _e396 = phi_902_;
-                                        let _e398 = phi_903_;
-                                        phi_908_ = select(_e396, false, _e398);
+                                        let _e390 = phi_894_;
+                                        let _e392 = phi_895_;
+                                        phi_900_ = select(_e390, false, _e392);
                                     } else {
-                                        phi_908_ = false;
+                                        phi_900_ = false;
                                     }
-                                    let _e401 = phi_908_;
-                                    phi_912_ = _e401;
+                                    let _e395 = phi_900_;
+                                    phi_904_ = _e395;
                                 } else {
-                                    phi_912_ = true;
+                                    phi_904_ = true;
                                 }
-                                let _e403 = phi_912_;
-                                phi_917_ = select(true, false, _e403);
+                                let _e397 = phi_904_;
+                                phi_909_ = select(true, false, _e397);
                             } else {
-                                phi_917_ = true;
+                                phi_909_ = true;
                             }
-                            let _e406 = phi_917_;
-                            phi_922_ = select(true, false, _e406);
+                            let _e400 = phi_909_;
+                            phi_914_ = select(true, false, _e400);
                         } else {
-                            phi_922_ = true;
+                            phi_914_ = true;
                         }
-                        let _e409 = phi_922_;
-                        phi_927_ = select(true, false, _e409);
+                        let _e403 = phi_914_;
+                        phi_919_ = select(true, false, _e403);
                     } else {
-                        phi_927_ = true;
+                        phi_919_ = true;
                     }
-                    let _e412 = phi_927_;
-                    if _e412 {
-                        let _e414 = params.member.member.member_1;
-                        if ((_e414 & 32u) != 0u) {
-                            let _e418 = params.member.member.member_6;
-                            let _e459 = (((((_e194.member_1[0] - _e196.member[0]) > _e418) && ((_e196.member_1[0] - _e194.member[0]) > _e418)) && (((_e194.member_1[1] - _e196.member[1]) > _e418) && ((_e196.member_1[1] - _e194.member[1]) > _e418))) && (((_e194.member_1[2] - _e196.member[2]) > _e418) && ((_e196.member_1[2] - _e194.member[2]) > _e418)));
-                            if _e459 {
-                                phi_1454_ = bool();
+                    let _e406 = phi_919_;
+                    if _e406 {
+                        let _e408 = params.member.member.member_1;
+                        if ((_e408 & 32u) != 0u) {
+                            let _e412 = params.member.member.member_6;
+                            let _e453 = (((((_e194.member_1[0] - _e196.member[0]) > _e412) && ((_e196.member_1[0] - _e194.member[0]) > _e412)) && (((_e194.member_1[1] - _e196.member[1]) > _e412) && ((_e196.member_1[1] - _e194.member[1]) > _e412))) && (((_e194.member_1[2] - _e196.member[2]) > _e412) && ((_e196.member_1[2] - _e194.member[2]) > _e412)));
+                            if _e453 {
+                                phi_1446_ = bool();
                             } else {
-                                phi_974_ = type_9(0u, 3u);
+                                phi_966_ = type_9(0u, 3u);
                                 loop {
-                                    let _e461 = phi_974_;
-                                    let _e464 = (_e461.member < _e461.member_1);
-                                    let _e475 = select(type_9().member_1, _e461.member, _e464);
-                                    if (bitcast<i32>(select(0u, 1u, _e464)) != 0i) {
-                                        let _e479 = ((6u * _e162.member_1[0]) + _e475);
-                                        let _e482 = keys.member[(2u * _e479)];
-                                        let _e486 = keys.member[((2u * _e479) + 1u)];
-                                        let _e489 = ((6u * _e171) + _e475);
-                                        let _e492 = keys.member[(2u * _e489)];
-                                        let _e496 = keys.member[((2u * _e489) + 1u)];
-                                        let _e498 = function_(array<u32, 2>(_e482, _e486), array<u32, 2>(_e492, _e496));
-                                        let _e500 = ((6u * _e172) + _e475);
-                                        let _e503 = keys.member[(2u * _e500)];
-                                        let _e507 = keys.member[((2u * _e500) + 1u)];
-                                        let _e509 = function_(_e498, array<u32, 2>(_e503, _e507));
-                                        let _e512 = (((6u * _e169) + 3u) + _e475);
-                                        let _e515 = keys.member[(2u * _e512)];
-                                        let _e519 = keys.member[((2u * _e512) + 1u)];
-                                        let _e523 = (((6u * _e170) + 3u) + _e475);
-                                        let _e526 = keys.member[(2u * _e523)];
-                                        let _e530 = keys.member[((2u * _e523) + 1u)];
-                                        let _e532 = function_1(array<u32, 2>(_e515, _e519), array<u32, 2>(_e526, _e530));
-                                        let _e535 = (((6u * _e162.member_1[3]) + 3u) + _e475);
-                                        let _e538 = keys.member[(2u * _e535)];
-                                        let _e542 = keys.member[((2u * _e535) + 1u)];
-                                        let _e544 = function_1(_e532, array<u32, 2>(_e538, _e542));
-                                        let _e555 = select(select(false, (_e509[0] > _e544[0]), (_e509[1] == _e544[1])), true, (_e509[1] > _e544[1]));
-                                        if _e555 {
-                                            phi_1433_ = false;
-                                            phi_1434_ = false;
+                                    let _e455 = phi_966_;
+                                    let _e458 = (_e455.member < _e455.member_1);
+                                    let _e469 = select(type_9().member_1, _e455.member, _e458);
+                                    if (bitcast<i32>(select(0u, 1u, _e458)) != 0i) {
+                                        let _e473 = ((6u * _e162.member_1[0]) + _e469);
+                                        let _e476 = keys.member[(2u * _e473)];
+                                        let _e480 = keys.member[((2u * _e473) + 1u)];
+                                        let _e483 = ((6u * _e171) + _e469);
+                                        let _e486 = keys.member[(2u * _e483)];
+                                        let _e490 = keys.member[((2u * _e483) + 1u)];
+                                        let _e492 = function_(array<u32, 2>(_e476, _e480), array<u32, 2>(_e486, _e490));
+                                        let _e494 = ((6u * _e172) + _e469);
+                                        let _e497 = keys.member[(2u * _e494)];
+                                        let _e501 = keys.member[((2u * _e494) + 1u)];
+                                        let _e503 = function_(_e492, array<u32, 2>(_e497, _e501));
+                                        let _e506 = (((6u * _e169) + 3u) + _e469);
+                                        let _e509 = keys.member[(2u * _e506)];
+                                        let _e513 = keys.member[((2u * _e506) + 1u)];
+                                        let _e517 = (((6u * _e170) + 3u) + _e469);
+                                        let _e520 = keys.member[(2u * _e517)];
+                                        let _e524 = keys.member[((2u * _e517) + 1u)];
+                                        let _e526 = function_1(array<u32, 2>(_e509, _e513), array<u32, 2>(_e520, _e524));
+                                        let _e529 = (((6u * _e162.member_1[3]) + 3u) + _e469);
+                                        let _e532 = keys.member[(2u * _e529)];
+                                        let _e536 = keys.member[((2u * _e529) + 1u)];
+                                        let _e538 = function_1(_e526, array<u32, 2>(_e532, _e536));
+                                        let _e549 = select(select(false, (_e503[0] > _e538[0]), (_e503[1] == _e538[1])), true, (_e503[1] > _e538[1]));
+                                        if _e549 {
+                                            phi_1425_ = false;
+                                            phi_1426_ = false;
                                         } else {
-                                            let _e557 = ((6u * _e169) + _e475);
-                                            let _e560 = keys.member[(2u * _e557)];
-                                            let _e564 = keys.member[((2u * _e557) + 1u)];
-                                            let _e567 = ((6u * _e170) + _e475);
-                                            let _e570 = keys.member[(2u * _e567)];
-                                            let _e574 = keys.member[((2u * _e567) + 1u)];
-                                            let _e576 = function_(array<u32, 2>(_e560, _e564), array<u32, 2>(_e570, _e574));
-                                            let _e578 = ((6u * _e162.member_1[3]) + _e475);
-                                            let _e581 = keys.member[(2u * _e578)];
-                                            let _e585 = keys.member[((2u * _e578) + 1u)];
-                                            let _e587 = function_(_e576, array<u32, 2>(_e581, _e585));
-                                            let _e590 = (((6u * _e162.member_1[0]) + 3u) + _e475);
-                                            let _e593 = keys.member[(2u * _e590)];
-                                            let _e597 = keys.member[((2u * _e590) + 1u)];
-                                            let _e601 = (((6u * _e171) + 3u) + _e475);
-                                            let _e604 = keys.member[(2u * _e601)];
-                                            let _e608 = keys.member[((2u * _e601) + 1u)];
-                                            let _e610 = function_1(array<u32, 2>(_e593, _e597), array<u32, 2>(_e604, _e608));
-                                            let _e613 = (((6u * _e172) + 3u) + _e475);
-                                            let _e616 = keys.member[(2u * _e613)];
-                                            let _e620 = keys.member[((2u * _e613) + 1u)];
-                                            let _e622 = function_1(_e610, array<u32, 2>(_e616, _e620));
-                                            let _e633 = select(select(false, (_e587[0] > _e622[0]), (_e587[1] == _e622[1])), true, (_e587[1] > _e622[1]));
-                                            phi_1433_ = select(true, false, _e633);
-                                            phi_1434_ = _e633;
+                                            let _e551 = ((6u * _e169) + _e469);
+                                            let _e554 = keys.member[(2u * _e551)];
+                                            let _e558 = keys.member[((2u * _e551) + 1u)];
+                                            let _e561 = ((6u * _e170) + _e469);
+                                            let _e564 = keys.member[(2u * _e561)];
+                                            let _e568 = keys.member[((2u * _e561) + 1u)];
+                                            let _e570 = function_(array<u32, 2>(_e554, _e558), array<u32, 2>(_e564, _e568));
+                                            let _e572 = ((6u * _e162.member_1[3]) + _e469);
+                                            let _e575 = keys.member[(2u * _e572)];
+                                            let _e579 = keys.member[((2u * _e572) + 1u)];
+                                            let _e581 = function_(_e570, array<u32, 2>(_e575, _e579));
+                                            let _e584 = (((6u * _e162.member_1[0]) + 3u) + _e469);
+                                            let _e587 = keys.member[(2u * _e584)];
+                                            let _e591 = keys.member[((2u * _e584) + 1u)];
+                                            let _e595 = (((6u * _e171) + 3u) + _e469);
+                                            let _e598 = keys.member[(2u * _e595)];
+                                            let _e602 = keys.member[((2u * _e595) + 1u)];
+                                            let _e604 = function_1(array<u32, 2>(_e587, _e591), array<u32, 2>(_e598, _e602));
+                                            let _e607 = (((6u * _e172) + 3u) + _e469);
+                                            let _e610 = keys.member[(2u * _e607)];
+                                            let _e614 = keys.member[((2u * _e607) + 1u)];
+                                            let _e616 = function_1(_e604, array<u32, 2>(_e610, _e614));
+                                            let _e627 = select(select(false, (_e581[0] > _e616[0]), (_e581[1] == _e616[1])), true, (_e581[1] > _e616[1]));
+                                            phi_1425_ = select(true, false, _e627);
+                                            phi_1426_ = _e627;
                                         }
-                                        let _e636 = phi_1433_;
-                                        let _e638 = phi_1434_;
-                                        phi_1435_ = _e636;
-                                        phi_1436_ = _e555;
-                                        phi_1437_ = _e638;
+                                        let _e630 = phi_1425_;
+                                        let _e632 = phi_1426_;
+                                        phi_1427_ = _e630;
+                                        phi_1428_ = _e549;
+                                        phi_1429_ = _e632;
                                     } else {
-                                        phi_1435_ = false;
-                                        phi_1436_ = false;
-                                        phi_1437_ = false;
+                                        phi_1427_ = false;
+                                        phi_1428_ = false;
+                                        phi_1429_ = false;
                                     }
-                                    let _e640 = phi_1435_;
-                                    let _e642 = phi_1436_;
-                                    let _e644 = phi_1437_;
-                                    local_2 = _e642;
-                                    local_3 = _e644;
-                                    local_4 = _e642;
+                                    let _e634 = phi_1427_;
+                                    let _e636 = phi_1428_;
+                                    let _e638 = phi_1429_;
+                                    local_2 = _e636;
+                                    local_3 = _e638;
+                                    local_4 = _e636;
                                     continue;
                                     continuing {
-                                        phi_974_ = type_9(select(_e461.member, (_e461.member + 1u), _e464), select(_e461.member_1, _e461.member_1, _e464));
-                                        break if !(_e640);
+                                        phi_966_ = type_9(select(_e455.member, (_e455.member + 1u), _e458), select(_e455.member_1, _e455.member_1, _e458));
+                                        break if !(_e634);
                                     }
                                 }
-                                let _e647 = local_2;
-                                let _e649 = local_3;
-                                let _e652 = local_4;
-                                phi_1454_ = select(false, true, select(true, false, select(_e652, true, select(_e649, false, _e647))));
+                                let _e641 = local_2;
+                                let _e643 = local_3;
+                                let _e646 = local_4;
+                                phi_1446_ = select(false, true, select(true, false, select(_e646, true, select(_e643, false, _e641))));
                             }
-                            let _e657 = phi_1454_;
-                            phi_1455_ = _e657;
-                            phi_1456_ = _e459;
+                            let _e651 = phi_1446_;
+                            phi_1447_ = _e651;
+                            phi_1448_ = _e453;
                         } else {
-                            phi_1455_ = bool();
-                            phi_1456_ = true;
+                            phi_1447_ = bool();
+                            phi_1448_ = true;
                         }
-                        let _e659 = phi_1455_;
-                        let _e661 = phi_1456_;
-                        phi_1461_ = _e659;
-                        phi_1462_ = select(true, false, _e661);
+                        let _e653 = phi_1447_;
+                        let _e655 = phi_1448_;
+                        phi_1453_ = _e653;
+                        phi_1454_ = select(true, false, _e655);
                     } else {
-                        phi_1461_ = false;
-                        phi_1462_ = true;
+                        phi_1453_ = false;
+                        phi_1454_ = true;
                     }
-                    let _e664 = phi_1461_;
-                    let _e666 = phi_1462_;
-                    phi_1463_ = _e664;
-                    phi_1464_ = _e666;
+                    let _e658 = phi_1453_;
+                    let _e660 = phi_1454_;
+                    phi_1455_ = _e658;
+                    phi_1456_ = _e660;
                 }
-                let _e668 = phi_1463_;
-                let _e670 = phi_1464_;
-                let _e671 = select(true, _e668, _e670);
-                if _e671 {
-                    let _e673 = atomicAdd((&counters[0u]), 1u);
-                    phi_1474_ = _e673;
+                let _e662 = phi_1455_;
+                let _e664 = phi_1456_;
+                let _e665 = select(true, _e662, _e664);
+                if _e665 {
+                    let _e667 = atomicAdd((&counters[0u]), 1u);
+                    phi_1466_ = _e667;
                 } else {
-                    phi_1474_ = 0u;
+                    phi_1466_ = 0u;
                 }
-                let _e675 = phi_1474_;
-                phi_1475_ = _e675;
-                phi_1476_ = _e671;
-                phi_1477_ = type_9(_e124, _e127);
+                let _e669 = phi_1466_;
+                phi_1467_ = _e669;
+                phi_1468_ = _e665;
+                phi_1469_ = type_9(_e124, _e127);
             } else {
-                phi_1475_ = 0u;
-                phi_1476_ = false;
-                phi_1477_ = type_9(0u, 0u);
+                phi_1467_ = 0u;
+                phi_1468_ = false;
+                phi_1469_ = type_9(0u, 0u);
             }
-            let _e677 = phi_1475_;
-            let _e679 = phi_1476_;
-            let _e681 = phi_1477_;
+            let _e671 = phi_1467_;
+            let _e673 = phi_1468_;
+            let _e675 = phi_1469_;
             workgroupBarrier();
             if (_e38 == 0u) {
-                let _e684 = atomicLoad((&counters[0u]));
-                if (_e684 > 0u) {
-                    let _e688 = params.member.member.member_1;
-                    if ((_e688 & 1024u) != 0u) {
-                        let _e698 = atomicAdd((&output.member[0u]), _e684);
-                        let _e699 = (_e698 + _e684);
-                        let _e701 = select(_e699, 4294967295u, (_e699 < _e698));
-                        let _e704 = params.member.member_1.member_3;
-                        if (_e701 > _e704) {
-                            let _e707 = atomicMax((&output.member[2u]), _e701);
+                let _e678 = atomicLoad((&counters[0u]));
+                if (_e678 > 0u) {
+                    let _e682 = params.member.member.member_1;
+                    if ((_e682 & 1024u) != 0u) {
+                        let _e692 = atomicAdd((&output.member[0u]), _e678);
+                        let _e693 = (_e692 + _e678);
+                        let _e695 = select(_e693, 4294967295u, (_e693 < _e692));
+                        let _e698 = params.member.member_1.member_3;
+                        if (_e695 > _e698) {
+                            let _e701 = atomicMax((&output.member[2u]), _e695);
                         }
-                        phi_1527_ = _e698;
+                        phi_1519_ = _e692;
                     } else {
-                        let _e692 = atomicAdd((&output.member[0u]), _e684);
-                        if ((_e692 + _e684) < _e692) {
-                            let _e696 = atomicAdd((&output.member[2u]), 1u);
+                        let _e686 = atomicAdd((&output.member[0u]), _e678);
+                        if ((_e686 + _e678) < _e686) {
+                            let _e690 = atomicAdd((&output.member[2u]), 1u);
                         }
-                        phi_1527_ = _e692;
+                        phi_1519_ = _e686;
                     }
-                    let _e709 = phi_1527_;
-                    atomicStore((&counters[1u]), _e709);
-                    let _e712 = atomicAdd((&output.member[1u]), _e684);
-                    if ((_e712 + _e684) < _e712) {
-                        let _e716 = atomicAdd((&output.member[3u]), 1u);
+                    let _e703 = phi_1519_;
+                    atomicStore((&counters[1u]), _e703);
+                    let _e706 = atomicAdd((&output.member[1u]), _e678);
+                    if ((_e706 + _e678) < _e706) {
+                        let _e710 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
             workgroupBarrier();
-            if _e679 {
-                let _e718 = params.member.member_1.member_3;
-                let _e720 = atomicLoad((&counters[1u]));
-                let _e721 = (_e720 + _e677);
-                if (_e721 < _e718) {
-                    let _e725 = (2u * _e721);
-                    atomicStore((&output.member[(4u + _e725)]), _e681.member);
-                    atomicStore((&output.member[(_e725 + 5u)]), _e681.member_1);
+            if _e673 {
+                let _e712 = params.member.member_1.member_3;
+                let _e714 = atomicLoad((&counters[1u]));
+                let _e715 = (_e714 + _e671);
+                if (_e715 < _e712) {
+                    let _e719 = (2u * _e715);
+                    atomicStore((&output.member[(4u + _e719)]), _e675.member);
+                    atomicStore((&output.member[(_e719 + 5u)]), _e675.member_1);
                 }
             }
         }

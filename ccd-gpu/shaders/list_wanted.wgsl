@@ -148,55 +148,54 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1341_: bool;
     var phi_1346_: bool;
     var phi_1432_: array<type_29, 2>;
-    var phi_1476_: bool;
-    var phi_1477_: bool;
-    var phi_1641_: bool;
-    var phi_1682_: type_16;
-    var phi_1685_: u32;
-    var phi_1683_: type_16;
-    var phi_1726_: type_17;
-    var phi_1805_: u32;
-    var phi_1686_: u32;
+    var phi_1470_: bool;
+    var phi_1634_: bool;
+    var phi_1675_: type_16;
+    var phi_1678_: u32;
+    var phi_1676_: type_16;
+    var phi_1719_: type_17;
+    var phi_1798_: u32;
+    var phi_1679_: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1853_: bool;
+    var phi_1846_: bool;
+    var phi_1847_: bool;
+    var phi_1848_: bool;
+    var phi_1849_: bool;
     var phi_1854_: bool;
-    var phi_1855_: bool;
-    var phi_1856_: bool;
-    var phi_1861_: bool;
-    var phi_1865_: bool;
-    var phi_1870_: bool;
-    var phi_1875_: bool;
-    var phi_1880_: bool;
-    var phi_1925_: type_9;
-    var phi_2372_: bool;
-    var phi_2373_: bool;
-    var phi_2374_: bool;
-    var phi_2375_: bool;
-    var phi_2376_: bool;
+    var phi_1858_: bool;
+    var phi_1863_: bool;
+    var phi_1868_: bool;
+    var phi_1873_: bool;
+    var phi_1918_: type_9;
+    var phi_2365_: bool;
+    var phi_2366_: bool;
+    var phi_2367_: bool;
+    var phi_2368_: bool;
+    var phi_2369_: bool;
     var local_4: bool;
     var local_5: bool;
     var local_6: bool;
+    var phi_2386_: bool;
+    var phi_2387_: bool;
+    var phi_2388_: bool;
     var phi_2393_: bool;
     var phi_2394_: bool;
     var phi_2395_: bool;
-    var phi_2400_: bool;
-    var phi_2401_: bool;
-    var phi_2402_: bool;
-    var phi_2403_: bool;
-    var phi_2424_: u32;
-    var phi_2425_: u32;
-    var phi_2426_: bool;
+    var phi_2396_: bool;
+    var phi_2417_: u32;
+    var phi_2418_: u32;
+    var phi_2419_: bool;
     var phi_1063_: u32;
-    var phi_2427_: bool;
+    var phi_2420_: bool;
     var local_7: u32;
-    var phi_2486_: u32;
-    var phi_2510_: type_9;
-    var phi_2513_: u32;
+    var phi_2479_: u32;
+    var phi_2503_: type_9;
+    var phi_2506_: u32;
     var local_8: u32;
-    var phi_2602_: type_9;
-    var phi_2617_: u32;
-    var phi_2514_: u32;
+    var phi_2595_: type_9;
+    var phi_2610_: u32;
+    var phi_2507_: u32;
     var phi_346_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -429,8 +428,8 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if (bitcast<i32>(select(0u, 1u, _e539)) != 0i) {
                             let _e554 = (_e57 + (_e550 * 128u));
                             if (_e554 >= _e532) {
-                                phi_2425_ = u32();
-                                phi_2426_ = false;
+                                phi_2418_ = u32();
+                                phi_2419_ = false;
                             } else {
                                 let _e557 = hits[_e554];
                                 let _e560 = rows[(_e557 / 4096u)];
@@ -479,361 +478,355 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         phi_1432_ = array<type_29, 2>(type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)), type_29(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f)));
                                     }
                                     let _e779 = phi_1432_;
-                                    if ((_e131.member_1 & 1u) != 0u) {
-                                        if (_e134 == 0u) {
-                                            phi_1476_ = ((select((_e735.x == _e729.x), true, (_e735.x == _e729.x)) || select((_e735.y == _e729.x), true, (_e735.y == _e729.x))) || select((_e735.z == _e729.x), true, (_e735.z == _e729.x)));
-                                        } else {
-                                            phi_1476_ = (select((_e735.x == _e729.y), true, (_e735.x == _e729.x)) || select((_e735.y == _e729.y), true, (_e735.y == _e729.x)));
-                                        }
-                                        let _e803 = phi_1476_;
-                                        phi_1477_ = _e803;
+                                    if (_e134 == 0u) {
+                                        phi_1470_ = ((select((_e735.x == _e729.x), true, (_e735.x == _e729.x)) || select((_e735.y == _e729.x), true, (_e735.y == _e729.x))) || select((_e735.z == _e729.x), true, (_e735.z == _e729.x)));
                                     } else {
-                                        phi_1477_ = false;
+                                        phi_1470_ = (select((_e735.x == _e729.y), true, (_e735.x == _e729.x)) || select((_e735.y == _e729.y), true, (_e735.y == _e729.x)));
                                     }
-                                    let _e805 = phi_1477_;
-                                    if _e805 {
-                                        phi_2402_ = false;
-                                        phi_2403_ = true;
+                                    let _e800 = phi_1470_;
+                                    if _e800 {
+                                        phi_2395_ = false;
+                                        phi_2396_ = true;
                                     } else {
                                         if ((_e131.member_1 & 2u) != 0u) {
-                                            let _e810 = bodies.member[_e729.x];
-                                            let _e812 = bodies.member[_e735.x];
-                                            if select(false, (((_e810 & _e812) & 1u) == 0u), select(select(true, false, ((_e810 & 2u) == 0u)), true, ((_e810 / 4u) != (_e812 / 4u)))) {
+                                            let _e805 = bodies.member[_e729.x];
+                                            let _e807 = bodies.member[_e735.x];
+                                            if select(false, (((_e805 & _e807) & 1u) == 0u), select(select(true, false, ((_e805 & 2u) == 0u)), true, ((_e805 / 4u) != (_e807 / 4u)))) {
                                                 if ((_e131.member_1 & 4u) != 0u) {
-                                                    let _e830 = bodies.member[_e131.member[0]];
-                                                    let _e833 = bodies.member[(_e131.member[0] + 1u)];
-                                                    let _e838 = ((_e131.member[0] + 4u) + (2u * (_e810 >> bitcast<u32>(2i))));
-                                                    let _e843 = ((_e131.member[0] + 4u) + (2u * (_e812 >> bitcast<u32>(2i))));
-                                                    let _e845 = bodies.member[_e838];
-                                                    let _e847 = bodies.member[_e843];
-                                                    let _e856 = bodies.member[((((_e131.member[0] + 4u) + (2u * _e830)) + (_e845 * _e833)) + (_e847 / 32u))];
-                                                    let _e859 = bodies.member[(_e838 + 1u)];
-                                                    let _e862 = bodies.member[(_e843 + 1u)];
-                                                    if (_e859 == _e862) {
-                                                        phi_1641_ = select(((_e810 >> bitcast<u32>(2i)) == (_e812 >> bitcast<u32>(2i))), true, (((_e856 >> bitcast<u32>(((_e847 % 32u) & 31u))) & 1u) == 1u));
+                                                    let _e825 = bodies.member[_e131.member[0]];
+                                                    let _e828 = bodies.member[(_e131.member[0] + 1u)];
+                                                    let _e833 = ((_e131.member[0] + 4u) + (2u * (_e805 >> bitcast<u32>(2i))));
+                                                    let _e838 = ((_e131.member[0] + 4u) + (2u * (_e807 >> bitcast<u32>(2i))));
+                                                    let _e840 = bodies.member[_e833];
+                                                    let _e842 = bodies.member[_e838];
+                                                    let _e851 = bodies.member[((((_e131.member[0] + 4u) + (2u * _e825)) + (_e840 * _e828)) + (_e842 / 32u))];
+                                                    let _e854 = bodies.member[(_e833 + 1u)];
+                                                    let _e857 = bodies.member[(_e838 + 1u)];
+                                                    if (_e854 == _e857) {
+                                                        phi_1634_ = select(((_e805 >> bitcast<u32>(2i)) == (_e807 >> bitcast<u32>(2i))), true, (((_e851 >> bitcast<u32>(((_e842 % 32u) & 31u))) & 1u) == 1u));
                                                     } else {
-                                                        phi_1641_ = false;
+                                                        phi_1634_ = false;
                                                     }
-                                                    let _e877 = phi_1641_;
-                                                    if _e877 {
-                                                        let _e880 = bodies.member[(_e131.member[0] + 2u)];
-                                                        let _e883 = bodies.member[(_e131.member[0] + 3u)];
-                                                        let _e884 = (_e883 + _e131.member[0]);
-                                                        let _e885 = (_e134 == 1u);
-                                                        let _e886 = (_e735.w < _e729.w);
-                                                        let _e889 = select(_e735.w, select(_e735.w, _e729.w, _e886), _e885);
-                                                        let _e890 = select(_e729.w, select(_e729.w, _e735.w, _e886), _e885);
-                                                        phi_1682_ = type_16(0i, 32i);
-                                                        phi_1685_ = 0u;
+                                                    let _e872 = phi_1634_;
+                                                    if _e872 {
+                                                        let _e875 = bodies.member[(_e131.member[0] + 2u)];
+                                                        let _e878 = bodies.member[(_e131.member[0] + 3u)];
+                                                        let _e879 = (_e878 + _e131.member[0]);
+                                                        let _e880 = (_e134 == 1u);
+                                                        let _e881 = (_e735.w < _e729.w);
+                                                        let _e884 = select(_e735.w, select(_e735.w, _e729.w, _e881), _e880);
+                                                        let _e885 = select(_e729.w, select(_e729.w, _e735.w, _e881), _e880);
+                                                        phi_1675_ = type_16(0i, 32i);
+                                                        phi_1678_ = 0u;
                                                         loop {
-                                                            let _e892 = phi_1682_;
-                                                            let _e894 = phi_1685_;
-                                                            local_2 = _e894;
-                                                            local_3 = _e894;
-                                                            if (_e892.member < _e892.member_1) {
-                                                                let _e901 = (_e892.member + 1i);
-                                                                phi_1683_ = type_16(select(_e901, type_17().member_1, select(false, true, ((false == (_e901 > _e892.member)) != false))), _e892.member_1);
-                                                                phi_1726_ = type_17(1u, _e892.member);
+                                                            let _e887 = phi_1675_;
+                                                            let _e889 = phi_1678_;
+                                                            local_2 = _e889;
+                                                            local_3 = _e889;
+                                                            if (_e887.member < _e887.member_1) {
+                                                                let _e896 = (_e887.member + 1i);
+                                                                phi_1676_ = type_16(select(_e896, type_17().member_1, select(false, true, ((false == (_e896 > _e887.member)) != false))), _e887.member_1);
+                                                                phi_1719_ = type_17(1u, _e887.member);
                                                             } else {
-                                                                phi_1683_ = _e892;
-                                                                phi_1726_ = type_17(0u, type_17().member_1);
+                                                                phi_1676_ = _e887;
+                                                                phi_1719_ = type_17(0u, type_17().member_1);
                                                             }
-                                                            let _e912 = phi_1683_;
-                                                            let _e914 = phi_1726_;
-                                                            let _e918 = (bitcast<i32>(_e914.member) != 0i);
-                                                            if _e918 {
-                                                                let _e923 = (_e894 | (1u << bitcast<u32>(((31i - _e914.member_1) & 31i))));
-                                                                if (_e923 <= _e880) {
-                                                                    let _e927 = (_e884 + (3u * (_e923 - 1u)));
-                                                                    let _e929 = bodies.member[_e927];
-                                                                    let _e932 = bodies.member[(_e927 + 1u)];
-                                                                    let _e935 = bodies.member[(_e927 + 2u)];
-                                                                    phi_1805_ = select(_e894, _e923, select(select(false, select(select(false, (_e935 < _e889), (_e932 == _e890)), true, (_e932 < _e890)), (_e929 == _e134)), true, (_e929 < _e134)));
+                                                            let _e907 = phi_1676_;
+                                                            let _e909 = phi_1719_;
+                                                            let _e913 = (bitcast<i32>(_e909.member) != 0i);
+                                                            if _e913 {
+                                                                let _e918 = (_e889 | (1u << bitcast<u32>(((31i - _e909.member_1) & 31i))));
+                                                                if (_e918 <= _e875) {
+                                                                    let _e922 = (_e879 + (3u * (_e918 - 1u)));
+                                                                    let _e924 = bodies.member[_e922];
+                                                                    let _e927 = bodies.member[(_e922 + 1u)];
+                                                                    let _e930 = bodies.member[(_e922 + 2u)];
+                                                                    phi_1798_ = select(_e889, _e918, select(select(false, select(select(false, (_e930 < _e884), (_e927 == _e885)), true, (_e927 < _e885)), (_e924 == _e134)), true, (_e924 < _e134)));
                                                                 } else {
-                                                                    phi_1805_ = _e894;
+                                                                    phi_1798_ = _e889;
                                                                 }
-                                                                let _e947 = phi_1805_;
-                                                                phi_1686_ = _e947;
+                                                                let _e942 = phi_1798_;
+                                                                phi_1679_ = _e942;
                                                             } else {
-                                                                phi_1686_ = u32();
+                                                                phi_1679_ = u32();
                                                             }
-                                                            let _e949 = phi_1686_;
+                                                            let _e944 = phi_1679_;
                                                             continue;
                                                             continuing {
-                                                                phi_1682_ = _e912;
-                                                                phi_1685_ = _e949;
-                                                                break if !(_e918);
+                                                                phi_1675_ = _e907;
+                                                                phi_1678_ = _e944;
+                                                                break if !(_e913);
                                                             }
                                                         }
-                                                        let _e952 = local_2;
-                                                        if (_e952 < _e880) {
-                                                            let _e955 = local_3;
-                                                            let _e957 = (_e884 + (3u * _e955));
-                                                            let _e959 = bodies.member[_e957];
-                                                            if (_e959 == _e134) {
-                                                                let _e963 = bodies.member[(_e957 + 1u)];
-                                                                if (_e963 == _e890) {
-                                                                    let _e967 = bodies.member[(_e957 + 2u)];
-                                                                    phi_1853_ = (_e967 == _e889);
-                                                                    phi_1854_ = false;
+                                                        let _e947 = local_2;
+                                                        if (_e947 < _e875) {
+                                                            let _e950 = local_3;
+                                                            let _e952 = (_e879 + (3u * _e950));
+                                                            let _e954 = bodies.member[_e952];
+                                                            if (_e954 == _e134) {
+                                                                let _e958 = bodies.member[(_e952 + 1u)];
+                                                                if (_e958 == _e885) {
+                                                                    let _e962 = bodies.member[(_e952 + 2u)];
+                                                                    phi_1846_ = (_e962 == _e884);
+                                                                    phi_1847_ = false;
                                                                 } else {
-                                                                    phi_1853_ = bool();
-                                                                    phi_1854_ = true;
+                                                                    phi_1846_ = bool();
+                                                                    phi_1847_ = true;
                                                                 }
-                                                                let _e970 = phi_1853_;
-                                                                let _e972 = phi_1854_;
-                                                                phi_1855_ = _e970;
-                                                                phi_1856_ = _e972;
+                                                                let _e965 = phi_1846_;
+                                                                let _e967 = phi_1847_;
+                                                                phi_1848_ = _e965;
+                                                                phi_1849_ = _e967;
                                                             } else {
-                                                                phi_1855_ = bool();
-                                                                phi_1856_ = true;
+                                                                phi_1848_ = bool();
+                                                                phi_1849_ = true;
                                                             }
-                                                            let _e974 = phi_1855_;
-                                                            let _e976 = phi_1856_;
-                                                            phi_1861_ = select(_e974, false, _e976);
+                                                            let _e969 = phi_1848_;
+                                                            let _e971 = phi_1849_;
+                                                            phi_1854_ = select(_e969, false, _e971);
                                                         } else {
-                                                            phi_1861_ = false;
+                                                            phi_1854_ = false;
                                                         }
-                                                        let _e979 = phi_1861_;
-                                                        phi_1865_ = _e979;
+                                                        let _e974 = phi_1854_;
+                                                        phi_1858_ = _e974;
                                                     } else {
-                                                        phi_1865_ = true;
+                                                        phi_1858_ = true;
                                                     }
-                                                    let _e981 = phi_1865_;
-                                                    phi_1870_ = select(true, false, _e981);
+                                                    let _e976 = phi_1858_;
+                                                    phi_1863_ = select(true, false, _e976);
                                                 } else {
-                                                    phi_1870_ = true;
+                                                    phi_1863_ = true;
                                                 }
-                                                let _e984 = phi_1870_;
-                                                phi_1875_ = select(true, false, _e984);
+                                                let _e979 = phi_1863_;
+                                                phi_1868_ = select(true, false, _e979);
                                             } else {
-                                                phi_1875_ = true;
+                                                phi_1868_ = true;
                                             }
-                                            let _e987 = phi_1875_;
-                                            phi_1880_ = select(true, false, _e987);
+                                            let _e982 = phi_1868_;
+                                            phi_1873_ = select(true, false, _e982);
                                         } else {
-                                            phi_1880_ = true;
+                                            phi_1873_ = true;
                                         }
-                                        let _e990 = phi_1880_;
-                                        if _e990 {
+                                        let _e985 = phi_1873_;
+                                        if _e985 {
                                             if ((_e131.member_1 & 32u) != 0u) {
-                                                let _e1047 = (((((_e779[0].member_1[0] - _e779[1].member[0]) > _e131.member_6) && ((_e779[1].member_1[0] - _e779[0].member[0]) > _e131.member_6)) && (((_e779[0].member_1[1] - _e779[1].member[1]) > _e131.member_6) && ((_e779[1].member_1[1] - _e779[0].member[1]) > _e131.member_6))) && (((_e779[0].member_1[2] - _e779[1].member[2]) > _e131.member_6) && ((_e779[1].member_1[2] - _e779[0].member[2]) > _e131.member_6)));
-                                                if _e1047 {
-                                                    phi_2393_ = bool();
+                                                let _e1042 = (((((_e779[0].member_1[0] - _e779[1].member[0]) > _e131.member_6) && ((_e779[1].member_1[0] - _e779[0].member[0]) > _e131.member_6)) && (((_e779[0].member_1[1] - _e779[1].member[1]) > _e131.member_6) && ((_e779[1].member_1[1] - _e779[0].member[1]) > _e131.member_6))) && (((_e779[0].member_1[2] - _e779[1].member[2]) > _e131.member_6) && ((_e779[1].member_1[2] - _e779[0].member[2]) > _e131.member_6)));
+                                                if _e1042 {
+                                                    phi_2386_ = bool();
                                                 } else {
-                                                    phi_1925_ = type_9(0u, 3u);
+                                                    phi_1918_ = type_9(0u, 3u);
                                                     loop {
-                                                        let _e1049 = phi_1925_;
-                                                        let _e1052 = (_e1049.member < _e1049.member_1);
-                                                        let _e1063 = select(type_9().member_1, _e1049.member, _e1052);
-                                                        if (bitcast<i32>(select(0u, 1u, _e1052)) != 0i) {
-                                                            let _e1067 = ((6u * _e729.x) + _e1063);
-                                                            let _e1070 = keys.member[(2u * _e1067)];
-                                                            let _e1074 = keys.member[((2u * _e1067) + 1u)];
-                                                            let _e1077 = ((6u * _e729.y) + _e1063);
-                                                            let _e1080 = keys.member[(2u * _e1077)];
-                                                            let _e1084 = keys.member[((2u * _e1077) + 1u)];
-                                                            let _e1086 = function_1(array<u32, 2>(_e1070, _e1074), array<u32, 2>(_e1080, _e1084));
-                                                            let _e1088 = ((6u * _e729.z) + _e1063);
-                                                            let _e1091 = keys.member[(2u * _e1088)];
-                                                            let _e1095 = keys.member[((2u * _e1088) + 1u)];
-                                                            let _e1097 = function_1(_e1086, array<u32, 2>(_e1091, _e1095));
-                                                            let _e1100 = (((6u * _e735.x) + 3u) + _e1063);
-                                                            let _e1103 = keys.member[(2u * _e1100)];
-                                                            let _e1107 = keys.member[((2u * _e1100) + 1u)];
-                                                            let _e1111 = (((6u * _e735.y) + 3u) + _e1063);
-                                                            let _e1114 = keys.member[(2u * _e1111)];
-                                                            let _e1118 = keys.member[((2u * _e1111) + 1u)];
-                                                            let _e1120 = function_(array<u32, 2>(_e1103, _e1107), array<u32, 2>(_e1114, _e1118));
-                                                            let _e1123 = (((6u * _e735.z) + 3u) + _e1063);
-                                                            let _e1126 = keys.member[(2u * _e1123)];
-                                                            let _e1130 = keys.member[((2u * _e1123) + 1u)];
-                                                            let _e1132 = function_(_e1120, array<u32, 2>(_e1126, _e1130));
-                                                            let _e1143 = select(select(false, (_e1097[0] > _e1132[0]), (_e1097[1] == _e1132[1])), true, (_e1097[1] > _e1132[1]));
-                                                            if _e1143 {
-                                                                phi_2372_ = false;
-                                                                phi_2373_ = false;
+                                                        let _e1044 = phi_1918_;
+                                                        let _e1047 = (_e1044.member < _e1044.member_1);
+                                                        let _e1058 = select(type_9().member_1, _e1044.member, _e1047);
+                                                        if (bitcast<i32>(select(0u, 1u, _e1047)) != 0i) {
+                                                            let _e1062 = ((6u * _e729.x) + _e1058);
+                                                            let _e1065 = keys.member[(2u * _e1062)];
+                                                            let _e1069 = keys.member[((2u * _e1062) + 1u)];
+                                                            let _e1072 = ((6u * _e729.y) + _e1058);
+                                                            let _e1075 = keys.member[(2u * _e1072)];
+                                                            let _e1079 = keys.member[((2u * _e1072) + 1u)];
+                                                            let _e1081 = function_1(array<u32, 2>(_e1065, _e1069), array<u32, 2>(_e1075, _e1079));
+                                                            let _e1083 = ((6u * _e729.z) + _e1058);
+                                                            let _e1086 = keys.member[(2u * _e1083)];
+                                                            let _e1090 = keys.member[((2u * _e1083) + 1u)];
+                                                            let _e1092 = function_1(_e1081, array<u32, 2>(_e1086, _e1090));
+                                                            let _e1095 = (((6u * _e735.x) + 3u) + _e1058);
+                                                            let _e1098 = keys.member[(2u * _e1095)];
+                                                            let _e1102 = keys.member[((2u * _e1095) + 1u)];
+                                                            let _e1106 = (((6u * _e735.y) + 3u) + _e1058);
+                                                            let _e1109 = keys.member[(2u * _e1106)];
+                                                            let _e1113 = keys.member[((2u * _e1106) + 1u)];
+                                                            let _e1115 = function_(array<u32, 2>(_e1098, _e1102), array<u32, 2>(_e1109, _e1113));
+                                                            let _e1118 = (((6u * _e735.z) + 3u) + _e1058);
+                                                            let _e1121 = keys.member[(2u * _e1118)];
+                                                            let _e1125 = keys.member[((2u * _e1118) + 1u)];
+                                                            let _e1127 = function_(_e1115, array<u32, 2>(_e1121, _e1125));
+                                                            let _e1138 = select(select(false, (_e1092[0] > _e1127[0]), (_e1092[1] == _e1127[1])), true, (_e1092[1] > _e1127[1]));
+                                                            if _e1138 {
+                                                                phi_2365_ = false;
+                                                                phi_2366_ = false;
                                                             } else {
-                                                                let _e1145 = ((6u * _e735.x) + _e1063);
-                                                                let _e1148 = keys.member[(2u * _e1145)];
-                                                                let _e1152 = keys.member[((2u * _e1145) + 1u)];
-                                                                let _e1155 = ((6u * _e735.y) + _e1063);
-                                                                let _e1158 = keys.member[(2u * _e1155)];
-                                                                let _e1162 = keys.member[((2u * _e1155) + 1u)];
-                                                                let _e1164 = function_1(array<u32, 2>(_e1148, _e1152), array<u32, 2>(_e1158, _e1162));
-                                                                let _e1166 = ((6u * _e735.z) + _e1063);
-                                                                let _e1169 = keys.member[(2u * _e1166)];
-                                                                let _e1173 = keys.member[((2u * _e1166) + 1u)];
-                                                                let _e1175 = function_1(_e1164, array<u32, 2>(_e1169, _e1173));
-                                                                let _e1178 = (((6u * _e729.x) + 3u) + _e1063);
-                                                                let _e1181 = keys.member[(2u * _e1178)];
-                                                                let _e1185 = keys.member[((2u * _e1178) + 1u)];
-                                                                let _e1189 = (((6u * _e729.y) + 3u) + _e1063);
-                                                                let _e1192 = keys.member[(2u * _e1189)];
-                                                                let _e1196 = keys.member[((2u * _e1189) + 1u)];
-                                                                let _e1198 = function_(array<u32, 2>(_e1181, _e1185), array<u32, 2>(_e1192, _e1196));
-                                                                let _e1201 = (((6u * _e729.z) + 3u) + _e1063);
-                                                                let _e1204 = keys.member[(2u * _e1201)];
-                                                                let _e1208 = keys.member[((2u * _e1201) + 1u)];
-                                                                let _e1210 = function_(_e1198, array<u32, 2>(_e1204, _e1208));
-                                                                let _e1221 = select(select(false, (_e1175[0] > _e1210[0]), (_e1175[1] == _e1210[1])), true, (_e1175[1] > _e1210[1]));
-                                                                phi_2372_ = select(true, false, _e1221);
-                                                                phi_2373_ = _e1221;
+                                                                let _e1140 = ((6u * _e735.x) + _e1058);
+                                                                let _e1143 = keys.member[(2u * _e1140)];
+                                                                let _e1147 = keys.member[((2u * _e1140) + 1u)];
+                                                                let _e1150 = ((6u * _e735.y) + _e1058);
+                                                                let _e1153 = keys.member[(2u * _e1150)];
+                                                                let _e1157 = keys.member[((2u * _e1150) + 1u)];
+                                                                let _e1159 = function_1(array<u32, 2>(_e1143, _e1147), array<u32, 2>(_e1153, _e1157));
+                                                                let _e1161 = ((6u * _e735.z) + _e1058);
+                                                                let _e1164 = keys.member[(2u * _e1161)];
+                                                                let _e1168 = keys.member[((2u * _e1161) + 1u)];
+                                                                let _e1170 = function_1(_e1159, array<u32, 2>(_e1164, _e1168));
+                                                                let _e1173 = (((6u * _e729.x) + 3u) + _e1058);
+                                                                let _e1176 = keys.member[(2u * _e1173)];
+                                                                let _e1180 = keys.member[((2u * _e1173) + 1u)];
+                                                                let _e1184 = (((6u * _e729.y) + 3u) + _e1058);
+                                                                let _e1187 = keys.member[(2u * _e1184)];
+                                                                let _e1191 = keys.member[((2u * _e1184) + 1u)];
+                                                                let _e1193 = function_(array<u32, 2>(_e1176, _e1180), array<u32, 2>(_e1187, _e1191));
+                                                                let _e1196 = (((6u * _e729.z) + 3u) + _e1058);
+                                                                let _e1199 = keys.member[(2u * _e1196)];
+                                                                let _e1203 = keys.member[((2u * _e1196) + 1u)];
+                                                                let _e1205 = function_(_e1193, array<u32, 2>(_e1199, _e1203));
+                                                                let _e1216 = select(select(false, (_e1170[0] > _e1205[0]), (_e1170[1] == _e1205[1])), true, (_e1170[1] > _e1205[1]));
+                                                                phi_2365_ = select(true, false, _e1216);
+                                                                phi_2366_ = _e1216;
                                                             }
-                                                            let _e1224 = phi_2372_;
-                                                            let _e1226 = phi_2373_;
-                                                            phi_2374_ = _e1224;
-                                                            phi_2375_ = _e1143;
-                                                            phi_2376_ = _e1226;
+                                                            let _e1219 = phi_2365_;
+                                                            let _e1221 = phi_2366_;
+                                                            phi_2367_ = _e1219;
+                                                            phi_2368_ = _e1138;
+                                                            phi_2369_ = _e1221;
                                                         } else {
-                                                            phi_2374_ = false;
-                                                            phi_2375_ = false;
-                                                            phi_2376_ = false;
+                                                            phi_2367_ = false;
+                                                            phi_2368_ = false;
+                                                            phi_2369_ = false;
                                                         }
-                                                        let _e1228 = phi_2374_;
-                                                        let _e1230 = phi_2375_;
-                                                        let _e1232 = phi_2376_;
-                                                        local_4 = _e1230;
-                                                        local_5 = _e1232;
-                                                        local_6 = _e1230;
+                                                        let _e1223 = phi_2367_;
+                                                        let _e1225 = phi_2368_;
+                                                        let _e1227 = phi_2369_;
+                                                        local_4 = _e1225;
+                                                        local_5 = _e1227;
+                                                        local_6 = _e1225;
                                                         continue;
                                                         continuing {
-                                                            phi_1925_ = type_9(select(_e1049.member, (_e1049.member + 1u), _e1052), select(_e1049.member_1, _e1049.member_1, _e1052));
-                                                            break if !(_e1228);
+                                                            phi_1918_ = type_9(select(_e1044.member, (_e1044.member + 1u), _e1047), select(_e1044.member_1, _e1044.member_1, _e1047));
+                                                            break if !(_e1223);
                                                         }
                                                     }
-                                                    let _e1235 = local_4;
-                                                    let _e1237 = local_5;
-                                                    let _e1240 = local_6;
-                                                    phi_2393_ = select(false, true, select(true, false, select(_e1240, true, select(_e1237, false, _e1235))));
+                                                    let _e1230 = local_4;
+                                                    let _e1232 = local_5;
+                                                    let _e1235 = local_6;
+                                                    phi_2386_ = select(false, true, select(true, false, select(_e1235, true, select(_e1232, false, _e1230))));
                                                 }
-                                                let _e1245 = phi_2393_;
-                                                phi_2394_ = _e1245;
-                                                phi_2395_ = _e1047;
+                                                let _e1240 = phi_2386_;
+                                                phi_2387_ = _e1240;
+                                                phi_2388_ = _e1042;
                                             } else {
-                                                phi_2394_ = bool();
-                                                phi_2395_ = true;
+                                                phi_2387_ = bool();
+                                                phi_2388_ = true;
                                             }
-                                            let _e1247 = phi_2394_;
-                                            let _e1249 = phi_2395_;
-                                            phi_2400_ = _e1247;
-                                            phi_2401_ = select(true, false, _e1249);
+                                            let _e1242 = phi_2387_;
+                                            let _e1244 = phi_2388_;
+                                            phi_2393_ = _e1242;
+                                            phi_2394_ = select(true, false, _e1244);
                                         } else {
-                                            phi_2400_ = false;
-                                            phi_2401_ = true;
+                                            phi_2393_ = false;
+                                            phi_2394_ = true;
                                         }
-                                        let _e1252 = phi_2400_;
-                                        let _e1254 = phi_2401_;
-                                        phi_2402_ = _e1252;
-                                        phi_2403_ = _e1254;
+                                        let _e1247 = phi_2393_;
+                                        let _e1249 = phi_2394_;
+                                        phi_2395_ = _e1247;
+                                        phi_2396_ = _e1249;
                                     }
-                                    let _e1256 = phi_2402_;
-                                    let _e1258 = phi_2403_;
-                                    let _e1259 = select(true, _e1256, _e1258);
-                                    if _e1259 {
+                                    let _e1251 = phi_2395_;
+                                    let _e1253 = phi_2396_;
+                                    let _e1254 = select(true, _e1251, _e1253);
+                                    if _e1254 {
                                     } else {
-                                        let _e1261 = atomicAdd((&counters[7u]), 4294967295u);
+                                        let _e1256 = atomicAdd((&counters[7u]), 4294967295u);
                                     }
-                                    phi_2424_ = select(_e536, select(_e536, (_e536 | (1u << bitcast<u32>((_e550 & 31u)))), _e668), _e1259);
+                                    phi_2417_ = select(_e536, select(_e536, (_e536 | (1u << bitcast<u32>((_e550 & 31u)))), _e668), _e1254);
                                 } else {
-                                    phi_2424_ = _e536;
+                                    phi_2417_ = _e536;
                                 }
-                                let _e1269 = phi_2424_;
-                                phi_2425_ = _e1269;
-                                phi_2426_ = true;
+                                let _e1264 = phi_2417_;
+                                phi_2418_ = _e1264;
+                                phi_2419_ = true;
                             }
-                            let _e1271 = phi_2425_;
-                            let _e1273 = phi_2426_;
-                            phi_1063_ = _e1271;
-                            phi_2427_ = _e1273;
+                            let _e1266 = phi_2418_;
+                            let _e1268 = phi_2419_;
+                            phi_1063_ = _e1266;
+                            phi_2420_ = _e1268;
                         } else {
                             phi_1063_ = u32();
-                            phi_2427_ = false;
+                            phi_2420_ = false;
                         }
-                        let _e1275 = phi_1063_;
-                        let _e1277 = phi_2427_;
+                        let _e1270 = phi_1063_;
+                        let _e1272 = phi_2420_;
                         continue;
                         continuing {
                             phi_1059_ = type_9(select(_e534.member, (_e534.member + 1u), _e539), select(_e534.member_1, _e534.member_1, _e539));
-                            phi_1062_ = _e1275;
-                            break if !(_e1277);
+                            phi_1062_ = _e1270;
+                            break if !(_e1272);
                         }
                     }
-                    let _e1281 = params.member.member_1.member_3;
-                    let _e1283 = local_7;
-                    let _e1286 = atomicAdd((&counters[5u]), countOneBits(_e1283));
+                    let _e1276 = params.member.member_1.member_3;
+                    let _e1278 = local_7;
+                    let _e1281 = atomicAdd((&counters[5u]), countOneBits(_e1278));
                     workgroupBarrier();
                     if (_e57 == 0u) {
-                        let _e1289 = atomicLoad((&counters[5u]));
-                        if (_e1289 > 0u) {
-                            let _e1293 = params.member.member.member_1;
-                            if ((_e1293 & 1024u) != 0u) {
-                                let _e1303 = atomicAdd((&output.member[0u]), _e1289);
-                                let _e1304 = (_e1303 + _e1289);
-                                let _e1306 = select(_e1304, 4294967295u, (_e1304 < _e1303));
-                                let _e1309 = params.member.member_1.member_3;
-                                if (_e1306 > _e1309) {
-                                    let _e1312 = atomicMax((&output.member[2u]), _e1306);
+                        let _e1284 = atomicLoad((&counters[5u]));
+                        if (_e1284 > 0u) {
+                            let _e1288 = params.member.member.member_1;
+                            if ((_e1288 & 1024u) != 0u) {
+                                let _e1298 = atomicAdd((&output.member[0u]), _e1284);
+                                let _e1299 = (_e1298 + _e1284);
+                                let _e1301 = select(_e1299, 4294967295u, (_e1299 < _e1298));
+                                let _e1304 = params.member.member_1.member_3;
+                                if (_e1301 > _e1304) {
+                                    let _e1307 = atomicMax((&output.member[2u]), _e1301);
                                 }
-                                phi_2486_ = _e1303;
+                                phi_2479_ = _e1298;
                             } else {
-                                let _e1297 = atomicAdd((&output.member[0u]), _e1289);
-                                if ((_e1297 + _e1289) < _e1297) {
-                                    let _e1301 = atomicAdd((&output.member[2u]), 1u);
+                                let _e1292 = atomicAdd((&output.member[0u]), _e1284);
+                                if ((_e1292 + _e1284) < _e1292) {
+                                    let _e1296 = atomicAdd((&output.member[2u]), 1u);
                                 }
-                                phi_2486_ = _e1297;
+                                phi_2479_ = _e1292;
                             }
-                            let _e1314 = phi_2486_;
-                            atomicStore((&counters[6u]), _e1314);
+                            let _e1309 = phi_2479_;
+                            atomicStore((&counters[6u]), _e1309);
                         }
                         atomicStore((&counters[5u]), 0u);
                     }
                     workgroupBarrier();
-                    let _e1318 = atomicLoad((&counters[6u]));
-                    let _e1320 = (_e532 / 128u);
-                    phi_2510_ = type_9(0u, select(_e1320, (_e1320 + 1u), ((_e532 % 128u) > 0u)));
-                    phi_2513_ = (_e1286 + _e1318);
+                    let _e1313 = atomicLoad((&counters[6u]));
+                    let _e1315 = (_e532 / 128u);
+                    phi_2503_ = type_9(0u, select(_e1315, (_e1315 + 1u), ((_e532 % 128u) > 0u)));
+                    phi_2506_ = (_e1281 + _e1313);
                     loop {
-                        let _e1327 = phi_2510_;
-                        let _e1329 = phi_2513_;
-                        let _e1332 = (_e1327.member < _e1327.member_1);
-                        let _e1343 = select(type_9().member_1, _e1327.member, _e1332);
-                        let _e1345 = (bitcast<i32>(select(0u, 1u, _e1332)) != 0i);
-                        if _e1345 {
-                            let _e1348 = local_8;
-                            if (((_e1348 >> bitcast<u32>((_e1343 & 31u))) & 1u) == 1u) {
-                                let _e1356 = hits[(_e57 + (_e1343 * 128u))];
-                                let _e1359 = rows[(_e1356 / 4096u)];
-                                let _e1365 = names[(_e1356 % 128u)];
-                                let _e1367 = leaves.member[(_e1359 + ((_e1356 / 128u) % 32u))];
-                                let _e1370 = leaves.member[_e1365];
+                        let _e1322 = phi_2503_;
+                        let _e1324 = phi_2506_;
+                        let _e1327 = (_e1322.member < _e1322.member_1);
+                        let _e1338 = select(type_9().member_1, _e1322.member, _e1327);
+                        let _e1340 = (bitcast<i32>(select(0u, 1u, _e1327)) != 0i);
+                        if _e1340 {
+                            let _e1343 = local_8;
+                            if (((_e1343 >> bitcast<u32>((_e1338 & 31u))) & 1u) == 1u) {
+                                let _e1351 = hits[(_e57 + (_e1338 * 128u))];
+                                let _e1354 = rows[(_e1351 / 4096u)];
+                                let _e1360 = names[(_e1351 % 128u)];
+                                let _e1362 = leaves.member[(_e1354 + ((_e1351 / 128u) % 32u))];
+                                let _e1365 = leaves.member[_e1360];
                                 if (_e134 == 1u) {
-                                    let _e1374 = (_e1367.w < _e1370.w);
-                                    phi_2602_ = type_9(select(_e1370.w, _e1367.w, _e1374), select(_e1367.w, _e1370.w, _e1374));
+                                    let _e1369 = (_e1362.w < _e1365.w);
+                                    phi_2595_ = type_9(select(_e1365.w, _e1362.w, _e1369), select(_e1362.w, _e1365.w, _e1369));
                                 } else {
-                                    phi_2602_ = type_9(_e1367.w, _e1370.w);
+                                    phi_2595_ = type_9(_e1362.w, _e1365.w);
                                 }
-                                let _e1379 = phi_2602_;
-                                if (_e1329 < _e1281) {
-                                    let _e1383 = (2u * _e1329);
-                                    atomicStore((&output.member[(4u + _e1383)]), _e1379.member);
-                                    atomicStore((&output.member[(_e1383 + 5u)]), _e1379.member_1);
+                                let _e1374 = phi_2595_;
+                                if (_e1324 < _e1276) {
+                                    let _e1378 = (2u * _e1324);
+                                    atomicStore((&output.member[(4u + _e1378)]), _e1374.member);
+                                    atomicStore((&output.member[(_e1378 + 5u)]), _e1374.member_1);
                                 }
-                                phi_2617_ = (_e1329 + 1u);
+                                phi_2610_ = (_e1324 + 1u);
                             } else {
-                                phi_2617_ = _e1329;
+                                phi_2610_ = _e1324;
                             }
-                            let _e1390 = phi_2617_;
-                            phi_2514_ = _e1390;
+                            let _e1385 = phi_2610_;
+                            phi_2507_ = _e1385;
                         } else {
-                            phi_2514_ = u32();
+                            phi_2507_ = u32();
                         }
-                        let _e1392 = phi_2514_;
+                        let _e1387 = phi_2507_;
                         continue;
                         continuing {
-                            phi_2510_ = type_9(select(_e1327.member, (_e1327.member + 1u), _e1332), select(_e1327.member_1, _e1327.member_1, _e1332));
-                            phi_2513_ = _e1392;
-                            break if !(_e1345);
+                            phi_2503_ = type_9(select(_e1322.member, (_e1322.member + 1u), _e1327), select(_e1322.member_1, _e1322.member_1, _e1327));
+                            phi_2506_ = _e1387;
+                            break if !(_e1340);
                         }
                     }
                     workgroupBarrier();
@@ -848,19 +841,19 @@ fn function_2(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         } else {
             phi_346_ = u32();
         }
-        let _e1396 = phi_346_;
+        let _e1391 = phi_346_;
         continue;
         continuing {
-            phi_345_ = _e1396;
+            phi_345_ = _e1391;
             break if !(_e154);
         }
     }
     if (_e57 == 0u) {
-        let _e1400 = atomicLoad((&counters[7u]));
-        if (_e1400 > 0u) {
-            let _e1403 = atomicAdd((&output.member[1u]), _e1400);
-            if ((_e1403 + _e1400) < _e1403) {
-                let _e1407 = atomicAdd((&output.member[3u]), 1u);
+        let _e1395 = atomicLoad((&counters[7u]));
+        if (_e1395 > 0u) {
+            let _e1398 = atomicAdd((&output.member[1u]), _e1395);
+            if ((_e1398 + _e1395) < _e1398) {
+                let _e1402 = atomicAdd((&output.member[3u]), 1u);
             }
         }
     }

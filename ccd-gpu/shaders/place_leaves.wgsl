@@ -67,11 +67,10 @@ var<storage> order: type_10;
 var<storage, read_write> leaves: type_18;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_93_: u32;
-    var phi_229_: array<u32, 3>;
-    var phi_231_: type_16;
-    var phi_232_: type_16;
-    var phi_233_: type_16;
+    var phi_92_: u32;
+    var phi_220_: array<u32, 3>;
+    var phi_222_: type_16;
+    var phi_223_: type_16;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -87,12 +86,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     if (_e27 < _e32) {
         let _e38 = params.member.member_2.member[0u][2u];
         if (_e27 >= _e38) {
-            phi_93_ = 2u;
+            phi_92_ = 2u;
         } else {
             let _e41 = params.member.member_2.member[0u][1u];
-            phi_93_ = select(0u, 1u, (_e27 >= _e41));
+            phi_92_ = select(0u, 1u, (_e27 >= _e41));
         }
-        let _e45 = phi_93_;
+        let _e45 = phi_92_;
         let _e50 = params.member.member_2.member[0u][_e45];
         let _e51 = (_e27 - _e50);
         let _e55 = params.member.member.member[_e45];
@@ -102,41 +101,34 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e67 = params.member.member.member_2[_e45];
             let _e68 = (_e63 - _e67);
             let _e72 = type_16(array<u32, 3>(_e68, _e68, _e68), type_16(array<u32, 3>(0u, 0u, 0u), _e68).member_1);
-            let _e75 = params.member.member.member_1;
-            if ((_e75 & 1u) != 0u) {
-                if (_e45 > 0u) {
-                    let _e82 = params.member.member.member_2[1u];
-                    let _e83 = (_e63 - _e82);
-                    let _e87 = params.member.member.member[1u];
-                    if (_e83 < _e87) {
-                        let _e102 = (2u * _e83);
-                        let _e104 = elements.member[_e102];
-                        let _e107 = elements.member[(_e102 + 1u)];
-                        phi_229_ = array<u32, 3>(_e104, _e107, _e107);
-                    } else {
-                        let _e92 = ((2u * _e87) + (3u * (_e83 - _e87)));
-                        let _e94 = elements.member[_e92];
-                        let _e97 = elements.member[(_e92 + 1u)];
-                        let _e100 = elements.member[(_e92 + 2u)];
-                        phi_229_ = array<u32, 3>(_e94, _e97, _e100);
-                    }
-                    let _e110 = phi_229_;
-                    phi_231_ = type_16(_e110, _e72.member_1);
+            if (_e45 > 0u) {
+                let _e77 = params.member.member.member_2[1u];
+                let _e78 = (_e63 - _e77);
+                let _e82 = params.member.member.member[1u];
+                if (_e78 < _e82) {
+                    let _e97 = (2u * _e78);
+                    let _e99 = elements.member[_e97];
+                    let _e102 = elements.member[(_e97 + 1u)];
+                    phi_220_ = array<u32, 3>(_e99, _e102, _e102);
                 } else {
-                    phi_231_ = _e72;
+                    let _e87 = ((2u * _e82) + (3u * (_e78 - _e82)));
+                    let _e89 = elements.member[_e87];
+                    let _e92 = elements.member[(_e87 + 1u)];
+                    let _e95 = elements.member[(_e87 + 2u)];
+                    phi_220_ = array<u32, 3>(_e89, _e92, _e95);
                 }
-                let _e114 = phi_231_;
-                phi_232_ = _e114;
+                let _e105 = phi_220_;
+                phi_222_ = type_16(_e105, _e72.member_1);
             } else {
-                phi_232_ = _e72;
+                phi_222_ = _e72;
             }
-            let _e116 = phi_232_;
-            phi_233_ = _e116;
+            let _e109 = phi_222_;
+            phi_223_ = _e109;
         } else {
-            phi_233_ = type_16(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+            phi_223_ = type_16(array<u32, 3>(0u, 0u, 0u), 4294967295u);
         }
-        let _e118 = phi_233_;
-        leaves.member[_e27] = vec4<u32>(_e118.member[0], _e118.member[1], _e118.member[2], _e118.member_1);
+        let _e111 = phi_223_;
+        leaves.member[_e27] = vec4<u32>(_e111.member[0], _e111.member[1], _e111.member[2], _e111.member_1);
     }
     return;
 }

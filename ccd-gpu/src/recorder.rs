@@ -268,7 +268,7 @@ impl Recorder<'_> {
         self.dispatch(kernel, params, n.div_ceil(K::ID.threads()));
     }
 
-    /// Runs a kernel with `groups` workgroups.
+    /// Runs a kernel with `groups` workgroups, by subgroups if it can and the device has them.
     pub fn dispatch<'b, K: Bind<&'b wgpu::Buffer>>(
         &mut self,
         kernel: &K,
@@ -276,7 +276,9 @@ impl Recorder<'_> {
         groups: u32,
     ) {
         let buffers: Vec<&wgpu::Buffer> = kernel.buffers().into_iter().copied().collect();
-        self.run(K::ID, params.parts(), &buffers, groups);
+        let by_subgroups = self.bench.device.info().subgroups;
+        let id = if by_subgroups { K::ID.of_subgroups() } else { K::ID };
+        self.run(id, params.parts(), &buffers, groups);
     }
 
     /// The same, over trees of oriented boxes if there are some.

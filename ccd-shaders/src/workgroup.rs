@@ -10,7 +10,8 @@ use ccd_core::backend::layout::{Dispatch, Frame, LIST_HEADER, Pair, Params};
 use core::marker::PhantomData;
 use spirv_std::arch::{
     IndexUnchecked, atomic_compare_exchange, atomic_i_add, atomic_load, atomic_or, atomic_store,
-    atomic_u_max, atomic_u_min, control_barrier,
+    atomic_u_max, atomic_u_min, control_barrier, subgroup_ballot, subgroup_broadcast_first,
+    subgroup_exclusive_i_add, subgroup_i_add,
 };
 use spirv_std::glam::UVec3;
 use spirv_std::memory::{Scope, Semantics};
@@ -61,6 +62,17 @@ pub fn reserve<A>(list: &mut [u32], n: u32, params: &Params<A>) -> u32 {
         raise(list, 2, wanted);
     }
     first
+}
+
+/// The same for each thread of a subgroup of 32 threads. `child`: its number there.
+#[inline(always)]
+pub fn reserve_by_subgroup<A>(list: &mut [u32], n: u32, child: u32, params: &Params<A>) -> u32 {
+    if subgroup_ballot(n != 0).x == 0 {
+        return 0;
+    }
+    let all = subgroup_i_add(n);
+    let first = if child == 0 { reserve(list, all, params) } else { 0 };
+    subgroup_broadcast_first(first) + subgroup_exclusive_i_add(n)
 }
 
 /// Raises a word of a buffer.

@@ -7,8 +7,8 @@ use crate::support::{
 use crate::twin::union;
 use ccd::Aabb;
 use ccd::gpu::bind::{
-    CurveKeys, FitLeaves, FitLevel, HalveRuns, PlaceLeaves, PlaceVertices, SceneBounds, Shorten,
-    SweepElements, SweepVertices,
+    CurveKeys, FitBoxes, FitLeaves, FitLevel, HalveRuns, PlaceLeaves, PlaceVertices, SceneBounds,
+    Shorten, SweepElements, SweepVertices,
 };
 use ccd::gpu::{Device, harness};
 use ccd_core::backend::broad_phase::candidate;
@@ -316,6 +316,13 @@ fn check_fit(device: &Device) {
     }
     let second = slots[2][0] as usize;
     check_boxes("node", &twin.nodes[..second], &read::<Aabb>(&done.nodes)[..second]);
+    let of_boxes = FitBoxes {
+        boxes: bytes(&twin.boxes),
+        order: bytes(&twin.order),
+        nodes: bytes(&vec![Aabb::EMPTY; twin.nodes.len()]),
+    };
+    let of_boxes = run(device, of_boxes, &p, n).nodes;
+    check_boxes("node of boxes", &twin.nodes[..second], &read::<Aabb>(&of_boxes)[..second]);
     let p = Params { args: Blocks { level: 1, ..twin.tree }, ..p };
     let done =
         run(device, FitLevel { nodes: done.nodes }, &p, (slots[1][3] - slots[1][0]).div_ceil(256));

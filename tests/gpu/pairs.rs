@@ -5,7 +5,9 @@ use crate::emulated::methods;
 use crate::scenes::check_pairs;
 use crate::support::{bytes, capacity, entries, list, paths, read, run, twin};
 use crate::twin::Twin;
-use ccd::gpu::bind::{FilterPairs, ListCandidates, ListWanted, NodePairs};
+use ccd::gpu::bind::{
+    FilterPairs, ListCandidates, ListOverlaps, ListOverlapsBySubgroups, ListWanted, NodePairs,
+};
 use ccd::gpu::{BroadPhase, Device};
 use ccd::method::BroadPhaseMethod;
 use ccd::{Aabb, Pair, Verdict};
@@ -17,6 +19,7 @@ use ccd_testkit::generate::{Step, uniform_boxes};
 
 pub const TESTS: crate::Tests = &[
     ("node_pairs", check_node_pairs),
+    ("overlaps", check_overlaps),
     ("counts", check_counts),
     ("candidates", check_candidates),
     ("filters", check_filters),
@@ -63,6 +66,53 @@ fn check_node_pairs(device: &Device) {
             read(&run(device, short, &twin.pass(kind, 2, above.len(), 10), 7).output);
         assert_eq!(words[0] as usize, want.len());
         assert!(words[LIST_HEADER + 20..].iter().all(|&w| w == 0), "written beyond the capacity");
+    }
+}
+
+/// Boxes alone, by every kernel that lists those that overlap.
+fn check_overlaps(device: &Device) {
+    // Also of many boxes on one another, and of one block that has a half, and one more than that.
+    let on_each_other = |n: usize| [Aabb { min: [0.0; 3], max: [1.0; 3] }].repeat(n);
+    let of_features = twin(70, 3).0;
+    let of = |n, m, k| {
+        let sets = [n, m, k].map(on_each_other);
+        Twin::new([&sets[0], &sets[1], &sets[2]], |_, i| [i; 3])
+    };
+    for twin in [of_features, of(300, 170, 33), of(1, 16, 1), of(32, 17, 31), of(1, 32, 0)] {
+        for kind in [0, 1] {
+            let boxes = sets(kind).map(|set| {
+                let first = twin.frame.start[set] as usize;
+                &twin.boxes[first..first + twin.frame.count[set] as usize]
+            });
+            let [a, b] = boxes;
+            let want = if kind == 0 { brute::pairs(a, b) } else { brute::self_pairs(b) };
+            let blocks = twin.node_pairs(1, kind);
+            for (groups, room) in [(1, 200_000), (3, 200_000), (500, 10)] {
+                let kernel = ListOverlaps {
+                    nodes: bytes(&twin.nodes),
+                    order: bytes(&twin.order),
+                    input: list(&blocks),
+                    output: capacity(room.max(20)),
+                };
+                let p = twin.pass(kind, 1, blocks.len(), room);
+                let mut done = vec![run(device, kernel.clone(), &p, groups).output];
+                if device.info().subgroups {
+                    let ListOverlaps { nodes, order, input, output } = kernel;
+                    let kernel = ListOverlapsBySubgroups { nodes, order, input, output };
+                    done.push(run(device, kernel, &p, groups).output);
+                }
+                for output in done {
+                    let words: Vec<u32> = read(&output);
+                    assert_eq!(words[..4], [want.len() as u32, 0, 0, 0]);
+                    if want.len() <= room as usize {
+                        check_pairs("overlaps", want.clone(), entries(&output));
+                    } else {
+                        let behind = &words[LIST_HEADER + 2 * room as usize..];
+                        assert!(behind.iter().all(|&w| w == 0), "written beyond the capacity");
+                    }
+                }
+            }
+        }
     }
 }
 

@@ -120,7 +120,7 @@ pub fn radix_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> (Vec<
     let kernel = BranchBoxes {
         branches: branches.clone(),
         block_nodes: bytes(&twin.nodes),
-        leaves: bytes(&twin.leaves),
+        order: bytes(&twin.order),
         nodes: zeros::<Node>(2 * n as usize - 1),
     };
     (run(device, kernel, &p, groups).nodes, branches)

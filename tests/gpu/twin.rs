@@ -75,7 +75,7 @@ impl Twin {
             row[3] = next;
         }
         let start = [0, count[0], count[0] + count[1], count[0] + count[1] + count[2]];
-        let frame = Frame { count, start, flags: Frame::FLAG_TOPOLOGY, ..Frame::default() };
+        let frame = Frame { count, start, ..Frame::default() };
         let tree = Blocks { slots, kind: 0, level: 0, step: 1, limit: u32::MAX };
         let boxes = sets.concat();
         let keys = keys(&boxes, &start, Curve::Morton);

@@ -93,10 +93,10 @@ impl BinaryTree {
     /// Boxes of all nodes, from those of a block tree that is fitted.
     pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, blocks: &Tree) {
         let Self { branches, nodes, far, n, .. } = self;
-        let (block_nodes, leaves) = (&blocks.nodes, &blocks.leaves);
+        let (block_nodes, [_, order]) = (&blocks.nodes, blocks.sorted());
         let p = self.params(frame, blocks);
         match far {
-            None => recorder.each(&BranchBoxes { branches, block_nodes, leaves, nodes }, &p, *n),
+            None => recorder.each(&BranchBoxes { branches, block_nodes, order, nodes }, &p, *n),
             Some(far) => {
                 recorder.each(&NearNodes { branches, block_nodes, nodes, far }, &p, *n);
                 let groups = blocks.groups.min(n.div_ceil(Id::FarNodes.threads()));

@@ -7,7 +7,7 @@ use super::scheduled::Scheduled;
 use super::scheduler;
 use super::worlds::Worlds;
 use crate::bind::{
-    CurveKeys, FitLeaves, FitLevel, HalveRuns, NodePairs, NodePairsOfWorlds, PlaceLeaves,
+    CurveKeys, FitBoxes, FitLeaves, FitLevel, HalveRuns, NodePairs, NodePairsOfWorlds, PlaceLeaves,
     SceneBounds,
 };
 use crate::device::Device;
@@ -28,17 +28,18 @@ use wgpu::BufferUsages as U;
 pub const DISPATCH_LIMIT: u32 = 1 << 20;
 
 /// Pairs of blocks that one dispatch takes at most: if all boxes of all of them overlap, it looks
-/// at 2^28 pairs, some tenths of a second of a small device; on real scenes a thirtieth of that.
+/// at 2^28 pairs, some tenths of a second of a small device; on real scenes a thirtieth of that. A
+/// discrete GPU takes more at once: each dispatch makes the next one wait for its last workgroup.
 const BLOCK_LIMIT: u32 = 1 << 18;
+const BLOCK_LIMIT_OF_DISCRETE: u32 = 1 << 21;
 
 /// Pairs of nodes that a workgroup takes at most: each takes a thread up to a hundred rounds of its
 /// loops, see [`Device::groups`].
 const PAIRS_A_GROUP: u32 = 512;
 
-/// Pairs of blocks that a workgroup takes at most. Four at a time take a thread some 1,300 rounds,
-/// and took 2,100 when this was chosen: if all boxes overlap it has 32 candidates of them, each of
-/// which is looked for among excluded features in up to 32 rounds, in eleven passes of three shares
-/// with rounds of their own.
+/// Pairs of blocks that a workgroup takes at most. Four at a time take a thread some 1,300 rounds:
+/// if all boxes overlap it has 32 candidates of them, each of which is looked for among excluded
+/// features in up to 32 rounds, in eleven passes of three shares with rounds of their own.
 const BLOCK_PAIRS_A_GROUP: u32 = 96;
 
 /// What nodes are fitted to besides boxes.
@@ -48,13 +49,6 @@ pub struct Features<'a> {
     pub paths: &'a wgpu::Buffer,
     /// Whether leaves are to have boxes at both ends of paths.
     pub ends: bool,
-}
-
-impl<'a> Features<'a> {
-    /// Of boxes alone: no bodies and no paths, so that any buffer does for them.
-    pub fn none(any: &'a wgpu::Buffer) -> Self {
-        Self { bodies: any, paths: any, ends: false }
-    }
 }
 
 /// A pass over a list of pairs of nodes.
@@ -81,11 +75,11 @@ pub struct Tree {
     pub leaves: wgpu::Buffer,
     bounds: wgpu::Buffer,
     curve: Curve,
-    /// Whether the order is mostly kept for many steps: then the best is worth its time.
-    is_kept: bool,
     sort: Sort,
     /// Most workgroups of a kernel that loops over a list.
     pub groups: u32,
+    /// Most pairs of blocks of a dispatch.
+    block_limit: u32,
     /// By kind: all pairs of nodes where the descent starts.
     start: [List; 2],
     /// By kind and level below the start: pairs of nodes; where workers descend, those of blocks
@@ -101,7 +95,8 @@ pub struct Tree {
 
 impl Tree {
     /// For these numbers of boxes, with the buffers of another tree as far as they are large
-    /// enough. That one may be used again, if this fails. `of_paths`: boxes are those of paths.
+    /// enough. That one may be used again, if this fails. `of_paths`: boxes are those of features
+    /// and their paths, which leaves stand for.
     pub fn new(
         device: &Device,
         scheduling: Scheduling,
@@ -185,17 +180,17 @@ impl Tree {
             leaves: device.buffer_or(
                 old.map(|old| &old.leaves),
                 "leaves",
-                levels.padded(0) as u64 * size_of::<Leaf>() as u64,
+                if of_paths { levels.padded(0) as u64 } else { 1 } * size_of::<Leaf>() as u64,
                 U::STORAGE,
             )?,
             bounds: device.buffer("bounds", 32, U::STORAGE | U::COPY_DST)?,
             curve,
-            is_kept: of_paths,
             sort: Sort::new(device, n as u32, old.map(|old| &old.sort))?,
             start: [start(0)?, start(1)?],
             pairs: [Vec::new(), Vec::new()],
             descent: None,
             groups: device.groups(),
+            block_limit: block_limit(device),
             levels,
             nodes,
             worlds: None,
@@ -258,14 +253,28 @@ impl Tree {
         &self.bounds
     }
 
-    /// Leaves in the order of the last sort, or of a builder after it.
+    /// Leaves of features in the order of the last sort, which is kept for many steps: runs of it
+    /// are put in order by halves, where they are all of one world.
     pub fn place(&self, recorder: &mut Recorder, frame: &Frame, elements: &wgpu::Buffer) {
         let (boxes, leaves, [_, order]) = (&self.boxes, &self.leaves, self.sorted());
-        let p = Params { frame: *frame, dispatch: Dispatch::default(), args: self.record() };
-        if self.is_kept && self.worlds.is_none() {
-            recorder.each(&HalveRuns { boxes, order }, &p, self.levels.padded(0));
+        let (p, n) = (self.all(frame), self.levels.padded(0));
+        if self.worlds.is_none() {
+            recorder.each(&HalveRuns { boxes, order }, &p, n);
         }
-        recorder.each(&PlaceLeaves { order, elements, leaves }, &p, self.levels.padded(0));
+        recorder.each(&PlaceLeaves { order, elements, leaves }, &p, n);
+    }
+
+    /// Boxes of all nodes, where boxes are all that there is, in the order of the last sort or of a
+    /// builder after it.
+    pub fn fit_boxes(&self, recorder: &mut Recorder, frame: &Frame) {
+        let (boxes, nodes, [_, order]) = (&self.boxes, &self.nodes, self.sorted());
+        recorder.each(&FitBoxes { boxes, order, nodes }, &self.all(frame), self.levels.padded(0));
+        self.fit_levels(recorder, frame);
+    }
+
+    /// Parameters of a kernel with a thread for each node of a level.
+    fn all(&self, frame: &Frame) -> Params<Blocks> {
+        Params { frame: *frame, dispatch: Dispatch::default(), args: self.record() }
     }
 
     /// Boxes of all nodes over leaves that were placed, and of leaves at both ends of the step if
@@ -280,15 +289,19 @@ impl Tree {
         let flag = ends.map_or(0, |_| Frame::FLAG_ENDS);
         let ends = ends.unwrap_or(&self.bounds);
         let with_ends = Frame { flags: frame.flags | flag, ..*frame };
-        let dispatch = Dispatch::default();
-        let mut p = Params { frame: with_ends, dispatch, args: self.record() };
         let kernel = FitLeaves { boxes, leaves, paths, bodies, nodes, ends };
-        recorder.each(&kernel, &p, self.levels.padded(0));
+        recorder.each(&kernel, &self.all(&with_ends), self.levels.padded(0));
+        self.fit_levels(recorder, &with_ends);
+        with_ends
+    }
+
+    /// Boxes of the nodes from level 2 on.
+    fn fit_levels(&self, recorder: &mut Recorder, frame: &Frame) {
+        let mut p = self.all(frame);
         for level in 1..self.levels.top() {
             p.args.level = level;
-            recorder.each(&FitLevel { nodes }, &p, self.levels.padded(level));
+            recorder.each(&FitLevel { nodes: &self.nodes }, &p, self.levels.padded(level));
         }
-        with_ends
     }
 
     /// Boxes of leaves at both ends; where a frame has none, any buffer.
@@ -352,11 +365,8 @@ impl Tree {
         mut run: impl FnMut(&Params<Blocks>),
     ) {
         let &Pass { kind, level, step, ref range } = pass;
-        let most = if level == 1 {
-            BLOCK_LIMIT.min(self.groups * BLOCK_PAIRS_A_GROUP)
-        } else {
-            DISPATCH_LIMIT.min(self.groups * PAIRS_A_GROUP)
-        };
+        let of_nodes = DISPATCH_LIMIT.min(self.groups * PAIRS_A_GROUP);
+        let most = if level == 1 { self.block_limit } else { of_nodes };
         let (capacity_in, capacity_out) = (input.capacity(), output.capacity());
         let end = range.end.min(capacity_in.div_ceil(step));
         for first in (range.start..end).step_by(most as usize) {
@@ -365,5 +375,13 @@ impl Tree {
             let dispatch = Dispatch { n: 0, first: first * step, capacity_in, capacity_out };
             run(&Params { frame: *frame, dispatch, args });
         }
+    }
+}
+
+/// Pairs of blocks that one dispatch takes at most.
+fn block_limit(device: &Device) -> u32 {
+    match device.info().adapter.device_type {
+        wgpu::DeviceType::DiscreteGpu => BLOCK_LIMIT_OF_DISCRETE,
+        _ => BLOCK_LIMIT.min(device.groups() * BLOCK_PAIRS_A_GROUP),
     }
 }

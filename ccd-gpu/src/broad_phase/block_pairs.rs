@@ -1,9 +1,9 @@
 //! Blocks as a source that lists pairs: sort, fit, descent, and the boxes of each pair of blocks.
 
-use super::block_bvh::{ALL, Features, Pass, Tree};
+use super::block_bvh::{ALL, Pass, Tree};
 use super::pair_source::{PairSource, Search};
 use super::scheduled::Scheduled;
-use crate::bind::{ListCandidates, ListWanted};
+use crate::bind::{ListCandidates, ListOverlaps, ListWanted};
 use crate::growable_list::{Header, List};
 use crate::recorder::Recorder;
 use ccd_core::backend::layout::Frame;
@@ -47,23 +47,26 @@ impl PairSource for Tree {
     }
 
     fn find(&self, recorder: &mut Recorder, search: &Search) {
-        // Boxes alone: no topology, no bodies, so that any buffer does for them.
-        let (frame, none) = (&Frame { flags: 0, ..*search.frame }, self.bounds());
+        // Boxes alone: no topology, no bodies.
+        let frame = &Frame { flags: 0, ..*search.frame };
         if !search.keeps_order {
             recorder.stage("codes");
             self.sort(recorder, frame, search.n_bounding);
         }
         recorder.stage("build");
-        if !search.keeps_order {
-            self.place(recorder, frame, none);
-        }
-        self.fit(recorder, frame, Features::none(&self.boxes));
+        self.fit_boxes(recorder, frame);
         recorder.stage("block pairs");
         self.descend(recorder, frame, search.kinds, search.keeps_order);
         recorder.stage("pairs");
         for &kind in search.kinds {
             let pass = Pass { kind, level: 1, step: 1, range: ALL };
-            self.list(recorder, frame, &pass, [none, none], search.pairs[kind as usize]);
+            let (pairs, list) = (self.block_pairs(kind as usize), search.pairs[kind as usize]);
+            let (nodes, [_, order]) = (&self.nodes, self.sorted());
+            let (input, output) = (pairs.buffer(), list.buffer());
+            self.each_part(frame, &pass, pairs, list, |p| {
+                let kernel = ListOverlaps { nodes, order, input, output };
+                recorder.dispatch(&kernel, p, self.groups.min(pairs.capacity()));
+            });
         }
     }
 

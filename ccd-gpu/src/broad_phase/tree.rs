@@ -6,7 +6,7 @@
 //! of a device is slow, so that `simultaneous` is a CPU's.
 
 use super::binary_tree::BinaryTree;
-use super::block_bvh::{Features, Tree};
+use super::block_bvh::Tree;
 use super::builder;
 use super::oriented::OrientedBoxes;
 use super::pair_descent::PairDescent;
@@ -146,10 +146,7 @@ impl PairSource for TreeSource {
             trees.iter().flatten().for_each(|tree| tree.branch(recorder, frame, blocks));
         }
         recorder.stage("build");
-        if !search.keeps_order {
-            blocks.place(recorder, frame, blocks.bounds());
-        }
-        blocks.fit(recorder, frame, Features::none(&blocks.boxes));
+        blocks.fit_boxes(recorder, frame);
         recorder.stage("nodes");
         trees.iter().flatten().for_each(|tree| tree.fit(recorder, frame, blocks));
         if let Some(oriented) = &self.oriented {

@@ -197,7 +197,7 @@ impl Buffers {
     /// What a frame says to all kernels. `window`: the times that matter.
     pub fn describe(&self, options: &Options, window: [f64; 2]) -> Frame {
         let mut frame = frame_of(self.count);
-        frame.flags |= Frame::FLAG_TOPOLOGY | self.body_flags;
+        frame.flags |= self.body_flags;
         self.positions.describe(&mut frame, options.min_distance);
         frame.searching(&options.search(window))
     }

@@ -9,7 +9,7 @@ use ccd_core::backend::broad_phase::radix_tree;
 use ccd_core::backend::broad_phase::wide_nodes::{self as wide, TILE};
 use ccd_core::backend::kernel::Id;
 use ccd_core::backend::kernel::memory::{at, put};
-use ccd_core::backend::layout::{Branch, LIST_HEADER, Leaf, Node};
+use ccd_core::backend::layout::{Branch, LIST_HEADER, Node};
 use spirv_std::glam::UVec4;
 
 /// Threads of a workgroup of the far nodes.
@@ -17,7 +17,7 @@ const FAR: u32 = Id::FarNodes.threads();
 
 kernel! {
     /// Thread `i` boxes internal node `i` of the tree over set `args.kind`, and writes leaf `i`.
-    branch_boxes[256](t; params: Blocks;; branches: [Branch], block_nodes: [Aabb], leaves: [Leaf],
+    branch_boxes[256](t; params: Blocks;; branches: [Branch], block_nodes: [Aabb], order: [u32],
         mut nodes: [Node]) {
         let i = t.i;
         let set = params.args.kind as usize;
@@ -34,10 +34,12 @@ kernel! {
         if i < n_leaves {
             let slot = block_bvh::slot(&params.args, 0, set, i);
             let b = at(block_nodes, slot);
+            let first = params.frame.start[set];
+            let id = at(order, (first + i) as usize) - first;
             put(
                 nodes,
                 (n_leaves - 1 + i) as usize,
-                Node { min: b.min, left: at(leaves, slot).id, max: b.max, right: Node::LEAF },
+                Node { min: b.min, left: id, max: b.max, right: Node::LEAF },
             );
         }
     }

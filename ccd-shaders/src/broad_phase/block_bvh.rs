@@ -42,7 +42,7 @@ kernel! {
                 let at_box = at(order, (frame.start[set] + k) as usize);
                 leaf.id = at_box - frame.start[set];
                 leaf.vertices = [leaf.id; 3];
-                if frame.has(Frame::FLAG_TOPOLOGY) && set > 0 {
+                if set > 0 {
                     let element = at_box - frame.start[1];
                     leaf.vertices = elements::vertices(element, frame.count[1], elements);
                 }
@@ -55,8 +55,7 @@ kernel! {
 kernel! {
     /// Boxes of leaves, with `FLAG_ENDS` also those at both ends of the step, and of the nodes
     /// above. Thread `i` owns leaf `i` of all sets; the first thread of 32 their node. A leaf is
-    /// the box of its vertices, with `FLAG_SWEPT` of their paths, or without topology a box of its
-    /// own.
+    /// the box of its vertices, with `FLAG_SWEPT` of their paths.
     fit_leaves[256](t; params: Blocks; shared: [Aabb; 256]; boxes: [BoxWords], leaves: [UVec4],
         paths: [PathWords], bodies: [u32], mut nodes: [BoxWords], mut ends: [Vec4]) {
         let i = t.group * 256 + t.lane;
@@ -77,11 +76,9 @@ kernel! {
                 }
             }
             if !of_paths {
-                let of_vertices = params.frame.has(Frame::FLAG_TOPOLOGY);
-                let first = if of_vertices { 0 } else { params.frame.start[set] };
-                aabb = box_at(boxes, (first + leaf.vertices[0]) as usize);
-                if of_vertices && set > 0 {
-                    let [_, b, c] = leaf.vertices;
+                let [a, b, c] = leaf.vertices;
+                aabb = box_at(boxes, a as usize);
+                if set > 0 {
                     aabb =
                         aabb.union(&box_at(boxes, b as usize)).union(&box_at(boxes, c as usize));
                 }
@@ -98,6 +95,29 @@ kernel! {
             put(nodes, i as usize, BoxWords::of(&aabb));
             if t.lane % 32 == 0 {
                 let k = i - params.args.slots[0][set];
+                put(nodes, slot(&params.args, 1, set, k / 32), BoxWords::of(&node));
+            }
+        }
+    }
+}
+
+kernel! {
+    /// Boxes of leaves that are boxes and nothing else, in sorted order, and of the nodes above.
+    /// Thread `i` owns leaf `i` of all sets; the first thread of 32 their node.
+    fit_boxes[256](t; params: Blocks; shared: [Aabb; 256]; boxes: [BoxWords], order: [u32],
+        mut nodes: [BoxWords]) {
+        let first = params.args.slots[0];
+        let i = t.group * 256 + t.lane;
+        let (active, set) = (i < first[3], set_of(&first, i));
+        let k = i - first[set];
+        let mut aabb = Aabb::EMPTY;
+        if active && k < params.frame.count[set] {
+            aabb = box_at(boxes, at(order, (params.frame.start[set] + k) as usize) as usize);
+        }
+        let node = unite(t.lane, aabb, false, shared);
+        if active {
+            put(nodes, i as usize, BoxWords::of(&aabb));
+            if t.lane % 32 == 0 {
                 put(nodes, slot(&params.args, 1, set, k / 32), BoxWords::of(&node));
             }
         }

@@ -55,7 +55,7 @@ impl<const N: usize> Teams<'_, N> {
             }
             wanted(frame, kind, &a, &b, [&both[0], &both[1]], bodies, keys)
         } else {
-            !are_neighbours(frame, kind, &a, &b)
+            !are_neighbours(kind, &a, &b)
         };
         if !is_wanted {
             add_shared(self.counters, WANTED, u32::MAX);

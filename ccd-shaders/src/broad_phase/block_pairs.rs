@@ -54,10 +54,10 @@ pub(super) struct Teams<'a, const N: usize> {
 #[derive(Clone, Copy)]
 pub(super) struct Places {
     /// First nodes, and their children.
-    nodes: u32,
-    rows: u32,
+    pub(super) nodes: u32,
+    pub(super) rows: u32,
     /// Children of second nodes.
-    columns: u32,
+    pub(super) columns: u32,
 }
 
 impl Places {

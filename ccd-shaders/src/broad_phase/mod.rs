@@ -4,6 +4,7 @@
 pub mod binary_tree;
 pub mod block_bvh;
 pub mod block_candidates;
+pub mod block_overlaps;
 pub mod block_pairs;
 pub mod bounds;
 pub mod builder;

@@ -71,7 +71,7 @@ pub fn wanted(
     keys: &[u32],
 ) -> bool {
     let (p, q) = (&a.vertices, &b.vertices);
-    if are_neighbours(frame, kind, a, b) {
+    if are_neighbours(kind, a, b) {
         return false;
     }
     if frame.has(Frame::FLAG_BODIES) {
@@ -94,16 +94,11 @@ pub fn wanted(
     true
 }
 
-/// Whether two leaves have a common vertex, as far as a frame has a topology.
+/// Whether two leaves have a common vertex.
 #[inline(always)]
-pub fn are_neighbours(frame: &Frame, kind: u32, a: &Leaf, b: &Leaf) -> bool {
+pub fn are_neighbours(kind: u32, a: &Leaf, b: &Leaf) -> bool {
     let (p, q) = (&a.vertices, &b.vertices);
-    frame.has(Frame::FLAG_TOPOLOGY)
-        && if kind == VERTEX_FACE {
-            is_corner(p[0], *q)
-        } else {
-            share_vertex([p[0], p[1]], [q[0], q[1]])
-        }
+    if kind == VERTEX_FACE { is_corner(p[0], *q) } else { share_vertex([p[0], p[1]], [q[0], q[1]]) }
 }
 
 /// Whether the exact boxes of two features overlap. A loop, not three times its code: few pairs

@@ -91,6 +91,15 @@ impl Id {
         }
     }
 
+    /// The kernel that does the same with the same buffers and workgroups by subgroups of 32
+    /// threads; itself where there is none.
+    pub const fn of_subgroups(self) -> Self {
+        match self {
+            Id::ListOverlaps => Id::ListOverlapsBySubgroups,
+            _ => self,
+        }
+    }
+
     /// Whether it runs on the native path alone: workgroups pass data to each other inside a
     /// dispatch, by acquire and release at the scope of the device, which WGSL does not have, or it
     /// is one [by subgroups](Self::by_subgroups).
@@ -101,6 +110,6 @@ impl Id {
 
     /// Whether it runs where subgroups have 32 threads and no others: by ballots.
     pub const fn by_subgroups(self) -> bool {
-        matches!(self, Id::SortScatterBySubgroups)
+        matches!(self, Id::SortScatterBySubgroups | Id::ListOverlapsBySubgroups)
     }
 }

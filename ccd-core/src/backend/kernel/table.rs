@@ -52,6 +52,9 @@ macro_rules! kernels {
             FitLeaves = fit_leaves(256 threads, 1 barriers, f32, Params<Blocks>)
                 { boxes: Read, leaves: Read, paths: Read, bodies: Read,
                   nodes: Write, ends: Write }
+            /// The same of boxes alone.
+            FitBoxes = fit_boxes(256 threads, 1 barriers, f32, Params<Blocks>)
+                { boxes: Read, order: Read, nodes: Write }
             /// Nodes of the next level.
             FitLevel = fit_level(256 threads, 1 barriers, f32, Params<Blocks>)
                 { nodes: Write }
@@ -83,6 +86,13 @@ macro_rules! kernels {
             /// Pairs of nodes to pairs of their children that have a world in common.
             NodePairsOfWorlds = node_pairs_of_worlds(128 threads, 9 barriers, f32, Params<Blocks>)
                 { nodes: Read, worlds: Read, input: Read, output: Write }
+            /// Pairs of blocks to pairs of boxes that overlap.
+            ListOverlaps = list_overlaps(128 threads, 5 barriers, f32, Params<Blocks>)
+                { nodes: Read, order: Read, input: Read, output: Write }
+            /// The same by subgroups of 32 threads.
+            ListOverlapsBySubgroups =
+                list_overlaps_by_subgroups(128 threads, 2 barriers, f32, Params<Blocks>)
+                { nodes: Read, order: Read, input: Read, output: Write }
             /// Pairs of blocks to candidates.
             ListCandidates = list_candidates(128 threads, 9 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, ends: Read, input: Read, output: Write }
@@ -206,7 +216,7 @@ macro_rules! kernels {
                 { joins: Read, order: Read, ordered: Write, branches: Write }
             /// The same with their boxes, and leaves: for pairs of nodes.
             BranchBoxes = branch_boxes(256 threads, 0 barriers, f32, Params<Blocks>)
-                { branches: Read, block_nodes: Read, leaves: Read, nodes: Write }
+                { branches: Read, block_nodes: Read, order: Read, nodes: Write }
             /// Oriented boxes of nodes whose leaves are near; a list of the others.
             OrientNear = orient_near(256 threads, 5 barriers, f32, Params<Blocks>)
                 { branches: Read, block_nodes: Read, oriented: Write, stamps: Write, far: Write }

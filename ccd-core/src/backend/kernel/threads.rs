@@ -25,5 +25,7 @@ const _: () = assert!(Id::StealBlockPairs.threads() == pair_workers::THREADS);
 const _: () = assert!(Id::HalveRuns.threads() == halves::RUN);
 const _: () = assert!(Id::NodePairs.threads() == block_bvh::THREADS);
 const _: () = assert!(Id::NodePairsOfWorlds.threads() == block_bvh::THREADS);
+const _: () = assert!(Id::ListOverlaps.threads() == block_bvh::THREADS);
+const _: () = assert!(Id::ListOverlapsBySubgroups.threads() == block_bvh::THREADS);
 const _: () = assert!(Id::ListCandidates.threads() == block_bvh::THREADS);
 const _: () = assert!(Id::ListWanted.threads() == block_bvh::THREADS);

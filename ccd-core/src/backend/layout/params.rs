@@ -81,8 +81,6 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Features that share a vertex are no pair.
-    pub const FLAG_TOPOLOGY: u32 = 1;
     /// Bodies select pairs.
     pub const FLAG_BODIES: u32 = 2;
     /// There is a table of rules, see [`pair_rules`](crate::broad_phase::pair_rules).
