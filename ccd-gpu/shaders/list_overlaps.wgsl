@@ -109,7 +109,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_770_: u32;
     var phi_794_: u32;
     var phi_797_: u32;
-    var phi_843_: type_9;
+    var phi_846_: type_9;
     var phi_795_: u32;
     var phi_798_: u32;
     var phi_861_: bool;
@@ -324,19 +324,19 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e487 = names[(_e111 + select(firstTrailingBit(_e480), 32u, (_e480 == 0u)))];
                         let _e492 = order.member[(_e125 + _e487)];
                         let _e493 = (_e492 - _e125);
-                        let _e496 = params.member.member_2.member_1;
-                        if (_e496 == 1u) {
-                            let _e499 = (_e476 < _e493);
-                            phi_843_ = type_9(select(_e493, _e476, _e499), select(_e476, _e493, _e499));
+                        let _e496 = params.member.member_1.member_3;
+                        let _e499 = params.member.member_2.member_1;
+                        if (_e499 == 1u) {
+                            let _e502 = (_e476 < _e493);
+                            phi_846_ = type_9(select(_e493, _e476, _e502), select(_e476, _e493, _e502));
                         } else {
-                            phi_843_ = type_9(_e476, _e493);
+                            phi_846_ = type_9(_e476, _e493);
                         }
-                        let _e504 = phi_843_;
-                        let _e507 = params.member.member_1.member_3;
-                        if (_e478 < _e507) {
+                        let _e507 = phi_846_;
+                        if (_e478 < _e496) {
                             let _e511 = (2u * _e478);
-                            atomicStore((&output.member[(4u + _e511)]), _e504.member);
-                            atomicStore((&output.member[(_e511 + 5u)]), _e504.member_1);
+                            atomicStore((&output.member[(4u + _e511)]), _e507.member);
+                            atomicStore((&output.member[(_e511 + 5u)]), _e507.member_1);
                         }
                         phi_795_ = (_e478 + 1u);
                         phi_798_ = (_e480 & (_e480 - 1u));

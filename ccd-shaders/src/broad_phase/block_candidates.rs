@@ -184,7 +184,7 @@ kernel! {
 
 /// Ids of a pair; within one set the lesser first.
 #[inline(always)]
-fn ids(one_set: bool, a: u32, b: u32) -> Pair {
+pub(super) fn ids(one_set: bool, a: u32, b: u32) -> Pair {
     if one_set { Pair::ordered(a, b) } else { Pair { a, b } }
 }
 

@@ -1,15 +1,16 @@
 //! From pairs of blocks to pairs of boxes that overlap, where boxes are all that there is: no
 //! features, no bodies, no times.
 //!
-//! Most of such boxes overlap none, and of half the pairs of blocks none reaches into the other
-//! block. So there is no pool of hits as in `block_pairs`: a team of 32 threads takes a pair of
-//! blocks, and a thread writes what its box overlaps.
+//! Most of such boxes overlap no other, and in half of the pairs of blocks no box of the second
+//! reaches into the first. So there is no pool of hits as in `block_pairs`: a team of 32 threads
+//! takes a pair of blocks, and a thread writes what its box overlaps.
 //!
-//! Two kernels have this body: teams that share through workgroup memory, and teams that are
-//! subgroups, which leave out what another has to wait for.
+//! Two kernels have this body. In one, teams share through workgroup memory, and all of a workgroup
+//! wait for each other. In the other a team is a subgroup, and goes on to its next pair at once.
 //!
 //! Twin: on a CPU `block_pairs.rs`.
 
+use super::block_candidates::ids;
 use super::block_pairs::{Places, entries};
 use crate::entry::{Thread, kernel};
 use crate::records::{BoxWords, box_at};
@@ -21,17 +22,17 @@ use ccd_core::Aabb;
 use ccd_core::backend::broad_phase::block_bvh::{TEAMS, WIDTH, sets};
 use ccd_core::backend::kernel::memory::at;
 use ccd_core::backend::kernel::sort::before;
-use ccd_core::backend::layout::{Blocks, EDGE_EDGE, Pair, Params};
+use ccd_core::backend::layout::{Blocks, EDGE_EDGE, Params};
 use spirv_std::arch::subgroup_ballot;
 
-/// What the 32 threads of a team do together. Each call is one of all threads of the workgroup, but
-/// of a team that is [alone](Self::IS_ALONE).
+/// What the 32 threads of a team do together. All threads of the workgroup make each call, or, of a
+/// team that is [alone](Self::IS_ALONE), all threads of the team.
 trait Team {
     /// Whether no other team waits for it.
     const IS_ALONE: bool;
-    /// What the team wrote to workgroup memory before is seen after.
+    /// A barrier: what the team wrote to workgroup memory before is seen after.
     fn wait(&self);
-    /// The threads of the team of which `is_one` is true, as bits. A [`Team::wait`], too.
+    /// The threads of the team for which `is_one` is true, as bits. A barrier as well.
     fn threads(&mut self, is_one: bool) -> u32;
     /// Reserves `n` entries of a list for each thread; returns the first.
     fn reserve(&mut self, n: u32, list: &mut [u32], params: &Params<Blocks>) -> u32;
@@ -145,20 +146,16 @@ fn list<T: Team>(
                 set(names, to, name);
             }
             team.wait();
-            // Of one block each thread takes the half of them that comes after its own, around the
-            // end, so that each pair is taken once; of those opposite to each other the first half.
-            let (turn, n_columns) = if is_one_block {
-                (child + 1, WIDTH / 2)
-            } else {
-                (0, chosen.count_ones())
-            };
+            // Within one block a box is tested against the 16 that come after it, around the end,
+            // so that each pair is tested once: of two that are opposite, by the first.
+            let (turn, n_columns) =
+                if is_one_block { (child + 1, WIDTH / 2) } else { (0, chosen.count_ones()) };
             let mut hits = 0;
             // Not `div_ceil`, which takes twice as many instructions.
             for four in 0..(n_columns + 3) / 4 {
                 let c = 4 * four;
-                let hit = |k: u32| {
-                    row.overlaps(&get(columns, first + (turn + c + k) % WIDTH)) as u32
-                };
+                let hit =
+                    |k: u32| row.overlaps(&get(columns, first + (turn + c + k) % WIDTH)) as u32;
                 hits |= (hit(0) | hit(1) << 1 | hit(2) << 2 | hit(3) << 3) << c;
             }
             if is_one_block {
@@ -175,12 +172,12 @@ fn list<T: Team>(
                     let name = get(names, first + hits.trailing_zeros());
                     hits &= hits - 1;
                     let q = at(order, (b + name) as usize) - b;
-                    let pair = if args.kind == EDGE_EDGE {
-                        Pair::ordered(p, q)
-                    } else {
-                        Pair { a: p, b: q }
-                    };
-                    write_pair(output, dispatch.capacity_out, to, pair);
+                    write_pair(
+                        output,
+                        dispatch.capacity_out,
+                        to,
+                        ids(args.kind == EDGE_EDGE, p, q),
+                    );
                     to += 1;
                 }
             }
@@ -208,6 +205,7 @@ kernel! {
     list_overlaps_by_subgroups[128 by (subgroup, lane_of_subgroup)](t; params: Blocks;
         columns: [Aabb; 128], names: [u32; 128];
         nodes: [BoxWords], order: [u32], input: [u32], mut output: [u32]) {
-        list(Subgroup { child: t.lane % WIDTH }, t, params, (columns, names), (nodes, order), (input, output));
+        let team = Subgroup { child: t.lane % WIDTH };
+        list(team, t, params, (columns, names), (nodes, order), (input, output));
     }
 }
