@@ -144,7 +144,7 @@ pub fn has_fast_f64(adapter: &wgpu::AdapterInfo) -> bool {
 
 /// Whether subgroups have the 32 threads that kernels by subgroups need, and no other number.
 /// Besides, these count on full subgroups. Vulkan promises them for a flag that wgpu does not set;
-/// no device of that one size is known to fill a workgroup of 512 threads in another way.
+/// no device of that one size is known to fill a workgroup of 128 or 512 threads otherwise.
 pub fn are_of_32(adapter: &wgpu::AdapterInfo) -> bool {
     [adapter.subgroup_min_size, adapter.subgroup_max_size] == [sort::SUBGROUP; 2]
 }

@@ -71,7 +71,7 @@ fn check_node_pairs(device: &Device) {
 
 /// Boxes alone, by every kernel that lists those that overlap.
 fn check_overlaps(device: &Device) {
-    // Also of many boxes on one another, and of one block that has a half, and one more than that.
+    // Besides real ones equal boxes: so many that lists are short, and blocks of 16, 17 and 32.
     let on_each_other = |n: usize| [Aabb { min: [0.0; 3], max: [1.0; 3] }].repeat(n);
     let of_features = twin(70, 3).0;
     let of = |n, m, k| {

@@ -38,7 +38,7 @@ pub fn run(root: &Path, whole: bool) -> Result<(), String> {
 fn gate(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "fmt", "--all", "--check"])?;
     crate::tidy::run(root)?;
-    // A lock file that lags behind manifests stops whoever builds with it, and nothing here does.
+    // The gate builds neither, so nothing else of it sees a lock file that lags behind manifests.
     for manifest in ["fuzz/Cargo.toml", "examples/bevy/Cargo.toml"] {
         let update = ["cargo", "update", "--quiet", "--workspace", "--locked"];
         command(root, &[&update[..], &["--manifest-path", manifest]].concat())?;

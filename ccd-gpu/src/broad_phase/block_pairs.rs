@@ -47,7 +47,7 @@ impl PairSource for Tree {
     }
 
     fn find(&self, recorder: &mut Recorder, search: &Search) {
-        // Boxes alone: no topology, no bodies.
+        // Boxes alone: what flags say of bodies and positions does not concern them.
         let frame = &Frame { flags: 0, ..*search.frame };
         if !search.keeps_order {
             recorder.stage("codes");

@@ -34,12 +34,13 @@ trait Team {
     fn wait(&self);
     /// The threads of the team for which `is_one` is true, as bits. A barrier as well.
     fn threads(&mut self, is_one: bool) -> u32;
-    /// Reserves `n` entries of a list for each thread; returns the first.
+    /// Reserves `n` entries of a list for each thread. Returns the first, or any number if `n` is
+    /// 0.
     fn reserve(&mut self, n: u32, list: &mut [u32], params: &Params<Blocks>) -> u32;
 }
 
-/// A team that shares through workgroup memory. By team, all zero at first: threads as bits,
-/// entries that they reserve, and the first of these.
+/// A team that shares through workgroup memory. By team: threads as bits and entries that they
+/// reserve, both zero at first, and the first of these entries.
 struct Shared<'a> {
     lane: u32,
     threads: &'a mut [u32; 4],

@@ -52,7 +52,7 @@ macro_rules! kernels {
             FitLeaves = fit_leaves(256 threads, 1 barriers, f32, Params<Blocks>)
                 { boxes: Read, leaves: Read, paths: Read, bodies: Read,
                   nodes: Write, ends: Write }
-            /// The same of boxes alone.
+            /// Boxes of leaves that are boxes alone, and of the nodes above.
             FitBoxes = fit_boxes(256 threads, 1 barriers, f32, Params<Blocks>)
                 { boxes: Read, order: Read, nodes: Write }
             /// Nodes of the next level.

@@ -35,7 +35,7 @@ pub struct BodyMotion<'a> {
 }
 
 #[derive(Clone, Copy, Debug)]
-#[allow(clippy::large_enum_variant, reason = "few of them, for a call, and no memory of their own")]
+#[allow(clippy::large_enum_variant, reason = "one a body and call; a `Box` would allocate")]
 enum To<'a> {
     Ends(Ends<'a>),
     Poses(Poses),
